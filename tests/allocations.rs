@@ -3,8 +3,8 @@
 #![deny(unsafe_code)]
 
 use ccd::{
-    BroadPhaseMethod, CancelToken, Error, Options, Pipeline, Posed, Scheduling, Session, Strided,
-    Traversal, TreeOptions,
+    BroadPhaseMethod, Builder, CancelToken, Error, Front, Options, Pipeline, Posed, Scheduling,
+    Session, Strided, Traversal, TreeOptions,
 };
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
@@ -114,6 +114,13 @@ fn check_forms_and_changes() {
 /// Steps with few pairs hold what the mesh needs: no more than the estimate, and not so little that
 /// it would be a bad one.
 fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
+    // That builder takes fewer boxes than these, and its tree is as large as any other.
+    let tree = |tree: TreeOptions| matches!(tree.builder, Builder::NearestPair { .. });
+    let is_small = matches!(method, BroadPhaseMethod::Tree(of) if tree(of));
+    // Fronts are counted as they grow.
+    if is_small || scheduling.front != Front::Off {
+        return;
+    }
     let sheet = crumpled_sheet(150, 1);
     let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
     let side = x.len().isqrt();
@@ -140,8 +147,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
             assert!(session.step(&gathered, &bowl).unwrap().contacts.is_empty());
         }
         let held = (LIVE.load(Ordering::Relaxed) - before) as u64;
-        println!("{:.2} {held} of {bytes}: {options:?}", held as f64 / bytes as f64);
-        assert!(held <= bytes && 6 * held > bytes, "{held} bytes, not {bytes}: {options:?}");
+        assert!(held <= bytes && 4 * held > bytes, "{held} bytes, not {bytes}: {options:?}");
     }
 }
 

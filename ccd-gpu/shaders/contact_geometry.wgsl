@@ -133,23 +133,23 @@ var<storage> contacts: type_10;
 var<storage, read_write> geometry: type_36;
 
 fn function_(param: array<f32, 4>, param_1: u32) -> array<f32, 4> {
-    var phi_4377_: array<f32, 4>;
+    var phi_4373_: array<f32, 4>;
 
     switch bitcast<i32>(param_1) {
         case 0: {
-            phi_4377_ = param;
+            phi_4373_ = param;
             break;
         }
         case 1: {
-            phi_4377_ = array<f32, 4>(param[0], param[3], param[1], param[2]);
+            phi_4373_ = array<f32, 4>(param[0], param[3], param[1], param[2]);
             break;
         }
         default: {
-            phi_4377_ = array<f32, 4>(param[0], param[2], param[3], param[1]);
+            phi_4373_ = array<f32, 4>(param[0], param[2], param[3], param[1]);
             break;
         }
     }
-    let _e14 = phi_4377_;
+    let _e14 = phi_4373_;
     return _e14;
 }
 
@@ -158,40 +158,40 @@ fn function_1(param_2: array<array<f32, 3>, 2>) -> array<f32, 3> {
 }
 
 fn function_2(param_3: type_38, param_4: type_38) -> type_38 {
-    var phi_4345_: type_38;
+    var phi_4341_: type_38;
 
     if (param_4.member_3 < param_3.member_3) {
-        phi_4345_ = param_4;
+        phi_4341_ = param_4;
     } else {
-        phi_4345_ = param_3;
+        phi_4341_ = param_3;
     }
-    let _e6 = phi_4345_;
+    let _e6 = phi_4341_;
     return _e6;
 }
 
 fn function_3(param_5: f32, param_6: f32) -> f32 {
-    var phi_3420_: f32;
-    var phi_3425_: f32;
-    var phi_3426_: f32;
+    var phi_3416_: f32;
+    var phi_3421_: f32;
+    var phi_3422_: f32;
 
     if (param_5 > 0f) {
         if (param_5 < param_6) {
-            phi_3420_ = param_5;
+            phi_3416_ = param_5;
         } else {
-            phi_3420_ = param_6;
+            phi_3416_ = param_6;
         }
-        let _e6 = phi_3420_;
+        let _e6 = phi_3416_;
         if (_e6 > 0f) {
-            phi_3425_ = _e6;
+            phi_3421_ = _e6;
         } else {
-            phi_3425_ = 0f;
+            phi_3421_ = 0f;
         }
-        let _e9 = phi_3425_;
-        phi_3426_ = _e9;
+        let _e9 = phi_3421_;
+        phi_3422_ = _e9;
     } else {
-        phi_3426_ = 0f;
+        phi_3422_ = 0f;
     }
-    let _e11 = phi_3426_;
+    let _e11 = phi_3422_;
     return _e11;
 }
 
@@ -226,28 +226,28 @@ fn function_6(param_13: ptr<function, type_27>, param_14: f32, param_15: f32) ->
 }
 
 fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
-    var phi_4044_: f32;
-    var phi_4051_: f32;
-    var phi_4062_: type_38;
-    var phi_4063_: bool;
-    var phi_4064_: type_38;
-    var phi_4065_: bool;
-    var phi_3921_: bool;
-    var phi_3922_: bool;
-    var phi_3938_: f32;
-    var phi_3944_: f32;
+    var phi_4040_: f32;
+    var phi_4047_: f32;
+    var phi_4058_: type_38;
+    var phi_4059_: bool;
+    var phi_4060_: type_38;
+    var phi_4061_: bool;
+    var phi_3917_: bool;
+    var phi_3918_: bool;
+    var phi_3934_: f32;
+    var phi_3940_: f32;
+    var phi_3943_: type_38;
+    var phi_3944_: bool;
+    var phi_3945_: type_38;
+    var phi_3946_: bool;
     var phi_3947_: type_38;
     var phi_3948_: bool;
-    var phi_3949_: type_38;
-    var phi_3950_: bool;
-    var phi_3951_: type_38;
-    var phi_3952_: bool;
-    var phi_4069_: type_38;
-    var phi_4070_: bool;
-    var phi_4145_: type_38;
-    var phi_4146_: type_38;
-    var phi_4147_: bool;
-    var phi_4151_: type_38;
+    var phi_4065_: type_38;
+    var phi_4066_: bool;
+    var phi_4141_: type_38;
+    var phi_4142_: type_38;
+    var phi_4143_: bool;
+    var phi_4147_: type_38;
 
     let _e9 = (param_17 == 0u);
     let _e11 = (*param_16).member_4;
@@ -264,65 +264,65 @@ fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
         let _e154 = (*param_16).member_3;
         let _e163 = ((((((_e135[1] * _e140[2]) - (_e135[2] * _e140[1])) * _e154[0]) + (((_e135[2] * _e140[0]) - (_e135[0] * _e140[2])) * _e154[1])) + (((_e135[0] * _e140[1]) - (_e135[1] * _e140[0])) * _e154[2])) / _e103);
         if _e9 {
-            phi_3922_ = ((_e133 + _e163) <= 1f);
+            phi_3918_ = ((_e133 + _e163) <= 1f);
         } else {
             if (_e133 <= 1f) {
-                phi_3921_ = (_e163 <= 1f);
+                phi_3917_ = (_e163 <= 1f);
             } else {
-                phi_3921_ = false;
+                phi_3917_ = false;
             }
-            let _e167 = phi_3921_;
-            phi_3922_ = _e167;
+            let _e167 = phi_3917_;
+            phi_3918_ = _e167;
         }
-        let _e171 = phi_3922_;
+        let _e171 = phi_3918_;
         if (_e133 >= 0f) {
             if (_e163 >= 0f) {
                 if _e171 {
                     if _e9 {
-                        phi_3938_ = (1f - _e133);
+                        phi_3934_ = (1f - _e133);
                     } else {
-                        phi_3938_ = 1f;
+                        phi_3934_ = 1f;
                     }
-                    let _e176 = phi_3938_;
+                    let _e176 = phi_3934_;
                     let _e177 = function_6(param_16, _e133, _e176);
                     if _e9 {
-                        phi_3944_ = (1f - _e177);
+                        phi_3940_ = (1f - _e177);
                     } else {
-                        phi_3944_ = 1f;
+                        phi_3940_ = 1f;
                     }
-                    let _e180 = phi_3944_;
+                    let _e180 = phi_3940_;
                     let _e181 = function_4(param_16, _e177, _e180);
                     let _e182 = function_5(param_16, _e181, _e177);
-                    phi_3947_ = _e182;
-                    phi_3948_ = false;
+                    phi_3943_ = _e182;
+                    phi_3944_ = false;
                 } else {
-                    phi_3947_ = type_38();
-                    phi_3948_ = true;
+                    phi_3943_ = type_38();
+                    phi_3944_ = true;
                 }
-                let _e184 = phi_3947_;
-                let _e186 = phi_3948_;
-                phi_3949_ = _e184;
-                phi_3950_ = _e186;
+                let _e184 = phi_3943_;
+                let _e186 = phi_3944_;
+                phi_3945_ = _e184;
+                phi_3946_ = _e186;
             } else {
-                phi_3949_ = type_38();
-                phi_3950_ = true;
+                phi_3945_ = type_38();
+                phi_3946_ = true;
             }
-            let _e188 = phi_3949_;
-            let _e190 = phi_3950_;
-            phi_3951_ = _e188;
-            phi_3952_ = _e190;
+            let _e188 = phi_3945_;
+            let _e190 = phi_3946_;
+            phi_3947_ = _e188;
+            phi_3948_ = _e190;
         } else {
-            phi_3951_ = type_38();
-            phi_3952_ = true;
+            phi_3947_ = type_38();
+            phi_3948_ = true;
         }
-        let _e192 = phi_3951_;
-        let _e194 = phi_3952_;
-        phi_4069_ = _e192;
-        phi_4070_ = _e194;
+        let _e192 = phi_3947_;
+        let _e194 = phi_3948_;
+        phi_4065_ = _e192;
+        phi_4066_ = _e194;
     } else {
         if _e9 {
-            phi_4064_ = type_38();
-            phi_4065_ = true;
+            phi_4060_ = type_38();
+            phi_4061_ = true;
         } else {
             let _e14 = (*param_16).member;
             let _e19 = (*param_16).member_1;
@@ -335,41 +335,41 @@ fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
             let _e57 = (*param_16).member_1;
             let _e65 = (((_e52[0] * _e57[0]) + (_e52[1] * _e57[1])) + (_e52[2] * _e57[2]));
             if (_e27 < _e50) {
-                phi_4044_ = _e27;
+                phi_4040_ = _e27;
             } else {
-                phi_4044_ = _e50;
+                phi_4040_ = _e50;
             }
-            let _e68 = phi_4044_;
+            let _e68 = phi_4040_;
             let _e70 = function_3((_e68 / _e65), 1f);
             if (_e27 > _e50) {
-                phi_4051_ = _e27;
+                phi_4047_ = _e27;
             } else {
-                phi_4051_ = _e50;
+                phi_4047_ = _e50;
             }
-            let _e73 = phi_4051_;
+            let _e73 = phi_4047_;
             let _e75 = function_3((_e73 / _e65), 1f);
             if (_e70 < _e75) {
                 let _e78 = ((_e70 + _e75) * 0.5f);
                 let _e79 = function_6(param_16, _e78, 1f);
                 let _e80 = function_5(param_16, _e78, _e79);
-                phi_4062_ = _e80;
-                phi_4063_ = false;
+                phi_4058_ = _e80;
+                phi_4059_ = false;
             } else {
-                phi_4062_ = type_38();
-                phi_4063_ = true;
+                phi_4058_ = type_38();
+                phi_4059_ = true;
             }
-            let _e82 = phi_4062_;
-            let _e84 = phi_4063_;
-            phi_4064_ = _e82;
-            phi_4065_ = _e84;
+            let _e82 = phi_4058_;
+            let _e84 = phi_4059_;
+            phi_4060_ = _e82;
+            phi_4061_ = _e84;
         }
-        let _e86 = phi_4064_;
-        let _e88 = phi_4065_;
-        phi_4069_ = _e86;
-        phi_4070_ = _e88;
+        let _e86 = phi_4060_;
+        let _e88 = phi_4061_;
+        phi_4065_ = _e86;
+        phi_4066_ = _e88;
     }
-    let _e196 = phi_4069_;
-    let _e198 = phi_4070_;
+    let _e196 = phi_4065_;
+    let _e198 = phi_4066_;
     if _e198 {
         let _e199 = function_4(param_16, 0f, 1f);
         let _e200 = function_5(param_16, _e199, 0f);
@@ -387,7 +387,7 @@ fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
             let _e247 = function_3((((((_e224[0] - _e229[0]) * _e220) + ((_e224[1] - _e229[1]) * _e221)) + ((_e224[2] - _e229[2]) * _e222)) / (((_e220 * _e220) + (_e221 * _e221)) + (_e222 * _e222))), 1f);
             let _e249 = function_5(param_16, (1f - _e247), _e247);
             let _e250 = function_2(_e203, _e249);
-            phi_4145_ = _e250;
+            phi_4141_ = _e250;
         } else {
             let _e204 = function_6(param_16, 1f, 1f);
             let _e205 = function_5(param_16, 1f, _e204);
@@ -395,50 +395,50 @@ fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
             let _e207 = function_5(param_16, _e206, 1f);
             let _e208 = function_2(_e205, _e207);
             let _e209 = function_2(_e203, _e208);
-            phi_4145_ = _e209;
+            phi_4141_ = _e209;
         }
-        let _e252 = phi_4145_;
-        phi_4146_ = _e252;
-        phi_4147_ = false;
+        let _e252 = phi_4141_;
+        phi_4142_ = _e252;
+        phi_4143_ = false;
     } else {
-        phi_4146_ = type_38();
-        phi_4147_ = true;
+        phi_4142_ = type_38();
+        phi_4143_ = true;
     }
-    let _e254 = phi_4146_;
-    let _e256 = phi_4147_;
+    let _e254 = phi_4142_;
+    let _e256 = phi_4143_;
     if _e256 {
-        phi_4151_ = _e196;
+        phi_4147_ = _e196;
     } else {
-        phi_4151_ = _e254;
+        phi_4147_ = _e254;
     }
-    let _e258 = phi_4151_;
+    let _e258 = phi_4147_;
     return _e258;
 }
 
 fn function_8(param_18: f32) -> f32 {
-    var phi_3777_: u32;
-    var phi_3780_: f32;
-    var phi_3781_: f32;
+    var phi_3773_: u32;
+    var phi_3776_: f32;
+    var phi_3777_: f32;
 
     if ((bitcast<u32>(param_18) & 2139095040u) != 2139095040u) {
         if (param_18 >= 0.000000000000000000000000000000000000011754944f) {
             let _e13 = (2130706432u - (bitcast<u32>(param_18) & 2139095040u));
             if (_e13 > 8388608u) {
-                phi_3777_ = _e13;
+                phi_3773_ = _e13;
             } else {
-                phi_3777_ = 8388608u;
+                phi_3773_ = 8388608u;
             }
-            let _e16 = phi_3777_;
-            phi_3780_ = bitcast<f32>(_e16);
+            let _e16 = phi_3773_;
+            phi_3776_ = bitcast<f32>(_e16);
         } else {
-            phi_3780_ = (1f / 0.000000000000000000000000000000000000011754944f);
+            phi_3776_ = (1f / 0.000000000000000000000000000000000000011754944f);
         }
-        let _e19 = phi_3780_;
-        phi_3781_ = _e19;
+        let _e19 = phi_3776_;
+        phi_3777_ = _e19;
     } else {
-        phi_3781_ = 1f;
+        phi_3777_ = 1f;
     }
-    let _e21 = phi_3781_;
+    let _e21 = phi_3777_;
     return _e21;
 }
 
@@ -448,12 +448,12 @@ fn function_9(param_19: array<f32, 3>, param_20: array<f32, 3>, param_21: f32) -
 }
 
 fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) -> array<array<f32, 3>, 4> {
-    var phi_3754_: array<array<f32, 3>, 4>;
+    var phi_3750_: array<array<f32, 3>, 4>;
 
     switch bitcast<i32>(param_23) {
         case 0: {
             let _e32 = (*param_22);
-            phi_3754_ = array<array<f32, 3>, 4>(array<f32, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f32, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f32, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f32, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
+            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f32, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f32, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f32, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
             break;
         }
         case 1: {
@@ -461,7 +461,7 @@ fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) 
             let _e14 = (*param_22)[2u];
             let _e20 = (*param_22)[3u];
             let _e26 = (*param_22)[1u];
-            phi_3754_ = array<array<f32, 3>, 4>(array<f32, 3>(_e8[0], _e8[1], _e8[2]), array<f32, 3>(_e14[0], _e14[1], _e14[2]), array<f32, 3>(_e20[0], _e20[1], _e20[2]), array<f32, 3>(_e26[0], _e26[1], _e26[2]));
+            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e8[0], _e8[1], _e8[2]), array<f32, 3>(_e14[0], _e14[1], _e14[2]), array<f32, 3>(_e20[0], _e20[1], _e20[2]), array<f32, 3>(_e26[0], _e26[1], _e26[2]));
             break;
         }
         default: {
@@ -469,28 +469,28 @@ fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) 
             let _e61 = (*param_22)[3u];
             let _e67 = (*param_22)[1u];
             let _e73 = (*param_22)[2u];
-            phi_3754_ = array<array<f32, 3>, 4>(array<f32, 3>(_e55[0], _e55[1], _e55[2]), array<f32, 3>(_e61[0], _e61[1], _e61[2]), array<f32, 3>(_e67[0], _e67[1], _e67[2]), array<f32, 3>(_e73[0], _e73[1], _e73[2]));
+            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e55[0], _e55[1], _e55[2]), array<f32, 3>(_e61[0], _e61[1], _e61[2]), array<f32, 3>(_e67[0], _e67[1], _e67[2]), array<f32, 3>(_e73[0], _e73[1], _e73[2]));
             break;
         }
     }
-    let _e80 = phi_3754_;
+    let _e80 = phi_3750_;
     return _e80;
 }
 
 fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<function, array<array<f32, 3>, 4>>, param_26: f32) -> u32 {
-    var phi_3482_: f32;
-    var phi_3489_: f32;
-    var phi_3497_: f32;
-    var phi_3550_: f32;
-    var phi_3557_: f32;
-    var phi_3565_: f32;
-    var phi_3618_: f32;
-    var phi_3625_: f32;
-    var phi_3633_: f32;
-    var phi_3643_: bool;
-    var phi_3644_: bool;
-    var phi_3652_: u32;
-    var phi_3653_: u32;
+    var phi_3478_: f32;
+    var phi_3485_: f32;
+    var phi_3493_: f32;
+    var phi_3546_: f32;
+    var phi_3553_: f32;
+    var phi_3561_: f32;
+    var phi_3614_: f32;
+    var phi_3621_: f32;
+    var phi_3629_: f32;
+    var phi_3639_: bool;
+    var phi_3640_: bool;
+    var phi_3648_: u32;
+    var phi_3649_: u32;
 
     let _e11 = (*param_24)[3u];
     let _e16 = (*param_24)[2u];
@@ -498,23 +498,23 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e30 = (*param_25)[2u];
     let _e38 = function_9(array<f32, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f32, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_26);
     if (_e38[0] < 0f) {
-        phi_3482_ = -(_e38[0]);
+        phi_3478_ = -(_e38[0]);
     } else {
-        phi_3482_ = _e38[0];
+        phi_3478_ = _e38[0];
     }
-    let _e43 = phi_3482_;
+    let _e43 = phi_3478_;
     if (_e38[1] < 0f) {
-        phi_3489_ = -(_e38[1]);
+        phi_3485_ = -(_e38[1]);
     } else {
-        phi_3489_ = _e38[1];
+        phi_3485_ = _e38[1];
     }
-    let _e48 = phi_3489_;
+    let _e48 = phi_3485_;
     if (_e38[2] < 0f) {
-        phi_3497_ = -(_e38[2]);
+        phi_3493_ = -(_e38[2]);
     } else {
-        phi_3497_ = _e38[2];
+        phi_3493_ = _e38[2];
     }
-    let _e54 = phi_3497_;
+    let _e54 = phi_3493_;
     let _e55 = ((_e43 + _e48) + _e54);
     let _e57 = (*param_24)[1u];
     let _e62 = (*param_24)[3u];
@@ -522,23 +522,23 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e76 = (*param_25)[3u];
     let _e84 = function_9(array<f32, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f32, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_26);
     if (_e84[0] < 0f) {
-        phi_3550_ = -(_e84[0]);
+        phi_3546_ = -(_e84[0]);
     } else {
-        phi_3550_ = _e84[0];
+        phi_3546_ = _e84[0];
     }
-    let _e89 = phi_3550_;
+    let _e89 = phi_3546_;
     if (_e84[1] < 0f) {
-        phi_3557_ = -(_e84[1]);
+        phi_3553_ = -(_e84[1]);
     } else {
-        phi_3557_ = _e84[1];
+        phi_3553_ = _e84[1];
     }
-    let _e94 = phi_3557_;
+    let _e94 = phi_3553_;
     if (_e84[2] < 0f) {
-        phi_3565_ = -(_e84[2]);
+        phi_3561_ = -(_e84[2]);
     } else {
-        phi_3565_ = _e84[2];
+        phi_3561_ = _e84[2];
     }
-    let _e100 = phi_3565_;
+    let _e100 = phi_3561_;
     let _e101 = ((_e89 + _e94) + _e100);
     let _e103 = (*param_24)[2u];
     let _e108 = (*param_24)[1u];
@@ -546,48 +546,48 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e122 = (*param_25)[1u];
     let _e130 = function_9(array<f32, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f32, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_26);
     if (_e130[0] < 0f) {
-        phi_3618_ = -(_e130[0]);
+        phi_3614_ = -(_e130[0]);
     } else {
-        phi_3618_ = _e130[0];
+        phi_3614_ = _e130[0];
     }
-    let _e135 = phi_3618_;
+    let _e135 = phi_3614_;
     if (_e130[1] < 0f) {
-        phi_3625_ = -(_e130[1]);
+        phi_3621_ = -(_e130[1]);
     } else {
-        phi_3625_ = _e130[1];
+        phi_3621_ = _e130[1];
     }
-    let _e140 = phi_3625_;
+    let _e140 = phi_3621_;
     if (_e130[2] < 0f) {
-        phi_3633_ = -(_e130[2]);
+        phi_3629_ = -(_e130[2]);
     } else {
-        phi_3633_ = _e130[2];
+        phi_3629_ = _e130[2];
     }
-    let _e146 = phi_3633_;
+    let _e146 = phi_3629_;
     let _e147 = ((_e135 + _e140) + _e146);
     if (_e55 >= _e101) {
         if (_e55 >= _e147) {
-            phi_3643_ = false;
+            phi_3639_ = false;
         } else {
-            phi_3643_ = true;
+            phi_3639_ = true;
         }
-        let _e151 = phi_3643_;
-        phi_3644_ = _e151;
+        let _e151 = phi_3639_;
+        phi_3640_ = _e151;
     } else {
-        phi_3644_ = true;
+        phi_3640_ = true;
     }
-    let _e153 = phi_3644_;
+    let _e153 = phi_3640_;
     if _e153 {
         if (_e101 >= _e147) {
-            phi_3652_ = 1u;
+            phi_3648_ = 1u;
         } else {
-            phi_3652_ = 2u;
+            phi_3648_ = 2u;
         }
-        let _e156 = phi_3652_;
-        phi_3653_ = _e156;
+        let _e156 = phi_3648_;
+        phi_3649_ = _e156;
     } else {
-        phi_3653_ = 0u;
+        phi_3649_ = 0u;
     }
-    let _e158 = phi_3653_;
+    let _e158 = phi_3649_;
     return _e158;
 }
 
@@ -659,299 +659,299 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1064_: f32;
     var phi_1069_: f32;
     var phi_1074_: f32;
-    var phi_1107_: f32;
-    var phi_1113_: f32;
-    var phi_1118_: f32;
-    var phi_1124_: f32;
-    var phi_1129_: f32;
-    var phi_1137_: f32;
-    var phi_1143_: f32;
-    var phi_1148_: f32;
-    var phi_1154_: f32;
-    var phi_1159_: f32;
-    var phi_1187_: type_14;
-    var phi_1190_: f32;
-    var phi_1211_: bool;
-    var phi_1217_: type_15;
-    var phi_1188_: type_14;
-    var phi_1231_: type_15;
-    var phi_1191_: f32;
+    var phi_1105_: f32;
+    var phi_1111_: f32;
+    var phi_1116_: f32;
+    var phi_1122_: f32;
+    var phi_1127_: f32;
+    var phi_1135_: f32;
+    var phi_1141_: f32;
+    var phi_1146_: f32;
+    var phi_1152_: f32;
+    var phi_1157_: f32;
+    var phi_1185_: type_14;
+    var phi_1188_: f32;
+    var phi_1209_: bool;
+    var phi_1215_: type_15;
+    var phi_1186_: type_14;
+    var phi_1229_: type_15;
+    var phi_1189_: f32;
     var local_3: f32;
-    var phi_1180_: f32;
-    var phi_1244_: f32;
-    var phi_1252_: f32;
-    var phi_1257_: f32;
-    var phi_1307_: type_14;
-    var phi_1310_: f32;
-    var phi_1331_: bool;
-    var phi_1337_: type_15;
-    var phi_1308_: type_14;
-    var phi_1351_: type_15;
-    var phi_1311_: f32;
+    var phi_1178_: f32;
+    var phi_1242_: f32;
+    var phi_1250_: f32;
+    var phi_1255_: f32;
+    var phi_1305_: type_14;
+    var phi_1308_: f32;
+    var phi_1329_: bool;
+    var phi_1335_: type_15;
+    var phi_1306_: type_14;
+    var phi_1349_: type_15;
+    var phi_1309_: f32;
     var local_4: f32;
-    var phi_1300_: f32;
-    var phi_1364_: f32;
-    var phi_1372_: f32;
-    var phi_1378_: f32;
-    var phi_1417_: bool;
-    var phi_1423_: bool;
+    var phi_1298_: f32;
+    var phi_1362_: f32;
+    var phi_1370_: f32;
+    var phi_1376_: f32;
+    var phi_1415_: bool;
+    var phi_1421_: bool;
+    var phi_1436_: bool;
+    var phi_1437_: bool;
     var phi_1438_: bool;
     var phi_1439_: bool;
     var phi_1440_: bool;
-    var phi_1441_: bool;
-    var phi_1442_: bool;
-    var phi_1446_: bool;
-    var phi_1792_: f32;
-    var phi_1799_: f32;
-    var phi_1804_: f32;
-    var phi_1811_: f32;
-    var phi_1816_: f32;
-    var phi_1824_: f32;
-    var phi_1831_: f32;
-    var phi_1836_: f32;
-    var phi_1843_: f32;
-    var phi_1848_: f32;
-    var phi_1853_: f32;
-    var phi_1863_: f32;
-    var phi_1870_: f32;
-    var phi_1875_: f32;
-    var phi_1882_: f32;
-    var phi_1887_: f32;
-    var phi_1895_: f32;
-    var phi_1902_: f32;
-    var phi_1907_: f32;
-    var phi_1914_: f32;
-    var phi_1919_: f32;
-    var phi_1924_: f32;
-    var phi_1934_: f32;
-    var phi_1941_: f32;
-    var phi_1946_: f32;
-    var phi_1953_: f32;
-    var phi_1958_: f32;
-    var phi_1966_: f32;
-    var phi_1973_: f32;
-    var phi_1978_: f32;
-    var phi_1985_: f32;
-    var phi_1990_: f32;
-    var phi_1995_: f32;
-    var phi_2015_: f32;
-    var phi_2021_: f32;
-    var phi_2026_: f32;
-    var phi_2032_: f32;
-    var phi_2037_: f32;
-    var phi_2067_: type_14;
-    var phi_2070_: f32;
-    var phi_2091_: bool;
-    var phi_2097_: type_15;
-    var phi_2068_: type_14;
-    var phi_2111_: type_15;
-    var phi_2071_: f32;
+    var phi_1444_: bool;
+    var phi_1790_: f32;
+    var phi_1797_: f32;
+    var phi_1802_: f32;
+    var phi_1809_: f32;
+    var phi_1814_: f32;
+    var phi_1822_: f32;
+    var phi_1829_: f32;
+    var phi_1834_: f32;
+    var phi_1841_: f32;
+    var phi_1846_: f32;
+    var phi_1851_: f32;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1873_: f32;
+    var phi_1880_: f32;
+    var phi_1885_: f32;
+    var phi_1893_: f32;
+    var phi_1900_: f32;
+    var phi_1905_: f32;
+    var phi_1912_: f32;
+    var phi_1917_: f32;
+    var phi_1922_: f32;
+    var phi_1932_: f32;
+    var phi_1939_: f32;
+    var phi_1944_: f32;
+    var phi_1951_: f32;
+    var phi_1956_: f32;
+    var phi_1964_: f32;
+    var phi_1971_: f32;
+    var phi_1976_: f32;
+    var phi_1983_: f32;
+    var phi_1988_: f32;
+    var phi_1993_: f32;
+    var phi_2011_: f32;
+    var phi_2017_: f32;
+    var phi_2022_: f32;
+    var phi_2028_: f32;
+    var phi_2033_: f32;
+    var phi_2063_: type_14;
+    var phi_2066_: f32;
+    var phi_2087_: bool;
+    var phi_2093_: type_15;
+    var phi_2064_: type_14;
+    var phi_2107_: type_15;
+    var phi_2067_: f32;
     var local_5: f32;
-    var phi_2060_: f32;
-    var phi_2124_: f32;
-    var phi_2150_: f32;
-    var phi_2156_: f32;
-    var phi_2163_: f32;
-    var phi_2177_: f32;
-    var phi_2191_: array<f32, 3>;
-    var phi_2192_: array<f32, 3>;
-    var phi_2193_: bool;
-    var phi_2194_: array<f32, 3>;
-    var phi_2195_: bool;
-    var phi_2205_: bool;
-    var phi_2206_: bool;
+    var phi_2056_: f32;
+    var phi_2120_: f32;
+    var phi_2146_: f32;
+    var phi_2152_: f32;
+    var phi_2159_: f32;
+    var phi_2173_: f32;
+    var phi_2187_: array<f32, 3>;
+    var phi_2188_: array<f32, 3>;
+    var phi_2189_: bool;
+    var phi_2190_: array<f32, 3>;
+    var phi_2191_: bool;
+    var phi_2201_: bool;
+    var phi_2202_: bool;
+    var phi_2237_: array<f32, 3>;
+    var phi_2238_: bool;
+    var phi_2239_: array<f32, 3>;
+    var phi_2240_: bool;
     var phi_2241_: array<f32, 3>;
     var phi_2242_: bool;
-    var phi_2243_: array<f32, 3>;
-    var phi_2244_: bool;
-    var phi_2245_: array<f32, 3>;
-    var phi_2246_: bool;
-    var phi_2268_: f32;
-    var phi_2275_: f32;
-    var phi_2280_: f32;
-    var phi_2287_: f32;
-    var phi_2292_: f32;
-    var phi_2305_: f32;
-    var phi_2312_: f32;
-    var phi_2317_: f32;
-    var phi_2324_: f32;
-    var phi_2329_: f32;
-    var phi_2334_: bool;
-    var phi_2335_: bool;
-    var phi_2345_: array<f32, 3>;
-    var phi_2346_: bool;
-    var phi_2347_: array<f32, 3>;
-    var phi_2348_: bool;
-    var phi_2362_: array<f32, 3>;
-    var phi_2363_: array<f32, 3>;
-    var phi_2364_: array<f32, 3>;
-    var phi_2371_: f32;
-    var phi_2378_: f32;
-    var phi_2383_: f32;
-    var phi_2390_: f32;
-    var phi_2395_: f32;
-    var phi_2406_: f32;
-    var phi_2413_: f32;
-    var phi_2418_: f32;
-    var phi_2425_: f32;
-    var phi_2430_: f32;
-    var phi_2463_: type_14;
-    var phi_2466_: f32;
-    var phi_2487_: bool;
-    var phi_2493_: type_15;
-    var phi_2464_: type_14;
-    var phi_2507_: type_15;
-    var phi_2467_: f32;
+    var phi_2264_: f32;
+    var phi_2271_: f32;
+    var phi_2276_: f32;
+    var phi_2283_: f32;
+    var phi_2288_: f32;
+    var phi_2301_: f32;
+    var phi_2308_: f32;
+    var phi_2313_: f32;
+    var phi_2320_: f32;
+    var phi_2325_: f32;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2341_: array<f32, 3>;
+    var phi_2342_: bool;
+    var phi_2343_: array<f32, 3>;
+    var phi_2344_: bool;
+    var phi_2358_: array<f32, 3>;
+    var phi_2359_: array<f32, 3>;
+    var phi_2360_: array<f32, 3>;
+    var phi_2367_: f32;
+    var phi_2374_: f32;
+    var phi_2379_: f32;
+    var phi_2386_: f32;
+    var phi_2391_: f32;
+    var phi_2402_: f32;
+    var phi_2409_: f32;
+    var phi_2414_: f32;
+    var phi_2421_: f32;
+    var phi_2426_: f32;
+    var phi_2459_: type_14;
+    var phi_2462_: f32;
+    var phi_2483_: bool;
+    var phi_2489_: type_15;
+    var phi_2460_: type_14;
+    var phi_2503_: type_15;
+    var phi_2463_: f32;
     var local_6: f32;
-    var phi_2456_: f32;
-    var phi_2520_: f32;
-    var phi_2547_: array<f32, 3>;
-    var phi_2554_: f32;
-    var phi_2561_: f32;
-    var phi_2569_: f32;
-    var phi_2587_: f32;
-    var phi_2593_: f32;
-    var phi_2598_: f32;
-    var phi_2604_: f32;
-    var phi_2609_: f32;
-    var phi_2639_: type_14;
-    var phi_2642_: f32;
-    var phi_2663_: bool;
-    var phi_2669_: type_15;
-    var phi_2640_: type_14;
-    var phi_2683_: type_15;
-    var phi_2643_: f32;
+    var phi_2452_: f32;
+    var phi_2516_: f32;
+    var phi_2543_: array<f32, 3>;
+    var phi_2550_: f32;
+    var phi_2557_: f32;
+    var phi_2565_: f32;
+    var phi_2583_: f32;
+    var phi_2589_: f32;
+    var phi_2594_: f32;
+    var phi_2600_: f32;
+    var phi_2605_: f32;
+    var phi_2635_: type_14;
+    var phi_2638_: f32;
+    var phi_2659_: bool;
+    var phi_2665_: type_15;
+    var phi_2636_: type_14;
+    var phi_2679_: type_15;
+    var phi_2639_: f32;
     var local_7: f32;
-    var phi_2632_: f32;
-    var phi_2696_: f32;
-    var phi_2712_: array<f32, 3>;
-    var phi_2713_: bool;
-    var phi_2714_: array<f32, 3>;
-    var phi_2715_: bool;
-    var phi_2870_: f32;
-    var phi_2877_: f32;
-    var phi_2882_: f32;
-    var phi_2889_: f32;
-    var phi_2894_: f32;
-    var phi_2901_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2920_: f32;
-    var phi_2925_: f32;
-    var phi_2930_: array<f32, 3>;
-    var phi_2937_: f32;
-    var phi_2944_: f32;
-    var phi_2949_: f32;
-    var phi_2956_: f32;
-    var phi_2961_: f32;
-    var phi_2972_: f32;
-    var phi_2979_: f32;
-    var phi_2986_: f32;
-    var phi_2996_: array<f32, 3>;
-    var phi_2997_: bool;
-    var phi_2998_: array<f32, 3>;
-    var phi_2999_: bool;
-    var phi_3009_: array<f32, 3>;
-    var phi_3010_: array<f32, 3>;
-    var phi_3017_: f32;
-    var phi_3024_: f32;
-    var phi_3029_: f32;
-    var phi_3036_: f32;
-    var phi_3041_: f32;
-    var phi_3074_: type_14;
-    var phi_3077_: f32;
-    var phi_3098_: bool;
-    var phi_3104_: type_15;
-    var phi_3075_: type_14;
-    var phi_3118_: type_15;
-    var phi_3078_: f32;
+    var phi_2628_: f32;
+    var phi_2692_: f32;
+    var phi_2708_: array<f32, 3>;
+    var phi_2709_: bool;
+    var phi_2710_: array<f32, 3>;
+    var phi_2711_: bool;
+    var phi_2866_: f32;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2885_: f32;
+    var phi_2890_: f32;
+    var phi_2897_: f32;
+    var phi_2904_: f32;
+    var phi_2909_: f32;
+    var phi_2916_: f32;
+    var phi_2921_: f32;
+    var phi_2926_: array<f32, 3>;
+    var phi_2933_: f32;
+    var phi_2940_: f32;
+    var phi_2945_: f32;
+    var phi_2952_: f32;
+    var phi_2957_: f32;
+    var phi_2968_: f32;
+    var phi_2975_: f32;
+    var phi_2982_: f32;
+    var phi_2992_: array<f32, 3>;
+    var phi_2993_: bool;
+    var phi_2994_: array<f32, 3>;
+    var phi_2995_: bool;
+    var phi_3005_: array<f32, 3>;
+    var phi_3006_: array<f32, 3>;
+    var phi_3013_: f32;
+    var phi_3020_: f32;
+    var phi_3025_: f32;
+    var phi_3032_: f32;
+    var phi_3037_: f32;
+    var phi_3070_: type_14;
+    var phi_3073_: f32;
+    var phi_3094_: bool;
+    var phi_3100_: type_15;
+    var phi_3071_: type_14;
+    var phi_3114_: type_15;
+    var phi_3074_: f32;
     var local_8: f32;
-    var phi_3067_: f32;
-    var phi_3131_: f32;
-    var phi_3166_: f32;
-    var phi_3172_: f32;
-    var phi_3177_: f32;
-    var phi_3183_: f32;
-    var phi_3188_: f32;
-    var phi_3218_: type_14;
-    var phi_3221_: f32;
-    var phi_3242_: bool;
-    var phi_3248_: type_15;
-    var phi_3219_: type_14;
-    var phi_3262_: type_15;
-    var phi_3222_: f32;
+    var phi_3063_: f32;
+    var phi_3127_: f32;
+    var phi_3162_: f32;
+    var phi_3168_: f32;
+    var phi_3173_: f32;
+    var phi_3179_: f32;
+    var phi_3184_: f32;
+    var phi_3214_: type_14;
+    var phi_3217_: f32;
+    var phi_3238_: bool;
+    var phi_3244_: type_15;
+    var phi_3215_: type_14;
+    var phi_3258_: type_15;
+    var phi_3218_: f32;
     var local_9: f32;
-    var phi_3211_: f32;
-    var phi_3275_: f32;
-    var phi_3292_: array<f32, 3>;
-    var phi_2727_: f32;
-    var phi_2733_: f32;
-    var phi_2738_: f32;
-    var phi_2744_: f32;
-    var phi_2749_: f32;
-    var phi_2779_: type_14;
-    var phi_2782_: f32;
-    var phi_2803_: bool;
-    var phi_2809_: type_15;
-    var phi_2780_: type_14;
-    var phi_2823_: type_15;
-    var phi_2783_: f32;
+    var phi_3207_: f32;
+    var phi_3271_: f32;
+    var phi_3288_: array<f32, 3>;
+    var phi_2723_: f32;
+    var phi_2729_: f32;
+    var phi_2734_: f32;
+    var phi_2740_: f32;
+    var phi_2745_: f32;
+    var phi_2775_: type_14;
+    var phi_2778_: f32;
+    var phi_2799_: bool;
+    var phi_2805_: type_15;
+    var phi_2776_: type_14;
+    var phi_2819_: type_15;
+    var phi_2779_: f32;
     var local_10: f32;
-    var phi_2772_: f32;
-    var phi_2836_: f32;
+    var phi_2768_: f32;
+    var phi_2832_: f32;
+    var phi_3289_: array<f32, 3>;
+    var phi_3290_: array<f32, 3>;
+    var phi_3291_: bool;
+    var phi_3292_: array<f32, 3>;
     var phi_3293_: array<f32, 3>;
-    var phi_3294_: array<f32, 3>;
-    var phi_3295_: bool;
-    var phi_3296_: array<f32, 3>;
-    var phi_3297_: array<f32, 3>;
-    var phi_3298_: bool;
-    var phi_1508_: array<f32, 3>;
-    var phi_1515_: f32;
-    var phi_1522_: f32;
-    var phi_1527_: f32;
-    var phi_1534_: f32;
-    var phi_1539_: f32;
-    var phi_1572_: type_14;
-    var phi_1575_: f32;
-    var phi_1596_: bool;
-    var phi_1602_: type_15;
-    var phi_1573_: type_14;
-    var phi_1616_: type_15;
-    var phi_1576_: f32;
+    var phi_3294_: bool;
+    var phi_1506_: array<f32, 3>;
+    var phi_1513_: f32;
+    var phi_1520_: f32;
+    var phi_1525_: f32;
+    var phi_1532_: f32;
+    var phi_1537_: f32;
+    var phi_1570_: type_14;
+    var phi_1573_: f32;
+    var phi_1594_: bool;
+    var phi_1600_: type_15;
+    var phi_1571_: type_14;
+    var phi_1614_: type_15;
+    var phi_1574_: f32;
     var local_11: f32;
-    var phi_1565_: f32;
-    var phi_1629_: f32;
+    var phi_1563_: f32;
+    var phi_1627_: f32;
+    var phi_1643_: array<f32, 3>;
+    var phi_1644_: bool;
     var phi_1645_: array<f32, 3>;
     var phi_1646_: bool;
     var phi_1647_: array<f32, 3>;
     var phi_1648_: bool;
-    var phi_1649_: array<f32, 3>;
-    var phi_1650_: bool;
-    var phi_1659_: f32;
-    var phi_1665_: f32;
-    var phi_1670_: f32;
-    var phi_1676_: f32;
-    var phi_1681_: f32;
-    var phi_1711_: type_14;
-    var phi_1714_: f32;
-    var phi_1735_: bool;
-    var phi_1741_: type_15;
-    var phi_1712_: type_14;
-    var phi_1755_: type_15;
-    var phi_1715_: f32;
+    var phi_1657_: f32;
+    var phi_1663_: f32;
+    var phi_1668_: f32;
+    var phi_1674_: f32;
+    var phi_1679_: f32;
+    var phi_1709_: type_14;
+    var phi_1712_: f32;
+    var phi_1733_: bool;
+    var phi_1739_: type_15;
+    var phi_1710_: type_14;
+    var phi_1753_: type_15;
+    var phi_1713_: f32;
     var local_12: f32;
-    var phi_1704_: f32;
-    var phi_1768_: f32;
-    var phi_1784_: array<f32, 3>;
-    var phi_3302_: array<f32, 3>;
-    var phi_3303_: array<f32, 3>;
-    var phi_3304_: bool;
-    var phi_3308_: array<f32, 3>;
-    var phi_3325_: array<f32, 3>;
-    var phi_3353_: f32;
-    var phi_3381_: array<f32, 3>;
-    var phi_3382_: array<f32, 3>;
-    var phi_3383_: array<f32, 4>;
+    var phi_1702_: f32;
+    var phi_1766_: f32;
+    var phi_1782_: array<f32, 3>;
+    var phi_3298_: array<f32, 3>;
+    var phi_3299_: array<f32, 3>;
+    var phi_3300_: bool;
+    var phi_3304_: array<f32, 3>;
+    var phi_3321_: array<f32, 3>;
+    var phi_3349_: f32;
+    var phi_3377_: array<f32, 3>;
+    var phi_3378_: array<f32, 3>;
+    var phi_3379_: array<f32, 4>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1397,1796 +1397,1796 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e675 = phi_1074_;
                 let _e677 = (_e675 + _e421.member_3);
                 let _e678 = (0.000000059604645f * 16f);
-                let _e682 = ((_e421.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * 4f);
-                let _e690 = ((_e516 * _e524) - (_e518 * _e522));
-                let _e693 = ((_e518 * _e520) - (_e514 * _e524));
-                let _e696 = ((_e514 * _e522) - (_e516 * _e520));
+                let _e680 = (_e421.member_3 * 4f);
+                let _e688 = ((_e516 * _e524) - (_e518 * _e522));
+                let _e691 = ((_e518 * _e520) - (_e514 * _e524));
+                let _e694 = ((_e514 * _e522) - (_e516 * _e520));
                 if (_e520 < 0f) {
-                    phi_1107_ = -(_e520);
+                    phi_1105_ = -(_e520);
                 } else {
-                    phi_1107_ = _e520;
+                    phi_1105_ = _e520;
                 }
-                let _e705 = phi_1107_;
+                let _e703 = phi_1105_;
                 if (_e522 < 0f) {
-                    phi_1113_ = -(_e522);
+                    phi_1111_ = -(_e522);
                 } else {
-                    phi_1113_ = _e522;
+                    phi_1111_ = _e522;
                 }
-                let _e709 = phi_1113_;
-                if (_e705 > _e709) {
-                    phi_1118_ = _e705;
+                let _e707 = phi_1111_;
+                if (_e703 > _e707) {
+                    phi_1116_ = _e703;
                 } else {
-                    phi_1118_ = _e709;
+                    phi_1116_ = _e707;
                 }
-                let _e712 = phi_1118_;
+                let _e710 = phi_1116_;
                 if (_e524 < 0f) {
-                    phi_1124_ = -(_e524);
+                    phi_1122_ = -(_e524);
                 } else {
-                    phi_1124_ = _e524;
+                    phi_1122_ = _e524;
                 }
-                let _e716 = phi_1124_;
-                if (_e712 > _e716) {
-                    phi_1129_ = _e712;
+                let _e714 = phi_1122_;
+                if (_e710 > _e714) {
+                    phi_1127_ = _e710;
                 } else {
-                    phi_1129_ = _e716;
+                    phi_1127_ = _e714;
                 }
-                let _e719 = phi_1129_;
+                let _e717 = phi_1127_;
                 if (_e514 < 0f) {
-                    phi_1137_ = -(_e514);
+                    phi_1135_ = -(_e514);
                 } else {
-                    phi_1137_ = _e514;
+                    phi_1135_ = _e514;
                 }
-                let _e725 = phi_1137_;
+                let _e723 = phi_1135_;
                 if (_e516 < 0f) {
-                    phi_1143_ = -(_e516);
+                    phi_1141_ = -(_e516);
                 } else {
-                    phi_1143_ = _e516;
+                    phi_1141_ = _e516;
                 }
-                let _e729 = phi_1143_;
-                if (_e725 > _e729) {
-                    phi_1148_ = _e725;
+                let _e727 = phi_1141_;
+                if (_e723 > _e727) {
+                    phi_1146_ = _e723;
                 } else {
-                    phi_1148_ = _e729;
+                    phi_1146_ = _e727;
                 }
-                let _e732 = phi_1148_;
+                let _e730 = phi_1146_;
                 if (_e518 < 0f) {
-                    phi_1154_ = -(_e518);
+                    phi_1152_ = -(_e518);
                 } else {
-                    phi_1154_ = _e518;
+                    phi_1152_ = _e518;
                 }
-                let _e736 = phi_1154_;
-                if (_e732 > _e736) {
-                    phi_1159_ = _e732;
+                let _e734 = phi_1152_;
+                if (_e730 > _e734) {
+                    phi_1157_ = _e730;
                 } else {
-                    phi_1159_ = _e736;
+                    phi_1157_ = _e734;
                 }
-                let _e739 = phi_1159_;
-                let _e741 = (((((_e626 * _e678) + _e682) * _e506) * _e719) + ((((_e677 * _e678) + _e682) * _e506) * _e739));
-                let _e746 = (((_e690 * _e690) + (_e693 * _e693)) + (_e696 * _e696));
-                if (_e746 <= 0.000000000000000000000000000000000000011754944f) {
-                    if (_e746 > 0f) {
-                        phi_1180_ = (0.000000000000000000106433627f * 2f);
+                let _e737 = phi_1157_;
+                let _e739 = (((((_e626 * _e678) + _e680) * _e506) * _e717) + ((((_e677 * _e678) + _e680) * _e506) * _e737));
+                let _e744 = (((_e688 * _e688) + (_e691 * _e691)) + (_e694 * _e694));
+                if (_e744 <= 0.000000000000000000000000000000000000011754944f) {
+                    if (_e744 > 0f) {
+                        phi_1178_ = (0.000000000000000000106433627f * 2f);
                     } else {
-                        phi_1180_ = 0f;
+                        phi_1178_ = 0f;
                     }
-                    let _e799 = phi_1180_;
-                    phi_1244_ = _e799;
+                    let _e797 = phi_1178_;
+                    phi_1242_ = _e797;
                 } else {
-                    phi_1187_ = type_14(0i, 5i);
-                    phi_1190_ = bitcast<f32>(((bitcast<u32>(_e746) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1185_ = type_14(0i, 5i);
+                    phi_1188_ = bitcast<f32>(((bitcast<u32>(_e744) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e754 = phi_1187_;
-                        let _e756 = phi_1190_;
-                        local_3 = _e756;
-                        if (_e754.member < _e754.member_1) {
-                            let _e763 = (_e754.member + 1i);
-                            if ((false == (_e763 > _e754.member)) != false) {
-                                phi_1211_ = true;
+                        let _e752 = phi_1185_;
+                        let _e754 = phi_1188_;
+                        local_3 = _e754;
+                        if (_e752.member < _e752.member_1) {
+                            let _e761 = (_e752.member + 1i);
+                            if ((false == (_e761 > _e752.member)) != false) {
+                                phi_1209_ = true;
                             } else {
-                                phi_1211_ = false;
+                                phi_1209_ = false;
                             }
-                            let _e768 = phi_1211_;
-                            if _e768 {
-                                phi_1217_ = type_15(0u, type_15().member_1);
+                            let _e766 = phi_1209_;
+                            if _e766 {
+                                phi_1215_ = type_15(0u, type_15().member_1);
                             } else {
-                                phi_1217_ = type_15(1u, _e763);
+                                phi_1215_ = type_15(1u, _e761);
                             }
-                            let _e773 = phi_1217_;
-                            phi_1188_ = type_14(_e773.member_1, _e754.member_1);
-                            phi_1231_ = type_15(1u, _e754.member);
+                            let _e771 = phi_1215_;
+                            phi_1186_ = type_14(_e771.member_1, _e752.member_1);
+                            phi_1229_ = type_15(1u, _e752.member);
                         } else {
-                            phi_1188_ = _e754;
-                            phi_1231_ = type_15(0u, type_15().member_1);
+                            phi_1186_ = _e752;
+                            phi_1229_ = type_15(0u, type_15().member_1);
                         }
-                        let _e779 = phi_1188_;
-                        let _e781 = phi_1231_;
-                        let _e784 = (bitcast<i32>(_e781.member) != 0i);
-                        if _e784 {
-                            phi_1191_ = (0.5f * (_e756 + (_e746 / _e756)));
+                        let _e777 = phi_1186_;
+                        let _e779 = phi_1229_;
+                        let _e782 = (bitcast<i32>(_e779.member) != 0i);
+                        if _e782 {
+                            phi_1189_ = (0.5f * (_e754 + (_e744 / _e754)));
                         } else {
-                            phi_1191_ = f32();
+                            phi_1189_ = f32();
                         }
-                        let _e789 = phi_1191_;
+                        let _e787 = phi_1189_;
                         continue;
                         continuing {
-                            phi_1187_ = _e779;
-                            phi_1190_ = _e789;
-                            break if !(_e784);
+                            phi_1185_ = _e777;
+                            phi_1188_ = _e787;
+                            break if !(_e782);
                         }
                     }
-                    let _e794 = local_3;
-                    phi_1244_ = (_e794 * (1f + (8f * 0.000000059604645f)));
+                    let _e792 = local_3;
+                    phi_1242_ = (_e792 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e801 = phi_1244_;
-                if (_e801 > 0f) {
-                    phi_1252_ = ((_e801 + (_e746 / _e801)) * 0.5f);
+                let _e799 = phi_1242_;
+                if (_e799 > 0f) {
+                    phi_1250_ = ((_e799 + (_e744 / _e799)) * 0.5f);
                 } else {
-                    phi_1252_ = _e801;
+                    phi_1250_ = _e799;
                 }
-                let _e807 = phi_1252_;
-                if (_e807 > _e741) {
-                    phi_1257_ = _e807;
+                let _e805 = phi_1250_;
+                if (_e805 > _e739) {
+                    phi_1255_ = _e805;
                 } else {
-                    phi_1257_ = 0f;
+                    phi_1255_ = 0f;
                 }
-                let _e810 = phi_1257_;
-                local = type_27(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e690, _e693, _e696), _e810, _e741, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e682) * _e506));
-                let _e816 = function_7((&local), _e179.member);
-                if (_e816.member_3 <= 0.000000000000000000000000000000000000011754944f) {
-                    if (_e816.member_3 > 0f) {
-                        phi_1300_ = (0.000000000000000000106433627f * 2f);
+                let _e808 = phi_1255_;
+                local = type_27(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
+                let _e814 = function_7((&local), _e179.member);
+                if (_e814.member_3 <= 0.000000000000000000000000000000000000011754944f) {
+                    if (_e814.member_3 > 0f) {
+                        phi_1298_ = (0.000000000000000000106433627f * 2f);
                     } else {
-                        phi_1300_ = 0f;
+                        phi_1298_ = 0f;
                     }
-                    let _e872 = phi_1300_;
-                    phi_1364_ = _e872;
+                    let _e870 = phi_1298_;
+                    phi_1362_ = _e870;
                 } else {
-                    phi_1307_ = type_14(0i, 5i);
-                    phi_1310_ = bitcast<f32>(((bitcast<u32>(_e816.member_3) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1305_ = type_14(0i, 5i);
+                    phi_1308_ = bitcast<f32>(((bitcast<u32>(_e814.member_3) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e827 = phi_1307_;
-                        let _e829 = phi_1310_;
-                        local_4 = _e829;
-                        if (_e827.member < _e827.member_1) {
-                            let _e836 = (_e827.member + 1i);
-                            if ((false == (_e836 > _e827.member)) != false) {
-                                phi_1331_ = true;
+                        let _e825 = phi_1305_;
+                        let _e827 = phi_1308_;
+                        local_4 = _e827;
+                        if (_e825.member < _e825.member_1) {
+                            let _e834 = (_e825.member + 1i);
+                            if ((false == (_e834 > _e825.member)) != false) {
+                                phi_1329_ = true;
                             } else {
-                                phi_1331_ = false;
+                                phi_1329_ = false;
                             }
-                            let _e841 = phi_1331_;
-                            if _e841 {
-                                phi_1337_ = type_15(0u, type_15().member_1);
+                            let _e839 = phi_1329_;
+                            if _e839 {
+                                phi_1335_ = type_15(0u, type_15().member_1);
                             } else {
-                                phi_1337_ = type_15(1u, _e836);
+                                phi_1335_ = type_15(1u, _e834);
                             }
-                            let _e846 = phi_1337_;
-                            phi_1308_ = type_14(_e846.member_1, _e827.member_1);
-                            phi_1351_ = type_15(1u, _e827.member);
+                            let _e844 = phi_1335_;
+                            phi_1306_ = type_14(_e844.member_1, _e825.member_1);
+                            phi_1349_ = type_15(1u, _e825.member);
                         } else {
-                            phi_1308_ = _e827;
-                            phi_1351_ = type_15(0u, type_15().member_1);
+                            phi_1306_ = _e825;
+                            phi_1349_ = type_15(0u, type_15().member_1);
                         }
-                        let _e852 = phi_1308_;
-                        let _e854 = phi_1351_;
-                        let _e857 = (bitcast<i32>(_e854.member) != 0i);
-                        if _e857 {
-                            phi_1311_ = (0.5f * (_e829 + (_e816.member_3 / _e829)));
+                        let _e850 = phi_1306_;
+                        let _e852 = phi_1349_;
+                        let _e855 = (bitcast<i32>(_e852.member) != 0i);
+                        if _e855 {
+                            phi_1309_ = (0.5f * (_e827 + (_e814.member_3 / _e827)));
                         } else {
-                            phi_1311_ = f32();
+                            phi_1309_ = f32();
                         }
-                        let _e862 = phi_1311_;
+                        let _e860 = phi_1309_;
                         continue;
                         continuing {
-                            phi_1307_ = _e852;
-                            phi_1310_ = _e862;
-                            break if !(_e857);
+                            phi_1305_ = _e850;
+                            phi_1308_ = _e860;
+                            break if !(_e855);
                         }
                     }
-                    let _e867 = local_4;
-                    phi_1364_ = (_e867 * (1f + (8f * 0.000000059604645f)));
+                    let _e865 = local_4;
+                    phi_1362_ = (_e865 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e874 = phi_1364_;
-                if (_e874 > 0f) {
-                    phi_1372_ = ((_e874 + (_e816.member_3 / _e874)) * 0.5f);
+                let _e872 = phi_1362_;
+                if (_e872 > 0f) {
+                    phi_1370_ = ((_e872 + (_e814.member_3 / _e872)) * 0.5f);
                 } else {
-                    phi_1372_ = _e874;
+                    phi_1370_ = _e872;
                 }
-                let _e880 = phi_1372_;
+                let _e878 = phi_1370_;
                 if (_e179.member == 0u) {
-                    phi_1378_ = 1f;
+                    phi_1376_ = 1f;
                 } else {
-                    phi_1378_ = -(1f);
+                    phi_1376_ = -(1f);
                 }
-                let _e884 = phi_1378_;
-                let _e886 = function_1(_e421.member);
-                let _e888 = function_1(_e421.member_1);
-                let _e902 = function_1(_e421.member_2);
-                let _e912 = (((_e886[0] - (_e888[0] * _e816.member)) - (_e902[0] * _e816.member_1)) * _e884);
-                let _e913 = (((_e886[1] - (_e888[1] * _e816.member)) - (_e902[1] * _e816.member_1)) * _e884);
-                let _e914 = (((_e886[2] - (_e888[2] * _e816.member)) - (_e902[2] * _e816.member_1)) * _e884);
-                if (_e816.member > 0f) {
-                    phi_1417_ = (_e816.member < 1f);
+                let _e882 = phi_1376_;
+                let _e884 = function_1(_e421.member);
+                let _e886 = function_1(_e421.member_1);
+                let _e900 = function_1(_e421.member_2);
+                let _e910 = (((_e884[0] - (_e886[0] * _e814.member)) - (_e900[0] * _e814.member_1)) * _e882);
+                let _e911 = (((_e884[1] - (_e886[1] * _e814.member)) - (_e900[1] * _e814.member_1)) * _e882);
+                let _e912 = (((_e884[2] - (_e886[2] * _e814.member)) - (_e900[2] * _e814.member_1)) * _e882);
+                if (_e814.member > 0f) {
+                    phi_1415_ = (_e814.member < 1f);
                 } else {
-                    phi_1417_ = false;
+                    phi_1415_ = false;
                 }
-                let _e921 = phi_1417_;
-                if (_e816.member_1 > 0f) {
-                    phi_1423_ = (_e816.member_1 < 1f);
+                let _e919 = phi_1415_;
+                if (_e814.member_1 > 0f) {
+                    phi_1421_ = (_e814.member_1 < 1f);
                 } else {
-                    phi_1423_ = false;
+                    phi_1421_ = false;
                 }
-                let _e925 = phi_1423_;
-                let _e926 = (_e884 > 0f);
-                if _e921 {
-                    if _e925 {
-                        if _e926 {
-                            phi_1438_ = ((_e816.member + _e816.member_1) < (1f - (0.000000059604645f * 4f)));
+                let _e923 = phi_1421_;
+                let _e924 = (_e882 > 0f);
+                if _e919 {
+                    if _e923 {
+                        if _e924 {
+                            phi_1436_ = ((_e814.member + _e814.member_1) < (1f - (0.000000059604645f * 4f)));
                         } else {
-                            phi_1438_ = true;
+                            phi_1436_ = true;
                         }
-                        let _e932 = phi_1438_;
-                        phi_1439_ = _e932;
-                        phi_1440_ = false;
+                        let _e930 = phi_1436_;
+                        phi_1437_ = _e930;
+                        phi_1438_ = false;
                     } else {
-                        phi_1439_ = bool();
-                        phi_1440_ = true;
+                        phi_1437_ = bool();
+                        phi_1438_ = true;
                     }
-                    let _e934 = phi_1439_;
-                    let _e936 = phi_1440_;
-                    phi_1441_ = _e934;
-                    phi_1442_ = _e936;
+                    let _e932 = phi_1437_;
+                    let _e934 = phi_1438_;
+                    phi_1439_ = _e932;
+                    phi_1440_ = _e934;
                 } else {
-                    phi_1441_ = bool();
-                    phi_1442_ = true;
+                    phi_1439_ = bool();
+                    phi_1440_ = true;
                 }
-                let _e938 = phi_1441_;
-                let _e940 = phi_1442_;
-                if _e940 {
-                    phi_1446_ = false;
+                let _e936 = phi_1439_;
+                let _e938 = phi_1440_;
+                if _e938 {
+                    phi_1444_ = false;
                 } else {
-                    phi_1446_ = _e938;
+                    phi_1444_ = _e936;
                 }
-                let _e942 = phi_1446_;
-                let _e944 = local.member_4;
-                let _e945 = (_e944 > 0f);
-                let _e947 = local.member_3;
-                let _e951 = (_e947[0] * _e884);
-                let _e952 = (_e947[1] * _e884);
-                let _e953 = (_e947[2] * _e884);
-                let _e956 = local.member_6;
-                if (_e880 > _e956) {
-                    let _e2069 = (_e816.member_2[0] * _e884);
-                    let _e2071 = (_e816.member_2[1] * _e884);
-                    let _e2073 = (_e816.member_2[2] * _e884);
-                    if _e945 {
-                        if _e942 {
-                            let _e2075 = local.member_5;
-                            let _e2078 = local.member_6;
-                            let _e2080 = local.member_4;
-                            if ((_e2075 * _e880) <= (_e2078 * _e2080)) {
-                                if ((((_e2069 * _e951) + (_e2071 * _e952)) + (_e2073 * _e953)) >= 0f) {
-                                    phi_1508_ = array<f32, 3>(_e951, _e952, _e953);
+                let _e940 = phi_1444_;
+                let _e942 = local.member_4;
+                let _e943 = (_e942 > 0f);
+                let _e945 = local.member_3;
+                let _e949 = (_e945[0] * _e882);
+                let _e950 = (_e945[1] * _e882);
+                let _e951 = (_e945[2] * _e882);
+                let _e954 = local.member_6;
+                if (_e878 > _e954) {
+                    let _e2065 = (_e814.member_2[0] * _e882);
+                    let _e2067 = (_e814.member_2[1] * _e882);
+                    let _e2069 = (_e814.member_2[2] * _e882);
+                    if _e943 {
+                        if _e940 {
+                            let _e2071 = local.member_5;
+                            let _e2074 = local.member_6;
+                            let _e2076 = local.member_4;
+                            if ((_e2071 * _e878) <= (_e2074 * _e2076)) {
+                                if ((((_e2065 * _e949) + (_e2067 * _e950)) + (_e2069 * _e951)) >= 0f) {
+                                    phi_1506_ = array<f32, 3>(_e949, _e950, _e951);
                                 } else {
-                                    let _e2089 = -(1f);
-                                    phi_1508_ = array<f32, 3>((_e951 * _e2089), (_e952 * _e2089), (_e953 * _e2089));
+                                    let _e2085 = -(1f);
+                                    phi_1506_ = array<f32, 3>((_e949 * _e2085), (_e950 * _e2085), (_e951 * _e2085));
                                 }
-                                let _e2095 = phi_1508_;
-                                if (_e2095[0] < 0f) {
-                                    phi_1515_ = -(_e2095[0]);
+                                let _e2091 = phi_1506_;
+                                if (_e2091[0] < 0f) {
+                                    phi_1513_ = -(_e2091[0]);
                                 } else {
-                                    phi_1515_ = _e2095[0];
+                                    phi_1513_ = _e2091[0];
                                 }
-                                let _e2100 = phi_1515_;
-                                if (_e2095[1] < 0f) {
-                                    phi_1522_ = -(_e2095[1]);
+                                let _e2096 = phi_1513_;
+                                if (_e2091[1] < 0f) {
+                                    phi_1520_ = -(_e2091[1]);
                                 } else {
-                                    phi_1522_ = _e2095[1];
+                                    phi_1520_ = _e2091[1];
                                 }
-                                let _e2105 = phi_1522_;
-                                if (_e2100 > _e2105) {
-                                    phi_1527_ = _e2100;
+                                let _e2101 = phi_1520_;
+                                if (_e2096 > _e2101) {
+                                    phi_1525_ = _e2096;
                                 } else {
-                                    phi_1527_ = _e2105;
+                                    phi_1525_ = _e2101;
                                 }
-                                let _e2108 = phi_1527_;
-                                if (_e2095[2] < 0f) {
-                                    phi_1534_ = -(_e2095[2]);
+                                let _e2104 = phi_1525_;
+                                if (_e2091[2] < 0f) {
+                                    phi_1532_ = -(_e2091[2]);
                                 } else {
-                                    phi_1534_ = _e2095[2];
+                                    phi_1532_ = _e2091[2];
                                 }
-                                let _e2113 = phi_1534_;
-                                if (_e2108 > _e2113) {
-                                    phi_1539_ = _e2108;
+                                let _e2109 = phi_1532_;
+                                if (_e2104 > _e2109) {
+                                    phi_1537_ = _e2104;
                                 } else {
-                                    phi_1539_ = _e2113;
+                                    phi_1537_ = _e2109;
                                 }
-                                let _e2116 = phi_1539_;
-                                let _e2117 = function_8(_e2116);
-                                let _e2119 = (_e2095[0] * _e2117);
-                                let _e2121 = (_e2095[1] * _e2117);
-                                let _e2123 = (_e2095[2] * _e2117);
-                                let _e2128 = (((_e2119 * _e2119) + (_e2121 * _e2121)) + (_e2123 * _e2123));
-                                if (_e2128 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e2128 > 0f) {
-                                        phi_1565_ = (0.000000000000000000106433627f * 2f);
+                                let _e2112 = phi_1537_;
+                                let _e2113 = function_8(_e2112);
+                                let _e2115 = (_e2091[0] * _e2113);
+                                let _e2117 = (_e2091[1] * _e2113);
+                                let _e2119 = (_e2091[2] * _e2113);
+                                let _e2124 = (((_e2115 * _e2115) + (_e2117 * _e2117)) + (_e2119 * _e2119));
+                                if (_e2124 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e2124 > 0f) {
+                                        phi_1563_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_1565_ = 0f;
+                                        phi_1563_ = 0f;
                                     }
-                                    let _e2181 = phi_1565_;
-                                    phi_1629_ = _e2181;
+                                    let _e2177 = phi_1563_;
+                                    phi_1627_ = _e2177;
                                 } else {
-                                    phi_1572_ = type_14(0i, 5i);
-                                    phi_1575_ = bitcast<f32>(((bitcast<u32>(_e2128) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_1570_ = type_14(0i, 5i);
+                                    phi_1573_ = bitcast<f32>(((bitcast<u32>(_e2124) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e2136 = phi_1572_;
-                                        let _e2138 = phi_1575_;
-                                        local_11 = _e2138;
-                                        if (_e2136.member < _e2136.member_1) {
-                                            let _e2145 = (_e2136.member + 1i);
-                                            if ((false == (_e2145 > _e2136.member)) != false) {
-                                                phi_1596_ = true;
+                                        let _e2132 = phi_1570_;
+                                        let _e2134 = phi_1573_;
+                                        local_11 = _e2134;
+                                        if (_e2132.member < _e2132.member_1) {
+                                            let _e2141 = (_e2132.member + 1i);
+                                            if ((false == (_e2141 > _e2132.member)) != false) {
+                                                phi_1594_ = true;
                                             } else {
-                                                phi_1596_ = false;
+                                                phi_1594_ = false;
                                             }
-                                            let _e2150 = phi_1596_;
-                                            if _e2150 {
-                                                phi_1602_ = type_15(0u, type_15().member_1);
+                                            let _e2146 = phi_1594_;
+                                            if _e2146 {
+                                                phi_1600_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_1602_ = type_15(1u, _e2145);
+                                                phi_1600_ = type_15(1u, _e2141);
                                             }
-                                            let _e2155 = phi_1602_;
-                                            phi_1573_ = type_14(_e2155.member_1, _e2136.member_1);
-                                            phi_1616_ = type_15(1u, _e2136.member);
+                                            let _e2151 = phi_1600_;
+                                            phi_1571_ = type_14(_e2151.member_1, _e2132.member_1);
+                                            phi_1614_ = type_15(1u, _e2132.member);
                                         } else {
-                                            phi_1573_ = _e2136;
-                                            phi_1616_ = type_15(0u, type_15().member_1);
+                                            phi_1571_ = _e2132;
+                                            phi_1614_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2161 = phi_1573_;
-                                        let _e2163 = phi_1616_;
-                                        let _e2166 = (bitcast<i32>(_e2163.member) != 0i);
-                                        if _e2166 {
-                                            phi_1576_ = (0.5f * (_e2138 + (_e2128 / _e2138)));
+                                        let _e2157 = phi_1571_;
+                                        let _e2159 = phi_1614_;
+                                        let _e2162 = (bitcast<i32>(_e2159.member) != 0i);
+                                        if _e2162 {
+                                            phi_1574_ = (0.5f * (_e2134 + (_e2124 / _e2134)));
                                         } else {
-                                            phi_1576_ = f32();
+                                            phi_1574_ = f32();
                                         }
-                                        let _e2171 = phi_1576_;
+                                        let _e2167 = phi_1574_;
                                         continue;
                                         continuing {
-                                            phi_1572_ = _e2161;
-                                            phi_1575_ = _e2171;
-                                            break if !(_e2166);
+                                            phi_1570_ = _e2157;
+                                            phi_1573_ = _e2167;
+                                            break if !(_e2162);
                                         }
                                     }
-                                    let _e2176 = local_11;
-                                    phi_1629_ = (_e2176 * (1f + (8f * 0.000000059604645f)));
+                                    let _e2172 = local_11;
+                                    phi_1627_ = (_e2172 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2183 = phi_1629_;
-                                let _e2184 = (1f / _e2183);
-                                let _e2185 = (_e2119 * _e2184);
-                                let _e2186 = (_e2121 * _e2184);
-                                let _e2187 = (_e2123 * _e2184);
-                                let _e2194 = ((3f - (((_e2185 * _e2185) + (_e2186 * _e2186)) + (_e2187 * _e2187))) * 0.5f);
-                                phi_1645_ = array<f32, 3>((_e2185 * _e2194), (_e2186 * _e2194), (_e2187 * _e2194));
-                                phi_1646_ = false;
+                                let _e2179 = phi_1627_;
+                                let _e2180 = (1f / _e2179);
+                                let _e2181 = (_e2115 * _e2180);
+                                let _e2182 = (_e2117 * _e2180);
+                                let _e2183 = (_e2119 * _e2180);
+                                let _e2190 = ((3f - (((_e2181 * _e2181) + (_e2182 * _e2182)) + (_e2183 * _e2183))) * 0.5f);
+                                phi_1643_ = array<f32, 3>((_e2181 * _e2190), (_e2182 * _e2190), (_e2183 * _e2190));
+                                phi_1644_ = false;
                             } else {
-                                phi_1645_ = array<f32, 3>();
-                                phi_1646_ = true;
+                                phi_1643_ = array<f32, 3>();
+                                phi_1644_ = true;
                             }
-                            let _e2200 = phi_1645_;
-                            let _e2202 = phi_1646_;
-                            phi_1647_ = _e2200;
-                            phi_1648_ = _e2202;
+                            let _e2196 = phi_1643_;
+                            let _e2198 = phi_1644_;
+                            phi_1645_ = _e2196;
+                            phi_1646_ = _e2198;
                         } else {
-                            phi_1647_ = array<f32, 3>();
-                            phi_1648_ = true;
+                            phi_1645_ = array<f32, 3>();
+                            phi_1646_ = true;
                         }
-                        let _e2204 = phi_1647_;
-                        let _e2206 = phi_1648_;
-                        phi_1649_ = _e2204;
-                        phi_1650_ = _e2206;
+                        let _e2200 = phi_1645_;
+                        let _e2202 = phi_1646_;
+                        phi_1647_ = _e2200;
+                        phi_1648_ = _e2202;
                     } else {
-                        phi_1649_ = array<f32, 3>();
-                        phi_1650_ = true;
+                        phi_1647_ = array<f32, 3>();
+                        phi_1648_ = true;
                     }
-                    let _e2208 = phi_1649_;
-                    let _e2210 = phi_1650_;
-                    if _e2210 {
+                    let _e2204 = phi_1647_;
+                    let _e2206 = phi_1648_;
+                    if _e2206 {
+                        if (_e2065 < 0f) {
+                            phi_1657_ = -(_e2065);
+                        } else {
+                            phi_1657_ = _e2065;
+                        }
+                        let _e2210 = phi_1657_;
+                        if (_e2067 < 0f) {
+                            phi_1663_ = -(_e2067);
+                        } else {
+                            phi_1663_ = _e2067;
+                        }
+                        let _e2214 = phi_1663_;
+                        if (_e2210 > _e2214) {
+                            phi_1668_ = _e2210;
+                        } else {
+                            phi_1668_ = _e2214;
+                        }
+                        let _e2217 = phi_1668_;
                         if (_e2069 < 0f) {
-                            phi_1659_ = -(_e2069);
+                            phi_1674_ = -(_e2069);
                         } else {
-                            phi_1659_ = _e2069;
+                            phi_1674_ = _e2069;
                         }
-                        let _e2214 = phi_1659_;
-                        if (_e2071 < 0f) {
-                            phi_1665_ = -(_e2071);
+                        let _e2221 = phi_1674_;
+                        if (_e2217 > _e2221) {
+                            phi_1679_ = _e2217;
                         } else {
-                            phi_1665_ = _e2071;
+                            phi_1679_ = _e2221;
                         }
-                        let _e2218 = phi_1665_;
-                        if (_e2214 > _e2218) {
-                            phi_1670_ = _e2214;
-                        } else {
-                            phi_1670_ = _e2218;
-                        }
-                        let _e2221 = phi_1670_;
-                        if (_e2073 < 0f) {
-                            phi_1676_ = -(_e2073);
-                        } else {
-                            phi_1676_ = _e2073;
-                        }
-                        let _e2225 = phi_1676_;
-                        if (_e2221 > _e2225) {
-                            phi_1681_ = _e2221;
-                        } else {
-                            phi_1681_ = _e2225;
-                        }
-                        let _e2228 = phi_1681_;
-                        let _e2229 = function_8(_e2228);
-                        let _e2230 = (_e2069 * _e2229);
-                        let _e2231 = (_e2071 * _e2229);
-                        let _e2232 = (_e2073 * _e2229);
-                        let _e2237 = (((_e2230 * _e2230) + (_e2231 * _e2231)) + (_e2232 * _e2232));
-                        if (_e2237 <= 0.000000000000000000000000000000000000011754944f) {
-                            if (_e2237 > 0f) {
-                                phi_1704_ = (0.000000000000000000106433627f * 2f);
+                        let _e2224 = phi_1679_;
+                        let _e2225 = function_8(_e2224);
+                        let _e2226 = (_e2065 * _e2225);
+                        let _e2227 = (_e2067 * _e2225);
+                        let _e2228 = (_e2069 * _e2225);
+                        let _e2233 = (((_e2226 * _e2226) + (_e2227 * _e2227)) + (_e2228 * _e2228));
+                        if (_e2233 <= 0.000000000000000000000000000000000000011754944f) {
+                            if (_e2233 > 0f) {
+                                phi_1702_ = (0.000000000000000000106433627f * 2f);
                             } else {
-                                phi_1704_ = 0f;
+                                phi_1702_ = 0f;
                             }
-                            let _e2290 = phi_1704_;
-                            phi_1768_ = _e2290;
+                            let _e2286 = phi_1702_;
+                            phi_1766_ = _e2286;
                         } else {
-                            phi_1711_ = type_14(0i, 5i);
-                            phi_1714_ = bitcast<f32>(((bitcast<u32>(_e2237) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_1709_ = type_14(0i, 5i);
+                            phi_1712_ = bitcast<f32>(((bitcast<u32>(_e2233) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e2245 = phi_1711_;
-                                let _e2247 = phi_1714_;
-                                local_12 = _e2247;
-                                if (_e2245.member < _e2245.member_1) {
-                                    let _e2254 = (_e2245.member + 1i);
-                                    if ((false == (_e2254 > _e2245.member)) != false) {
-                                        phi_1735_ = true;
+                                let _e2241 = phi_1709_;
+                                let _e2243 = phi_1712_;
+                                local_12 = _e2243;
+                                if (_e2241.member < _e2241.member_1) {
+                                    let _e2250 = (_e2241.member + 1i);
+                                    if ((false == (_e2250 > _e2241.member)) != false) {
+                                        phi_1733_ = true;
                                     } else {
-                                        phi_1735_ = false;
+                                        phi_1733_ = false;
                                     }
-                                    let _e2259 = phi_1735_;
-                                    if _e2259 {
-                                        phi_1741_ = type_15(0u, type_15().member_1);
+                                    let _e2255 = phi_1733_;
+                                    if _e2255 {
+                                        phi_1739_ = type_15(0u, type_15().member_1);
                                     } else {
-                                        phi_1741_ = type_15(1u, _e2254);
+                                        phi_1739_ = type_15(1u, _e2250);
                                     }
-                                    let _e2264 = phi_1741_;
-                                    phi_1712_ = type_14(_e2264.member_1, _e2245.member_1);
-                                    phi_1755_ = type_15(1u, _e2245.member);
+                                    let _e2260 = phi_1739_;
+                                    phi_1710_ = type_14(_e2260.member_1, _e2241.member_1);
+                                    phi_1753_ = type_15(1u, _e2241.member);
                                 } else {
-                                    phi_1712_ = _e2245;
-                                    phi_1755_ = type_15(0u, type_15().member_1);
+                                    phi_1710_ = _e2241;
+                                    phi_1753_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e2270 = phi_1712_;
-                                let _e2272 = phi_1755_;
-                                let _e2275 = (bitcast<i32>(_e2272.member) != 0i);
-                                if _e2275 {
-                                    phi_1715_ = (0.5f * (_e2247 + (_e2237 / _e2247)));
+                                let _e2266 = phi_1710_;
+                                let _e2268 = phi_1753_;
+                                let _e2271 = (bitcast<i32>(_e2268.member) != 0i);
+                                if _e2271 {
+                                    phi_1713_ = (0.5f * (_e2243 + (_e2233 / _e2243)));
                                 } else {
-                                    phi_1715_ = f32();
+                                    phi_1713_ = f32();
                                 }
-                                let _e2280 = phi_1715_;
+                                let _e2276 = phi_1713_;
                                 continue;
                                 continuing {
-                                    phi_1711_ = _e2270;
-                                    phi_1714_ = _e2280;
-                                    break if !(_e2275);
+                                    phi_1709_ = _e2266;
+                                    phi_1712_ = _e2276;
+                                    break if !(_e2271);
                                 }
                             }
-                            let _e2285 = local_12;
-                            phi_1768_ = (_e2285 * (1f + (8f * 0.000000059604645f)));
+                            let _e2281 = local_12;
+                            phi_1766_ = (_e2281 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e2292 = phi_1768_;
-                        let _e2293 = (1f / _e2292);
-                        let _e2294 = (_e2230 * _e2293);
-                        let _e2295 = (_e2231 * _e2293);
-                        let _e2296 = (_e2232 * _e2293);
-                        let _e2303 = ((3f - (((_e2294 * _e2294) + (_e2295 * _e2295)) + (_e2296 * _e2296))) * 0.5f);
-                        phi_1784_ = array<f32, 3>((_e2294 * _e2303), (_e2295 * _e2303), (_e2296 * _e2303));
+                        let _e2288 = phi_1766_;
+                        let _e2289 = (1f / _e2288);
+                        let _e2290 = (_e2226 * _e2289);
+                        let _e2291 = (_e2227 * _e2289);
+                        let _e2292 = (_e2228 * _e2289);
+                        let _e2299 = ((3f - (((_e2290 * _e2290) + (_e2291 * _e2291)) + (_e2292 * _e2292))) * 0.5f);
+                        phi_1782_ = array<f32, 3>((_e2290 * _e2299), (_e2291 * _e2299), (_e2292 * _e2299));
                     } else {
-                        phi_1784_ = _e2208;
+                        phi_1782_ = _e2204;
                     }
-                    let _e2309 = phi_1784_;
-                    phi_3302_ = _e2309;
-                    phi_3303_ = array<f32, 3>();
-                    phi_3304_ = true;
+                    let _e2305 = phi_1782_;
+                    phi_3298_ = _e2305;
+                    phi_3299_ = array<f32, 3>();
+                    phi_3300_ = true;
                 } else {
                     if (_e421.member[0][0] < 0f) {
-                        phi_1792_ = -(_e421.member[0][0]);
+                        phi_1790_ = -(_e421.member[0][0]);
                     } else {
-                        phi_1792_ = _e421.member[0][0];
+                        phi_1790_ = _e421.member[0][0];
                     }
-                    let _e964 = phi_1792_;
+                    let _e962 = phi_1790_;
                     if (_e421.member[0][1] < 0f) {
-                        phi_1799_ = -(_e421.member[0][1]);
+                        phi_1797_ = -(_e421.member[0][1]);
                     } else {
-                        phi_1799_ = _e421.member[0][1];
+                        phi_1797_ = _e421.member[0][1];
                     }
-                    let _e969 = phi_1799_;
-                    if (_e964 > _e969) {
-                        phi_1804_ = _e964;
+                    let _e967 = phi_1797_;
+                    if (_e962 > _e967) {
+                        phi_1802_ = _e962;
                     } else {
-                        phi_1804_ = _e969;
+                        phi_1802_ = _e967;
                     }
-                    let _e972 = phi_1804_;
+                    let _e970 = phi_1802_;
                     if (_e421.member[0][2] < 0f) {
-                        phi_1811_ = -(_e421.member[0][2]);
+                        phi_1809_ = -(_e421.member[0][2]);
                     } else {
-                        phi_1811_ = _e421.member[0][2];
+                        phi_1809_ = _e421.member[0][2];
                     }
-                    let _e977 = phi_1811_;
-                    if (_e972 > _e977) {
-                        phi_1816_ = _e972;
+                    let _e975 = phi_1809_;
+                    if (_e970 > _e975) {
+                        phi_1814_ = _e970;
                     } else {
-                        phi_1816_ = _e977;
+                        phi_1814_ = _e975;
                     }
-                    let _e980 = phi_1816_;
+                    let _e978 = phi_1814_;
                     if (_e421.member[1][0] < 0f) {
-                        phi_1824_ = -(_e421.member[1][0]);
+                        phi_1822_ = -(_e421.member[1][0]);
                     } else {
-                        phi_1824_ = _e421.member[1][0];
+                        phi_1822_ = _e421.member[1][0];
                     }
-                    let _e987 = phi_1824_;
+                    let _e985 = phi_1822_;
                     if (_e421.member[1][1] < 0f) {
-                        phi_1831_ = -(_e421.member[1][1]);
+                        phi_1829_ = -(_e421.member[1][1]);
                     } else {
-                        phi_1831_ = _e421.member[1][1];
+                        phi_1829_ = _e421.member[1][1];
                     }
-                    let _e992 = phi_1831_;
-                    if (_e987 > _e992) {
-                        phi_1836_ = _e987;
+                    let _e990 = phi_1829_;
+                    if (_e985 > _e990) {
+                        phi_1834_ = _e985;
                     } else {
-                        phi_1836_ = _e992;
+                        phi_1834_ = _e990;
                     }
-                    let _e995 = phi_1836_;
+                    let _e993 = phi_1834_;
                     if (_e421.member[1][2] < 0f) {
-                        phi_1843_ = -(_e421.member[1][2]);
+                        phi_1841_ = -(_e421.member[1][2]);
                     } else {
-                        phi_1843_ = _e421.member[1][2];
+                        phi_1841_ = _e421.member[1][2];
                     }
-                    let _e1000 = phi_1843_;
-                    if (_e995 > _e1000) {
-                        phi_1848_ = _e995;
+                    let _e998 = phi_1841_;
+                    if (_e993 > _e998) {
+                        phi_1846_ = _e993;
                     } else {
-                        phi_1848_ = _e1000;
+                        phi_1846_ = _e998;
                     }
-                    let _e1003 = phi_1848_;
-                    if (_e980 > _e1003) {
-                        phi_1853_ = _e980;
+                    let _e1001 = phi_1846_;
+                    if (_e978 > _e1001) {
+                        phi_1851_ = _e978;
                     } else {
-                        phi_1853_ = _e1003;
+                        phi_1851_ = _e1001;
                     }
-                    let _e1006 = phi_1853_;
+                    let _e1004 = phi_1851_;
                     if (_e421.member_1[0][0] < 0f) {
-                        phi_1863_ = -(_e421.member_1[0][0]);
+                        phi_1861_ = -(_e421.member_1[0][0]);
                     } else {
-                        phi_1863_ = _e421.member_1[0][0];
+                        phi_1861_ = _e421.member_1[0][0];
                     }
-                    let _e1015 = phi_1863_;
+                    let _e1013 = phi_1861_;
                     if (_e421.member_1[0][1] < 0f) {
-                        phi_1870_ = -(_e421.member_1[0][1]);
+                        phi_1868_ = -(_e421.member_1[0][1]);
                     } else {
-                        phi_1870_ = _e421.member_1[0][1];
+                        phi_1868_ = _e421.member_1[0][1];
                     }
-                    let _e1020 = phi_1870_;
-                    if (_e1015 > _e1020) {
-                        phi_1875_ = _e1015;
+                    let _e1018 = phi_1868_;
+                    if (_e1013 > _e1018) {
+                        phi_1873_ = _e1013;
                     } else {
-                        phi_1875_ = _e1020;
+                        phi_1873_ = _e1018;
                     }
-                    let _e1023 = phi_1875_;
+                    let _e1021 = phi_1873_;
                     if (_e421.member_1[0][2] < 0f) {
-                        phi_1882_ = -(_e421.member_1[0][2]);
+                        phi_1880_ = -(_e421.member_1[0][2]);
                     } else {
-                        phi_1882_ = _e421.member_1[0][2];
+                        phi_1880_ = _e421.member_1[0][2];
                     }
-                    let _e1028 = phi_1882_;
-                    if (_e1023 > _e1028) {
-                        phi_1887_ = _e1023;
+                    let _e1026 = phi_1880_;
+                    if (_e1021 > _e1026) {
+                        phi_1885_ = _e1021;
                     } else {
-                        phi_1887_ = _e1028;
+                        phi_1885_ = _e1026;
                     }
-                    let _e1031 = phi_1887_;
+                    let _e1029 = phi_1885_;
                     if (_e421.member_1[1][0] < 0f) {
-                        phi_1895_ = -(_e421.member_1[1][0]);
+                        phi_1893_ = -(_e421.member_1[1][0]);
                     } else {
-                        phi_1895_ = _e421.member_1[1][0];
+                        phi_1893_ = _e421.member_1[1][0];
                     }
-                    let _e1038 = phi_1895_;
+                    let _e1036 = phi_1893_;
                     if (_e421.member_1[1][1] < 0f) {
-                        phi_1902_ = -(_e421.member_1[1][1]);
+                        phi_1900_ = -(_e421.member_1[1][1]);
                     } else {
-                        phi_1902_ = _e421.member_1[1][1];
+                        phi_1900_ = _e421.member_1[1][1];
                     }
-                    let _e1043 = phi_1902_;
-                    if (_e1038 > _e1043) {
-                        phi_1907_ = _e1038;
+                    let _e1041 = phi_1900_;
+                    if (_e1036 > _e1041) {
+                        phi_1905_ = _e1036;
                     } else {
-                        phi_1907_ = _e1043;
+                        phi_1905_ = _e1041;
                     }
-                    let _e1046 = phi_1907_;
+                    let _e1044 = phi_1905_;
                     if (_e421.member_1[1][2] < 0f) {
-                        phi_1914_ = -(_e421.member_1[1][2]);
+                        phi_1912_ = -(_e421.member_1[1][2]);
                     } else {
-                        phi_1914_ = _e421.member_1[1][2];
+                        phi_1912_ = _e421.member_1[1][2];
                     }
-                    let _e1051 = phi_1914_;
-                    if (_e1046 > _e1051) {
-                        phi_1919_ = _e1046;
+                    let _e1049 = phi_1912_;
+                    if (_e1044 > _e1049) {
+                        phi_1917_ = _e1044;
                     } else {
-                        phi_1919_ = _e1051;
+                        phi_1917_ = _e1049;
                     }
-                    let _e1054 = phi_1919_;
-                    if (_e1031 > _e1054) {
-                        phi_1924_ = _e1031;
+                    let _e1052 = phi_1917_;
+                    if (_e1029 > _e1052) {
+                        phi_1922_ = _e1029;
                     } else {
-                        phi_1924_ = _e1054;
+                        phi_1922_ = _e1052;
                     }
-                    let _e1057 = phi_1924_;
+                    let _e1055 = phi_1922_;
                     if (_e421.member_2[0][0] < 0f) {
-                        phi_1934_ = -(_e421.member_2[0][0]);
+                        phi_1932_ = -(_e421.member_2[0][0]);
                     } else {
-                        phi_1934_ = _e421.member_2[0][0];
+                        phi_1932_ = _e421.member_2[0][0];
                     }
-                    let _e1066 = phi_1934_;
+                    let _e1064 = phi_1932_;
                     if (_e421.member_2[0][1] < 0f) {
-                        phi_1941_ = -(_e421.member_2[0][1]);
+                        phi_1939_ = -(_e421.member_2[0][1]);
                     } else {
-                        phi_1941_ = _e421.member_2[0][1];
+                        phi_1939_ = _e421.member_2[0][1];
                     }
-                    let _e1071 = phi_1941_;
-                    if (_e1066 > _e1071) {
-                        phi_1946_ = _e1066;
+                    let _e1069 = phi_1939_;
+                    if (_e1064 > _e1069) {
+                        phi_1944_ = _e1064;
                     } else {
-                        phi_1946_ = _e1071;
+                        phi_1944_ = _e1069;
                     }
-                    let _e1074 = phi_1946_;
+                    let _e1072 = phi_1944_;
                     if (_e421.member_2[0][2] < 0f) {
-                        phi_1953_ = -(_e421.member_2[0][2]);
+                        phi_1951_ = -(_e421.member_2[0][2]);
                     } else {
-                        phi_1953_ = _e421.member_2[0][2];
+                        phi_1951_ = _e421.member_2[0][2];
                     }
-                    let _e1079 = phi_1953_;
-                    if (_e1074 > _e1079) {
-                        phi_1958_ = _e1074;
+                    let _e1077 = phi_1951_;
+                    if (_e1072 > _e1077) {
+                        phi_1956_ = _e1072;
                     } else {
-                        phi_1958_ = _e1079;
+                        phi_1956_ = _e1077;
                     }
-                    let _e1082 = phi_1958_;
+                    let _e1080 = phi_1956_;
                     if (_e421.member_2[1][0] < 0f) {
-                        phi_1966_ = -(_e421.member_2[1][0]);
+                        phi_1964_ = -(_e421.member_2[1][0]);
                     } else {
-                        phi_1966_ = _e421.member_2[1][0];
+                        phi_1964_ = _e421.member_2[1][0];
                     }
-                    let _e1089 = phi_1966_;
+                    let _e1087 = phi_1964_;
                     if (_e421.member_2[1][1] < 0f) {
-                        phi_1973_ = -(_e421.member_2[1][1]);
+                        phi_1971_ = -(_e421.member_2[1][1]);
                     } else {
-                        phi_1973_ = _e421.member_2[1][1];
+                        phi_1971_ = _e421.member_2[1][1];
                     }
-                    let _e1094 = phi_1973_;
-                    if (_e1089 > _e1094) {
-                        phi_1978_ = _e1089;
+                    let _e1092 = phi_1971_;
+                    if (_e1087 > _e1092) {
+                        phi_1976_ = _e1087;
                     } else {
-                        phi_1978_ = _e1094;
+                        phi_1976_ = _e1092;
                     }
-                    let _e1097 = phi_1978_;
+                    let _e1095 = phi_1976_;
                     if (_e421.member_2[1][2] < 0f) {
-                        phi_1985_ = -(_e421.member_2[1][2]);
+                        phi_1983_ = -(_e421.member_2[1][2]);
                     } else {
-                        phi_1985_ = _e421.member_2[1][2];
+                        phi_1983_ = _e421.member_2[1][2];
                     }
-                    let _e1102 = phi_1985_;
-                    if (_e1097 > _e1102) {
-                        phi_1990_ = _e1097;
+                    let _e1100 = phi_1983_;
+                    if (_e1095 > _e1100) {
+                        phi_1988_ = _e1095;
                     } else {
-                        phi_1990_ = _e1102;
+                        phi_1988_ = _e1100;
                     }
-                    let _e1105 = phi_1990_;
-                    if (_e1082 > _e1105) {
-                        phi_1995_ = _e1082;
+                    let _e1103 = phi_1988_;
+                    if (_e1080 > _e1103) {
+                        phi_1993_ = _e1080;
                     } else {
-                        phi_1995_ = _e1105;
+                        phi_1993_ = _e1103;
                     }
-                    let _e1108 = phi_1995_;
-                    let _e1119 = (((((_e1006 + _e421.member_3) + (_e1057 + _e421.member_3)) + (_e1108 + _e421.member_3)) * (0.000000059604645f * 32f)) + ((_e421.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * 8f));
-                    if _e945 {
+                    let _e1106 = phi_1993_;
+                    let _e1115 = (((((_e1004 + _e421.member_3) + (_e1055 + _e421.member_3)) + (_e1106 + _e421.member_3)) * (0.000000059604645f * 32f)) + (_e421.member_3 * 8f));
+                    if _e943 {
+                        if (_e949 < 0f) {
+                            phi_2011_ = -(_e949);
+                        } else {
+                            phi_2011_ = _e949;
+                        }
+                        let _e1119 = phi_2011_;
+                        if (_e950 < 0f) {
+                            phi_2017_ = -(_e950);
+                        } else {
+                            phi_2017_ = _e950;
+                        }
+                        let _e1123 = phi_2017_;
+                        if (_e1119 > _e1123) {
+                            phi_2022_ = _e1119;
+                        } else {
+                            phi_2022_ = _e1123;
+                        }
+                        let _e1126 = phi_2022_;
                         if (_e951 < 0f) {
-                            phi_2015_ = -(_e951);
+                            phi_2028_ = -(_e951);
                         } else {
-                            phi_2015_ = _e951;
+                            phi_2028_ = _e951;
                         }
-                        let _e1123 = phi_2015_;
-                        if (_e952 < 0f) {
-                            phi_2021_ = -(_e952);
+                        let _e1130 = phi_2028_;
+                        if (_e1126 > _e1130) {
+                            phi_2033_ = _e1126;
                         } else {
-                            phi_2021_ = _e952;
+                            phi_2033_ = _e1130;
                         }
-                        let _e1127 = phi_2021_;
-                        if (_e1123 > _e1127) {
-                            phi_2026_ = _e1123;
-                        } else {
-                            phi_2026_ = _e1127;
-                        }
-                        let _e1130 = phi_2026_;
-                        if (_e953 < 0f) {
-                            phi_2032_ = -(_e953);
-                        } else {
-                            phi_2032_ = _e953;
-                        }
-                        let _e1134 = phi_2032_;
-                        if (_e1130 > _e1134) {
-                            phi_2037_ = _e1130;
-                        } else {
-                            phi_2037_ = _e1134;
-                        }
-                        let _e1137 = phi_2037_;
-                        let _e1138 = function_8(_e1137);
-                        let _e1139 = (_e951 * _e1138);
-                        let _e1140 = (_e952 * _e1138);
-                        let _e1141 = (_e953 * _e1138);
-                        let _e1146 = (((_e1139 * _e1139) + (_e1140 * _e1140)) + (_e1141 * _e1141));
-                        if (_e1146 <= 0.000000000000000000000000000000000000011754944f) {
-                            if (_e1146 > 0f) {
-                                phi_2060_ = (0.000000000000000000106433627f * 2f);
+                        let _e1133 = phi_2033_;
+                        let _e1134 = function_8(_e1133);
+                        let _e1135 = (_e949 * _e1134);
+                        let _e1136 = (_e950 * _e1134);
+                        let _e1137 = (_e951 * _e1134);
+                        let _e1142 = (((_e1135 * _e1135) + (_e1136 * _e1136)) + (_e1137 * _e1137));
+                        if (_e1142 <= 0.000000000000000000000000000000000000011754944f) {
+                            if (_e1142 > 0f) {
+                                phi_2056_ = (0.000000000000000000106433627f * 2f);
                             } else {
-                                phi_2060_ = 0f;
+                                phi_2056_ = 0f;
                             }
-                            let _e1199 = phi_2060_;
-                            phi_2124_ = _e1199;
+                            let _e1195 = phi_2056_;
+                            phi_2120_ = _e1195;
                         } else {
-                            phi_2067_ = type_14(0i, 5i);
-                            phi_2070_ = bitcast<f32>(((bitcast<u32>(_e1146) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_2063_ = type_14(0i, 5i);
+                            phi_2066_ = bitcast<f32>(((bitcast<u32>(_e1142) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e1154 = phi_2067_;
-                                let _e1156 = phi_2070_;
-                                local_5 = _e1156;
-                                if (_e1154.member < _e1154.member_1) {
-                                    let _e1163 = (_e1154.member + 1i);
-                                    if ((false == (_e1163 > _e1154.member)) != false) {
-                                        phi_2091_ = true;
+                                let _e1150 = phi_2063_;
+                                let _e1152 = phi_2066_;
+                                local_5 = _e1152;
+                                if (_e1150.member < _e1150.member_1) {
+                                    let _e1159 = (_e1150.member + 1i);
+                                    if ((false == (_e1159 > _e1150.member)) != false) {
+                                        phi_2087_ = true;
                                     } else {
-                                        phi_2091_ = false;
+                                        phi_2087_ = false;
                                     }
-                                    let _e1168 = phi_2091_;
-                                    if _e1168 {
-                                        phi_2097_ = type_15(0u, type_15().member_1);
+                                    let _e1164 = phi_2087_;
+                                    if _e1164 {
+                                        phi_2093_ = type_15(0u, type_15().member_1);
                                     } else {
-                                        phi_2097_ = type_15(1u, _e1163);
+                                        phi_2093_ = type_15(1u, _e1159);
                                     }
-                                    let _e1173 = phi_2097_;
-                                    phi_2068_ = type_14(_e1173.member_1, _e1154.member_1);
-                                    phi_2111_ = type_15(1u, _e1154.member);
+                                    let _e1169 = phi_2093_;
+                                    phi_2064_ = type_14(_e1169.member_1, _e1150.member_1);
+                                    phi_2107_ = type_15(1u, _e1150.member);
                                 } else {
-                                    phi_2068_ = _e1154;
-                                    phi_2111_ = type_15(0u, type_15().member_1);
+                                    phi_2064_ = _e1150;
+                                    phi_2107_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e1179 = phi_2068_;
-                                let _e1181 = phi_2111_;
-                                let _e1184 = (bitcast<i32>(_e1181.member) != 0i);
-                                if _e1184 {
-                                    phi_2071_ = (0.5f * (_e1156 + (_e1146 / _e1156)));
+                                let _e1175 = phi_2064_;
+                                let _e1177 = phi_2107_;
+                                let _e1180 = (bitcast<i32>(_e1177.member) != 0i);
+                                if _e1180 {
+                                    phi_2067_ = (0.5f * (_e1152 + (_e1142 / _e1152)));
                                 } else {
-                                    phi_2071_ = f32();
+                                    phi_2067_ = f32();
                                 }
-                                let _e1189 = phi_2071_;
+                                let _e1185 = phi_2067_;
                                 continue;
                                 continuing {
-                                    phi_2067_ = _e1179;
-                                    phi_2070_ = _e1189;
-                                    break if !(_e1184);
+                                    phi_2063_ = _e1175;
+                                    phi_2066_ = _e1185;
+                                    break if !(_e1180);
                                 }
                             }
-                            let _e1194 = local_5;
-                            phi_2124_ = (_e1194 * (1f + (8f * 0.000000059604645f)));
+                            let _e1190 = local_5;
+                            phi_2120_ = (_e1190 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e1201 = phi_2124_;
-                        let _e1202 = (1f / _e1201);
-                        let _e1203 = (_e1139 * _e1202);
-                        let _e1204 = (_e1140 * _e1202);
-                        let _e1205 = (_e1141 * _e1202);
-                        let _e1212 = ((3f - (((_e1203 * _e1203) + (_e1204 * _e1204)) + (_e1205 * _e1205))) * 0.5f);
-                        let _e1213 = (_e1203 * _e1212);
-                        let _e1214 = (_e1204 * _e1212);
-                        let _e1215 = (_e1205 * _e1212);
-                        let _e1221 = (((_e912 * _e1213) + (_e913 * _e1214)) + (_e914 * _e1215));
+                        let _e1197 = phi_2120_;
+                        let _e1198 = (1f / _e1197);
+                        let _e1199 = (_e1135 * _e1198);
+                        let _e1200 = (_e1136 * _e1198);
+                        let _e1201 = (_e1137 * _e1198);
+                        let _e1208 = ((3f - (((_e1199 * _e1199) + (_e1200 * _e1200)) + (_e1201 * _e1201))) * 0.5f);
+                        let _e1209 = (_e1199 * _e1208);
+                        let _e1210 = (_e1200 * _e1208);
+                        let _e1211 = (_e1201 * _e1208);
+                        let _e1217 = (((_e910 * _e1209) + (_e911 * _e1210)) + (_e912 * _e1211));
+                        if (_e910 < 0f) {
+                            phi_2146_ = -(_e910);
+                        } else {
+                            phi_2146_ = _e910;
+                        }
+                        let _e1221 = phi_2146_;
+                        if (_e911 < 0f) {
+                            phi_2152_ = -(_e911);
+                        } else {
+                            phi_2152_ = _e911;
+                        }
+                        let _e1225 = phi_2152_;
                         if (_e912 < 0f) {
-                            phi_2150_ = -(_e912);
+                            phi_2159_ = -(_e912);
                         } else {
-                            phi_2150_ = _e912;
+                            phi_2159_ = _e912;
                         }
-                        let _e1225 = phi_2150_;
-                        if (_e913 < 0f) {
-                            phi_2156_ = -(_e913);
+                        let _e1230 = phi_2159_;
+                        let _e1233 = local.member_5;
+                        let _e1235 = local.member_4;
+                        if (_e1217 < 0f) {
+                            phi_2173_ = -(_e1217);
                         } else {
-                            phi_2156_ = _e913;
+                            phi_2173_ = _e1217;
                         }
-                        let _e1229 = phi_2156_;
-                        if (_e914 < 0f) {
-                            phi_2163_ = -(_e914);
-                        } else {
-                            phi_2163_ = _e914;
-                        }
-                        let _e1234 = phi_2163_;
-                        let _e1237 = local.member_5;
-                        let _e1239 = local.member_4;
-                        if (_e1221 < 0f) {
-                            phi_2177_ = -(_e1221);
-                        } else {
-                            phi_2177_ = _e1221;
-                        }
-                        let _e1246 = phi_2177_;
-                        if (_e1246 > (_e1119 + (((_e1225 + _e1229) + _e1234) * (_e1237 / _e1239)))) {
-                            if (_e1221 < 0f) {
-                                phi_2191_ = array<f32, 3>(_e1213, _e1214, _e1215);
+                        let _e1242 = phi_2173_;
+                        if (_e1242 > (_e1115 + (((_e1221 + _e1225) + _e1230) * (_e1233 / _e1235)))) {
+                            if (_e1217 < 0f) {
+                                phi_2187_ = array<f32, 3>(_e1209, _e1210, _e1211);
                             } else {
-                                let _e1249 = -(1f);
-                                phi_2191_ = array<f32, 3>((_e1213 * _e1249), (_e1214 * _e1249), (_e1215 * _e1249));
+                                let _e1245 = -(1f);
+                                phi_2187_ = array<f32, 3>((_e1209 * _e1245), (_e1210 * _e1245), (_e1211 * _e1245));
                             }
-                            let _e1255 = phi_2191_;
-                            phi_2192_ = _e1255;
-                            phi_2193_ = false;
+                            let _e1251 = phi_2187_;
+                            phi_2188_ = _e1251;
+                            phi_2189_ = false;
                         } else {
-                            phi_2192_ = array<f32, 3>();
-                            phi_2193_ = true;
+                            phi_2188_ = array<f32, 3>();
+                            phi_2189_ = true;
                         }
-                        let _e1257 = phi_2192_;
-                        let _e1259 = phi_2193_;
-                        phi_2194_ = _e1257;
-                        phi_2195_ = _e1259;
+                        let _e1253 = phi_2188_;
+                        let _e1255 = phi_2189_;
+                        phi_2190_ = _e1253;
+                        phi_2191_ = _e1255;
                     } else {
-                        phi_2194_ = array<f32, 3>();
-                        phi_2195_ = true;
+                        phi_2190_ = array<f32, 3>();
+                        phi_2191_ = true;
                     }
-                    let _e1261 = phi_2194_;
-                    let _e1263 = phi_2195_;
-                    if _e1263 {
-                        if _e945 {
-                            if _e942 {
-                                phi_2205_ = false;
+                    let _e1257 = phi_2190_;
+                    let _e1259 = phi_2191_;
+                    if _e1259 {
+                        if _e943 {
+                            if _e940 {
+                                phi_2201_ = false;
                             } else {
-                                phi_2205_ = true;
+                                phi_2201_ = true;
                             }
-                            let _e1265 = phi_2205_;
-                            phi_2206_ = _e1265;
+                            let _e1261 = phi_2201_;
+                            phi_2202_ = _e1261;
                         } else {
-                            phi_2206_ = true;
+                            phi_2202_ = true;
                         }
-                        let _e1267 = phi_2206_;
-                        if _e1267 {
-                            if _e926 {
-                                if _e921 {
-                                    if _e925 {
-                                        let _e1269 = local.member_2;
-                                        let _e1274 = local.member_1;
-                                        phi_2241_ = array<f32, 3>((_e1269[0] - _e1274[0]), (_e1269[1] - _e1274[1]), (_e1269[2] - _e1274[2]));
-                                        phi_2242_ = false;
+                        let _e1263 = phi_2202_;
+                        if _e1263 {
+                            if _e924 {
+                                if _e919 {
+                                    if _e923 {
+                                        let _e1265 = local.member_2;
+                                        let _e1270 = local.member_1;
+                                        phi_2237_ = array<f32, 3>((_e1265[0] - _e1270[0]), (_e1265[1] - _e1270[1]), (_e1265[2] - _e1270[2]));
+                                        phi_2238_ = false;
                                     } else {
-                                        phi_2241_ = array<f32, 3>();
-                                        phi_2242_ = true;
+                                        phi_2237_ = array<f32, 3>();
+                                        phi_2238_ = true;
                                     }
-                                    let _e1283 = phi_2241_;
-                                    let _e1285 = phi_2242_;
-                                    phi_2243_ = _e1283;
-                                    phi_2244_ = _e1285;
+                                    let _e1279 = phi_2237_;
+                                    let _e1281 = phi_2238_;
+                                    phi_2239_ = _e1279;
+                                    phi_2240_ = _e1281;
                                 } else {
-                                    phi_2243_ = array<f32, 3>();
-                                    phi_2244_ = true;
+                                    phi_2239_ = array<f32, 3>();
+                                    phi_2240_ = true;
                                 }
-                                let _e1287 = phi_2243_;
-                                let _e1289 = phi_2244_;
-                                phi_2245_ = _e1287;
-                                phi_2246_ = _e1289;
+                                let _e1283 = phi_2239_;
+                                let _e1285 = phi_2240_;
+                                phi_2241_ = _e1283;
+                                phi_2242_ = _e1285;
                             } else {
-                                phi_2245_ = array<f32, 3>();
-                                phi_2246_ = true;
+                                phi_2241_ = array<f32, 3>();
+                                phi_2242_ = true;
                             }
-                            let _e1291 = phi_2245_;
-                            let _e1293 = phi_2246_;
-                            if _e1293 {
-                                if _e921 {
-                                    if _e925 {
-                                        let _e1295 = local.member_2;
-                                        if (_e1295[0] < 0f) {
-                                            phi_2268_ = -(_e1295[0]);
+                            let _e1287 = phi_2241_;
+                            let _e1289 = phi_2242_;
+                            if _e1289 {
+                                if _e919 {
+                                    if _e923 {
+                                        let _e1291 = local.member_2;
+                                        if (_e1291[0] < 0f) {
+                                            phi_2264_ = -(_e1291[0]);
                                         } else {
-                                            phi_2268_ = _e1295[0];
+                                            phi_2264_ = _e1291[0];
                                         }
-                                        let _e1302 = phi_2268_;
-                                        if (_e1295[1] < 0f) {
-                                            phi_2275_ = -(_e1295[1]);
+                                        let _e1298 = phi_2264_;
+                                        if (_e1291[1] < 0f) {
+                                            phi_2271_ = -(_e1291[1]);
                                         } else {
-                                            phi_2275_ = _e1295[1];
+                                            phi_2271_ = _e1291[1];
                                         }
-                                        let _e1306 = phi_2275_;
-                                        if (_e1302 > _e1306) {
-                                            phi_2280_ = _e1302;
+                                        let _e1302 = phi_2271_;
+                                        if (_e1298 > _e1302) {
+                                            phi_2276_ = _e1298;
                                         } else {
-                                            phi_2280_ = _e1306;
+                                            phi_2276_ = _e1302;
                                         }
-                                        let _e1309 = phi_2280_;
-                                        if (_e1295[2] < 0f) {
-                                            phi_2287_ = -(_e1295[2]);
+                                        let _e1305 = phi_2276_;
+                                        if (_e1291[2] < 0f) {
+                                            phi_2283_ = -(_e1291[2]);
                                         } else {
-                                            phi_2287_ = _e1295[2];
+                                            phi_2283_ = _e1291[2];
                                         }
-                                        let _e1313 = phi_2287_;
-                                        if (_e1309 > _e1313) {
-                                            phi_2292_ = _e1309;
+                                        let _e1309 = phi_2283_;
+                                        if (_e1305 > _e1309) {
+                                            phi_2288_ = _e1305;
                                         } else {
-                                            phi_2292_ = _e1313;
+                                            phi_2288_ = _e1309;
                                         }
-                                        let _e1316 = phi_2292_;
-                                        let _e1318 = local.member_1;
-                                        if (_e1318[0] < 0f) {
-                                            phi_2305_ = -(_e1318[0]);
+                                        let _e1312 = phi_2288_;
+                                        let _e1314 = local.member_1;
+                                        if (_e1314[0] < 0f) {
+                                            phi_2301_ = -(_e1314[0]);
                                         } else {
-                                            phi_2305_ = _e1318[0];
+                                            phi_2301_ = _e1314[0];
                                         }
-                                        let _e1325 = phi_2305_;
-                                        if (_e1318[1] < 0f) {
-                                            phi_2312_ = -(_e1318[1]);
+                                        let _e1321 = phi_2301_;
+                                        if (_e1314[1] < 0f) {
+                                            phi_2308_ = -(_e1314[1]);
                                         } else {
-                                            phi_2312_ = _e1318[1];
+                                            phi_2308_ = _e1314[1];
                                         }
-                                        let _e1329 = phi_2312_;
-                                        if (_e1325 > _e1329) {
-                                            phi_2317_ = _e1325;
+                                        let _e1325 = phi_2308_;
+                                        if (_e1321 > _e1325) {
+                                            phi_2313_ = _e1321;
                                         } else {
-                                            phi_2317_ = _e1329;
+                                            phi_2313_ = _e1325;
                                         }
-                                        let _e1332 = phi_2317_;
-                                        if (_e1318[2] < 0f) {
-                                            phi_2324_ = -(_e1318[2]);
+                                        let _e1328 = phi_2313_;
+                                        if (_e1314[2] < 0f) {
+                                            phi_2320_ = -(_e1314[2]);
                                         } else {
-                                            phi_2324_ = _e1318[2];
+                                            phi_2320_ = _e1314[2];
                                         }
-                                        let _e1336 = phi_2324_;
-                                        if (_e1332 > _e1336) {
-                                            phi_2329_ = _e1332;
+                                        let _e1332 = phi_2320_;
+                                        if (_e1328 > _e1332) {
+                                            phi_2325_ = _e1328;
                                         } else {
-                                            phi_2329_ = _e1336;
+                                            phi_2325_ = _e1332;
                                         }
-                                        let _e1339 = phi_2329_;
-                                        if (_e1316 > _e1339) {
-                                            phi_2334_ = false;
+                                        let _e1335 = phi_2325_;
+                                        if (_e1312 > _e1335) {
+                                            phi_2330_ = false;
                                         } else {
-                                            phi_2334_ = true;
+                                            phi_2330_ = true;
                                         }
-                                        let _e1342 = phi_2334_;
-                                        phi_2335_ = _e1342;
+                                        let _e1338 = phi_2330_;
+                                        phi_2331_ = _e1338;
                                     } else {
-                                        phi_2335_ = true;
+                                        phi_2331_ = true;
                                     }
-                                    let _e1344 = phi_2335_;
-                                    if _e1344 {
-                                        let _e1346 = local.member_1;
-                                        phi_2345_ = array<f32, 3>(_e1346[0], _e1346[1], _e1346[2]);
-                                        phi_2346_ = false;
+                                    let _e1340 = phi_2331_;
+                                    if _e1340 {
+                                        let _e1342 = local.member_1;
+                                        phi_2341_ = array<f32, 3>(_e1342[0], _e1342[1], _e1342[2]);
+                                        phi_2342_ = false;
                                     } else {
-                                        phi_2345_ = array<f32, 3>();
-                                        phi_2346_ = true;
+                                        phi_2341_ = array<f32, 3>();
+                                        phi_2342_ = true;
                                     }
-                                    let _e1352 = phi_2345_;
-                                    let _e1354 = phi_2346_;
-                                    phi_2347_ = _e1352;
-                                    phi_2348_ = _e1354;
+                                    let _e1348 = phi_2341_;
+                                    let _e1350 = phi_2342_;
+                                    phi_2343_ = _e1348;
+                                    phi_2344_ = _e1350;
                                 } else {
-                                    phi_2347_ = array<f32, 3>();
-                                    phi_2348_ = true;
+                                    phi_2343_ = array<f32, 3>();
+                                    phi_2344_ = true;
                                 }
-                                let _e1356 = phi_2347_;
-                                let _e1358 = phi_2348_;
-                                if _e1358 {
-                                    if _e925 {
-                                        let _e1360 = local.member_2;
-                                        phi_2362_ = array<f32, 3>(_e1360[0], _e1360[1], _e1360[2]);
+                                let _e1352 = phi_2343_;
+                                let _e1354 = phi_2344_;
+                                if _e1354 {
+                                    if _e923 {
+                                        let _e1356 = local.member_2;
+                                        phi_2358_ = array<f32, 3>(_e1356[0], _e1356[1], _e1356[2]);
                                     } else {
-                                        phi_2362_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_2358_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e1366 = phi_2362_;
-                                    phi_2363_ = _e1366;
+                                    let _e1362 = phi_2358_;
+                                    phi_2359_ = _e1362;
                                 } else {
-                                    phi_2363_ = _e1356;
+                                    phi_2359_ = _e1352;
                                 }
-                                let _e1368 = phi_2363_;
-                                phi_2364_ = _e1368;
+                                let _e1364 = phi_2359_;
+                                phi_2360_ = _e1364;
                             } else {
-                                phi_2364_ = _e1291;
+                                phi_2360_ = _e1287;
                             }
-                            let _e1370 = phi_2364_;
-                            if (_e1370[0] < 0f) {
-                                phi_2371_ = -(_e1370[0]);
+                            let _e1366 = phi_2360_;
+                            if (_e1366[0] < 0f) {
+                                phi_2367_ = -(_e1366[0]);
                             } else {
-                                phi_2371_ = _e1370[0];
+                                phi_2367_ = _e1366[0];
                             }
-                            let _e1375 = phi_2371_;
-                            if (_e1370[1] < 0f) {
-                                phi_2378_ = -(_e1370[1]);
+                            let _e1371 = phi_2367_;
+                            if (_e1366[1] < 0f) {
+                                phi_2374_ = -(_e1366[1]);
                             } else {
-                                phi_2378_ = _e1370[1];
+                                phi_2374_ = _e1366[1];
                             }
-                            let _e1380 = phi_2378_;
-                            if (_e1375 > _e1380) {
-                                phi_2383_ = _e1375;
+                            let _e1376 = phi_2374_;
+                            if (_e1371 > _e1376) {
+                                phi_2379_ = _e1371;
                             } else {
-                                phi_2383_ = _e1380;
+                                phi_2379_ = _e1376;
                             }
-                            let _e1383 = phi_2383_;
-                            if (_e1370[2] < 0f) {
-                                phi_2390_ = -(_e1370[2]);
+                            let _e1379 = phi_2379_;
+                            if (_e1366[2] < 0f) {
+                                phi_2386_ = -(_e1366[2]);
                             } else {
-                                phi_2390_ = _e1370[2];
+                                phi_2386_ = _e1366[2];
                             }
-                            let _e1388 = phi_2390_;
-                            if (_e1383 > _e1388) {
-                                phi_2395_ = _e1383;
+                            let _e1384 = phi_2386_;
+                            if (_e1379 > _e1384) {
+                                phi_2391_ = _e1379;
                             } else {
-                                phi_2395_ = _e1388;
+                                phi_2391_ = _e1384;
                             }
-                            let _e1391 = phi_2395_;
-                            if (_e1391 > 0f) {
-                                if (_e1370[0] < 0f) {
-                                    phi_2406_ = -(_e1370[0]);
+                            let _e1387 = phi_2391_;
+                            if (_e1387 > 0f) {
+                                if (_e1366[0] < 0f) {
+                                    phi_2402_ = -(_e1366[0]);
                                 } else {
-                                    phi_2406_ = _e1370[0];
+                                    phi_2402_ = _e1366[0];
                                 }
-                                let _e1397 = phi_2406_;
-                                if (_e1370[1] < 0f) {
-                                    phi_2413_ = -(_e1370[1]);
+                                let _e1393 = phi_2402_;
+                                if (_e1366[1] < 0f) {
+                                    phi_2409_ = -(_e1366[1]);
                                 } else {
-                                    phi_2413_ = _e1370[1];
+                                    phi_2409_ = _e1366[1];
                                 }
-                                let _e1402 = phi_2413_;
-                                if (_e1397 > _e1402) {
-                                    phi_2418_ = _e1397;
+                                let _e1398 = phi_2409_;
+                                if (_e1393 > _e1398) {
+                                    phi_2414_ = _e1393;
                                 } else {
-                                    phi_2418_ = _e1402;
+                                    phi_2414_ = _e1398;
                                 }
-                                let _e1405 = phi_2418_;
-                                if (_e1370[2] < 0f) {
-                                    phi_2425_ = -(_e1370[2]);
+                                let _e1401 = phi_2414_;
+                                if (_e1366[2] < 0f) {
+                                    phi_2421_ = -(_e1366[2]);
                                 } else {
-                                    phi_2425_ = _e1370[2];
+                                    phi_2421_ = _e1366[2];
                                 }
-                                let _e1410 = phi_2425_;
-                                if (_e1405 > _e1410) {
-                                    phi_2430_ = _e1405;
+                                let _e1406 = phi_2421_;
+                                if (_e1401 > _e1406) {
+                                    phi_2426_ = _e1401;
                                 } else {
-                                    phi_2430_ = _e1410;
+                                    phi_2426_ = _e1406;
                                 }
-                                let _e1413 = phi_2430_;
-                                let _e1414 = function_8(_e1413);
-                                let _e1416 = (_e1370[0] * _e1414);
-                                let _e1418 = (_e1370[1] * _e1414);
-                                let _e1420 = (_e1370[2] * _e1414);
-                                let _e1425 = (((_e1416 * _e1416) + (_e1418 * _e1418)) + (_e1420 * _e1420));
-                                if (_e1425 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1425 > 0f) {
-                                        phi_2456_ = (0.000000000000000000106433627f * 2f);
+                                let _e1409 = phi_2426_;
+                                let _e1410 = function_8(_e1409);
+                                let _e1412 = (_e1366[0] * _e1410);
+                                let _e1414 = (_e1366[1] * _e1410);
+                                let _e1416 = (_e1366[2] * _e1410);
+                                let _e1421 = (((_e1412 * _e1412) + (_e1414 * _e1414)) + (_e1416 * _e1416));
+                                if (_e1421 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e1421 > 0f) {
+                                        phi_2452_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2456_ = 0f;
+                                        phi_2452_ = 0f;
                                     }
-                                    let _e1478 = phi_2456_;
-                                    phi_2520_ = _e1478;
+                                    let _e1474 = phi_2452_;
+                                    phi_2516_ = _e1474;
                                 } else {
-                                    phi_2463_ = type_14(0i, 5i);
-                                    phi_2466_ = bitcast<f32>(((bitcast<u32>(_e1425) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2459_ = type_14(0i, 5i);
+                                    phi_2462_ = bitcast<f32>(((bitcast<u32>(_e1421) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1433 = phi_2463_;
-                                        let _e1435 = phi_2466_;
-                                        local_6 = _e1435;
-                                        if (_e1433.member < _e1433.member_1) {
-                                            let _e1442 = (_e1433.member + 1i);
-                                            if ((false == (_e1442 > _e1433.member)) != false) {
-                                                phi_2487_ = true;
+                                        let _e1429 = phi_2459_;
+                                        let _e1431 = phi_2462_;
+                                        local_6 = _e1431;
+                                        if (_e1429.member < _e1429.member_1) {
+                                            let _e1438 = (_e1429.member + 1i);
+                                            if ((false == (_e1438 > _e1429.member)) != false) {
+                                                phi_2483_ = true;
                                             } else {
-                                                phi_2487_ = false;
+                                                phi_2483_ = false;
                                             }
-                                            let _e1447 = phi_2487_;
-                                            if _e1447 {
-                                                phi_2493_ = type_15(0u, type_15().member_1);
+                                            let _e1443 = phi_2483_;
+                                            if _e1443 {
+                                                phi_2489_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2493_ = type_15(1u, _e1442);
+                                                phi_2489_ = type_15(1u, _e1438);
                                             }
-                                            let _e1452 = phi_2493_;
-                                            phi_2464_ = type_14(_e1452.member_1, _e1433.member_1);
-                                            phi_2507_ = type_15(1u, _e1433.member);
+                                            let _e1448 = phi_2489_;
+                                            phi_2460_ = type_14(_e1448.member_1, _e1429.member_1);
+                                            phi_2503_ = type_15(1u, _e1429.member);
                                         } else {
-                                            phi_2464_ = _e1433;
-                                            phi_2507_ = type_15(0u, type_15().member_1);
+                                            phi_2460_ = _e1429;
+                                            phi_2503_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1458 = phi_2464_;
-                                        let _e1460 = phi_2507_;
-                                        let _e1463 = (bitcast<i32>(_e1460.member) != 0i);
-                                        if _e1463 {
-                                            phi_2467_ = (0.5f * (_e1435 + (_e1425 / _e1435)));
+                                        let _e1454 = phi_2460_;
+                                        let _e1456 = phi_2503_;
+                                        let _e1459 = (bitcast<i32>(_e1456.member) != 0i);
+                                        if _e1459 {
+                                            phi_2463_ = (0.5f * (_e1431 + (_e1421 / _e1431)));
                                         } else {
-                                            phi_2467_ = f32();
+                                            phi_2463_ = f32();
                                         }
-                                        let _e1468 = phi_2467_;
+                                        let _e1464 = phi_2463_;
                                         continue;
                                         continuing {
-                                            phi_2463_ = _e1458;
-                                            phi_2466_ = _e1468;
-                                            break if !(_e1463);
+                                            phi_2459_ = _e1454;
+                                            phi_2462_ = _e1464;
+                                            break if !(_e1459);
                                         }
                                     }
-                                    let _e1473 = local_6;
-                                    phi_2520_ = (_e1473 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1469 = local_6;
+                                    phi_2516_ = (_e1469 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1480 = phi_2520_;
-                                let _e1481 = (1f / _e1480);
-                                let _e1482 = (_e1416 * _e1481);
-                                let _e1483 = (_e1418 * _e1481);
-                                let _e1484 = (_e1420 * _e1481);
-                                let _e1491 = ((3f - (((_e1482 * _e1482) + (_e1483 * _e1483)) + (_e1484 * _e1484))) * 0.5f);
-                                let _e1492 = (_e1482 * _e1491);
-                                let _e1493 = (_e1483 * _e1491);
-                                let _e1494 = (_e1484 * _e1491);
-                                let _e1499 = (((_e912 * _e1492) + (_e913 * _e1493)) + (_e914 * _e1494));
-                                phi_2547_ = array<f32, 3>((_e912 - (_e1492 * _e1499)), (_e913 - (_e1493 * _e1499)), (_e914 - (_e1494 * _e1499)));
+                                let _e1476 = phi_2516_;
+                                let _e1477 = (1f / _e1476);
+                                let _e1478 = (_e1412 * _e1477);
+                                let _e1479 = (_e1414 * _e1477);
+                                let _e1480 = (_e1416 * _e1477);
+                                let _e1487 = ((3f - (((_e1478 * _e1478) + (_e1479 * _e1479)) + (_e1480 * _e1480))) * 0.5f);
+                                let _e1488 = (_e1478 * _e1487);
+                                let _e1489 = (_e1479 * _e1487);
+                                let _e1490 = (_e1480 * _e1487);
+                                let _e1495 = (((_e910 * _e1488) + (_e911 * _e1489)) + (_e912 * _e1490));
+                                phi_2543_ = array<f32, 3>((_e910 - (_e1488 * _e1495)), (_e911 - (_e1489 * _e1495)), (_e912 - (_e1490 * _e1495)));
                             } else {
-                                phi_2547_ = array<f32, 3>(_e912, _e913, _e914);
+                                phi_2543_ = array<f32, 3>(_e910, _e911, _e912);
                             }
-                            let _e1508 = phi_2547_;
-                            if (_e1508[0] < 0f) {
-                                phi_2554_ = -(_e1508[0]);
+                            let _e1504 = phi_2543_;
+                            if (_e1504[0] < 0f) {
+                                phi_2550_ = -(_e1504[0]);
                             } else {
-                                phi_2554_ = _e1508[0];
+                                phi_2550_ = _e1504[0];
                             }
-                            let _e1513 = phi_2554_;
-                            if (_e1508[1] < 0f) {
-                                phi_2561_ = -(_e1508[1]);
+                            let _e1509 = phi_2550_;
+                            if (_e1504[1] < 0f) {
+                                phi_2557_ = -(_e1504[1]);
                             } else {
-                                phi_2561_ = _e1508[1];
+                                phi_2557_ = _e1504[1];
                             }
-                            let _e1518 = phi_2561_;
-                            if (_e1508[2] < 0f) {
-                                phi_2569_ = -(_e1508[2]);
+                            let _e1514 = phi_2557_;
+                            if (_e1504[2] < 0f) {
+                                phi_2565_ = -(_e1504[2]);
                             } else {
-                                phi_2569_ = _e1508[2];
+                                phi_2565_ = _e1504[2];
                             }
-                            let _e1524 = phi_2569_;
-                            if (((_e1513 + _e1518) + _e1524) > _e1119) {
-                                let _e1527 = -(1f);
-                                let _e1529 = (_e1508[0] * _e1527);
-                                let _e1531 = (_e1508[1] * _e1527);
-                                let _e1533 = (_e1508[2] * _e1527);
+                            let _e1520 = phi_2565_;
+                            if (((_e1509 + _e1514) + _e1520) > _e1115) {
+                                let _e1523 = -(1f);
+                                let _e1525 = (_e1504[0] * _e1523);
+                                let _e1527 = (_e1504[1] * _e1523);
+                                let _e1529 = (_e1504[2] * _e1523);
+                                if (_e1525 < 0f) {
+                                    phi_2583_ = -(_e1525);
+                                } else {
+                                    phi_2583_ = _e1525;
+                                }
+                                let _e1533 = phi_2583_;
+                                if (_e1527 < 0f) {
+                                    phi_2589_ = -(_e1527);
+                                } else {
+                                    phi_2589_ = _e1527;
+                                }
+                                let _e1537 = phi_2589_;
+                                if (_e1533 > _e1537) {
+                                    phi_2594_ = _e1533;
+                                } else {
+                                    phi_2594_ = _e1537;
+                                }
+                                let _e1540 = phi_2594_;
                                 if (_e1529 < 0f) {
-                                    phi_2587_ = -(_e1529);
+                                    phi_2600_ = -(_e1529);
                                 } else {
-                                    phi_2587_ = _e1529;
+                                    phi_2600_ = _e1529;
                                 }
-                                let _e1537 = phi_2587_;
-                                if (_e1531 < 0f) {
-                                    phi_2593_ = -(_e1531);
+                                let _e1544 = phi_2600_;
+                                if (_e1540 > _e1544) {
+                                    phi_2605_ = _e1540;
                                 } else {
-                                    phi_2593_ = _e1531;
+                                    phi_2605_ = _e1544;
                                 }
-                                let _e1541 = phi_2593_;
-                                if (_e1537 > _e1541) {
-                                    phi_2598_ = _e1537;
-                                } else {
-                                    phi_2598_ = _e1541;
-                                }
-                                let _e1544 = phi_2598_;
-                                if (_e1533 < 0f) {
-                                    phi_2604_ = -(_e1533);
-                                } else {
-                                    phi_2604_ = _e1533;
-                                }
-                                let _e1548 = phi_2604_;
-                                if (_e1544 > _e1548) {
-                                    phi_2609_ = _e1544;
-                                } else {
-                                    phi_2609_ = _e1548;
-                                }
-                                let _e1551 = phi_2609_;
-                                let _e1552 = function_8(_e1551);
-                                let _e1553 = (_e1529 * _e1552);
-                                let _e1554 = (_e1531 * _e1552);
-                                let _e1555 = (_e1533 * _e1552);
-                                let _e1560 = (((_e1553 * _e1553) + (_e1554 * _e1554)) + (_e1555 * _e1555));
-                                if (_e1560 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1560 > 0f) {
-                                        phi_2632_ = (0.000000000000000000106433627f * 2f);
+                                let _e1547 = phi_2605_;
+                                let _e1548 = function_8(_e1547);
+                                let _e1549 = (_e1525 * _e1548);
+                                let _e1550 = (_e1527 * _e1548);
+                                let _e1551 = (_e1529 * _e1548);
+                                let _e1556 = (((_e1549 * _e1549) + (_e1550 * _e1550)) + (_e1551 * _e1551));
+                                if (_e1556 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e1556 > 0f) {
+                                        phi_2628_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2632_ = 0f;
+                                        phi_2628_ = 0f;
                                     }
-                                    let _e1613 = phi_2632_;
-                                    phi_2696_ = _e1613;
+                                    let _e1609 = phi_2628_;
+                                    phi_2692_ = _e1609;
                                 } else {
-                                    phi_2639_ = type_14(0i, 5i);
-                                    phi_2642_ = bitcast<f32>(((bitcast<u32>(_e1560) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2635_ = type_14(0i, 5i);
+                                    phi_2638_ = bitcast<f32>(((bitcast<u32>(_e1556) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1568 = phi_2639_;
-                                        let _e1570 = phi_2642_;
-                                        local_7 = _e1570;
-                                        if (_e1568.member < _e1568.member_1) {
-                                            let _e1577 = (_e1568.member + 1i);
-                                            if ((false == (_e1577 > _e1568.member)) != false) {
-                                                phi_2663_ = true;
+                                        let _e1564 = phi_2635_;
+                                        let _e1566 = phi_2638_;
+                                        local_7 = _e1566;
+                                        if (_e1564.member < _e1564.member_1) {
+                                            let _e1573 = (_e1564.member + 1i);
+                                            if ((false == (_e1573 > _e1564.member)) != false) {
+                                                phi_2659_ = true;
                                             } else {
-                                                phi_2663_ = false;
+                                                phi_2659_ = false;
                                             }
-                                            let _e1582 = phi_2663_;
-                                            if _e1582 {
-                                                phi_2669_ = type_15(0u, type_15().member_1);
+                                            let _e1578 = phi_2659_;
+                                            if _e1578 {
+                                                phi_2665_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2669_ = type_15(1u, _e1577);
+                                                phi_2665_ = type_15(1u, _e1573);
                                             }
-                                            let _e1587 = phi_2669_;
-                                            phi_2640_ = type_14(_e1587.member_1, _e1568.member_1);
-                                            phi_2683_ = type_15(1u, _e1568.member);
+                                            let _e1583 = phi_2665_;
+                                            phi_2636_ = type_14(_e1583.member_1, _e1564.member_1);
+                                            phi_2679_ = type_15(1u, _e1564.member);
                                         } else {
-                                            phi_2640_ = _e1568;
-                                            phi_2683_ = type_15(0u, type_15().member_1);
+                                            phi_2636_ = _e1564;
+                                            phi_2679_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1593 = phi_2640_;
-                                        let _e1595 = phi_2683_;
-                                        let _e1598 = (bitcast<i32>(_e1595.member) != 0i);
-                                        if _e1598 {
-                                            phi_2643_ = (0.5f * (_e1570 + (_e1560 / _e1570)));
+                                        let _e1589 = phi_2636_;
+                                        let _e1591 = phi_2679_;
+                                        let _e1594 = (bitcast<i32>(_e1591.member) != 0i);
+                                        if _e1594 {
+                                            phi_2639_ = (0.5f * (_e1566 + (_e1556 / _e1566)));
                                         } else {
-                                            phi_2643_ = f32();
+                                            phi_2639_ = f32();
                                         }
-                                        let _e1603 = phi_2643_;
+                                        let _e1599 = phi_2639_;
                                         continue;
                                         continuing {
-                                            phi_2639_ = _e1593;
-                                            phi_2642_ = _e1603;
-                                            break if !(_e1598);
+                                            phi_2635_ = _e1589;
+                                            phi_2638_ = _e1599;
+                                            break if !(_e1594);
                                         }
                                     }
-                                    let _e1608 = local_7;
-                                    phi_2696_ = (_e1608 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1604 = local_7;
+                                    phi_2692_ = (_e1604 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1615 = phi_2696_;
-                                let _e1616 = (1f / _e1615);
-                                let _e1617 = (_e1553 * _e1616);
-                                let _e1618 = (_e1554 * _e1616);
-                                let _e1619 = (_e1555 * _e1616);
-                                let _e1626 = ((3f - (((_e1617 * _e1617) + (_e1618 * _e1618)) + (_e1619 * _e1619))) * 0.5f);
-                                phi_2712_ = array<f32, 3>((_e1617 * _e1626), (_e1618 * _e1626), (_e1619 * _e1626));
-                                phi_2713_ = false;
+                                let _e1611 = phi_2692_;
+                                let _e1612 = (1f / _e1611);
+                                let _e1613 = (_e1549 * _e1612);
+                                let _e1614 = (_e1550 * _e1612);
+                                let _e1615 = (_e1551 * _e1612);
+                                let _e1622 = ((3f - (((_e1613 * _e1613) + (_e1614 * _e1614)) + (_e1615 * _e1615))) * 0.5f);
+                                phi_2708_ = array<f32, 3>((_e1613 * _e1622), (_e1614 * _e1622), (_e1615 * _e1622));
+                                phi_2709_ = false;
                             } else {
-                                phi_2712_ = array<f32, 3>();
-                                phi_2713_ = true;
+                                phi_2708_ = array<f32, 3>();
+                                phi_2709_ = true;
                             }
-                            let _e1632 = phi_2712_;
-                            let _e1634 = phi_2713_;
-                            phi_2714_ = _e1632;
-                            phi_2715_ = _e1634;
+                            let _e1628 = phi_2708_;
+                            let _e1630 = phi_2709_;
+                            phi_2710_ = _e1628;
+                            phi_2711_ = _e1630;
                         } else {
-                            phi_2714_ = array<f32, 3>();
-                            phi_2715_ = true;
+                            phi_2710_ = array<f32, 3>();
+                            phi_2711_ = true;
                         }
-                        let _e1636 = phi_2714_;
-                        let _e1638 = phi_2715_;
-                        if _e1638 {
-                            if _e945 {
+                        let _e1632 = phi_2710_;
+                        let _e1634 = phi_2711_;
+                        if _e1634 {
+                            if _e943 {
+                                if (_e949 < 0f) {
+                                    phi_2723_ = -(_e949);
+                                } else {
+                                    phi_2723_ = _e949;
+                                }
+                                let _e1957 = phi_2723_;
+                                if (_e950 < 0f) {
+                                    phi_2729_ = -(_e950);
+                                } else {
+                                    phi_2729_ = _e950;
+                                }
+                                let _e1961 = phi_2729_;
+                                if (_e1957 > _e1961) {
+                                    phi_2734_ = _e1957;
+                                } else {
+                                    phi_2734_ = _e1961;
+                                }
+                                let _e1964 = phi_2734_;
                                 if (_e951 < 0f) {
-                                    phi_2727_ = -(_e951);
+                                    phi_2740_ = -(_e951);
                                 } else {
-                                    phi_2727_ = _e951;
+                                    phi_2740_ = _e951;
                                 }
-                                let _e1961 = phi_2727_;
-                                if (_e952 < 0f) {
-                                    phi_2733_ = -(_e952);
+                                let _e1968 = phi_2740_;
+                                if (_e1964 > _e1968) {
+                                    phi_2745_ = _e1964;
                                 } else {
-                                    phi_2733_ = _e952;
+                                    phi_2745_ = _e1968;
                                 }
-                                let _e1965 = phi_2733_;
-                                if (_e1961 > _e1965) {
-                                    phi_2738_ = _e1961;
-                                } else {
-                                    phi_2738_ = _e1965;
-                                }
-                                let _e1968 = phi_2738_;
-                                if (_e953 < 0f) {
-                                    phi_2744_ = -(_e953);
-                                } else {
-                                    phi_2744_ = _e953;
-                                }
-                                let _e1972 = phi_2744_;
-                                if (_e1968 > _e1972) {
-                                    phi_2749_ = _e1968;
-                                } else {
-                                    phi_2749_ = _e1972;
-                                }
-                                let _e1975 = phi_2749_;
-                                let _e1976 = function_8(_e1975);
-                                let _e1977 = (_e951 * _e1976);
-                                let _e1978 = (_e952 * _e1976);
-                                let _e1979 = (_e953 * _e1976);
-                                let _e1984 = (((_e1977 * _e1977) + (_e1978 * _e1978)) + (_e1979 * _e1979));
-                                if (_e1984 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1984 > 0f) {
-                                        phi_2772_ = (0.000000000000000000106433627f * 2f);
+                                let _e1971 = phi_2745_;
+                                let _e1972 = function_8(_e1971);
+                                let _e1973 = (_e949 * _e1972);
+                                let _e1974 = (_e950 * _e1972);
+                                let _e1975 = (_e951 * _e1972);
+                                let _e1980 = (((_e1973 * _e1973) + (_e1974 * _e1974)) + (_e1975 * _e1975));
+                                if (_e1980 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e1980 > 0f) {
+                                        phi_2768_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2772_ = 0f;
+                                        phi_2768_ = 0f;
                                     }
-                                    let _e2037 = phi_2772_;
-                                    phi_2836_ = _e2037;
+                                    let _e2033 = phi_2768_;
+                                    phi_2832_ = _e2033;
                                 } else {
-                                    phi_2779_ = type_14(0i, 5i);
-                                    phi_2782_ = bitcast<f32>(((bitcast<u32>(_e1984) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2775_ = type_14(0i, 5i);
+                                    phi_2778_ = bitcast<f32>(((bitcast<u32>(_e1980) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1992 = phi_2779_;
-                                        let _e1994 = phi_2782_;
-                                        local_10 = _e1994;
-                                        if (_e1992.member < _e1992.member_1) {
-                                            let _e2001 = (_e1992.member + 1i);
-                                            if ((false == (_e2001 > _e1992.member)) != false) {
-                                                phi_2803_ = true;
+                                        let _e1988 = phi_2775_;
+                                        let _e1990 = phi_2778_;
+                                        local_10 = _e1990;
+                                        if (_e1988.member < _e1988.member_1) {
+                                            let _e1997 = (_e1988.member + 1i);
+                                            if ((false == (_e1997 > _e1988.member)) != false) {
+                                                phi_2799_ = true;
                                             } else {
-                                                phi_2803_ = false;
+                                                phi_2799_ = false;
                                             }
-                                            let _e2006 = phi_2803_;
-                                            if _e2006 {
-                                                phi_2809_ = type_15(0u, type_15().member_1);
+                                            let _e2002 = phi_2799_;
+                                            if _e2002 {
+                                                phi_2805_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2809_ = type_15(1u, _e2001);
+                                                phi_2805_ = type_15(1u, _e1997);
                                             }
-                                            let _e2011 = phi_2809_;
-                                            phi_2780_ = type_14(_e2011.member_1, _e1992.member_1);
-                                            phi_2823_ = type_15(1u, _e1992.member);
+                                            let _e2007 = phi_2805_;
+                                            phi_2776_ = type_14(_e2007.member_1, _e1988.member_1);
+                                            phi_2819_ = type_15(1u, _e1988.member);
                                         } else {
-                                            phi_2780_ = _e1992;
-                                            phi_2823_ = type_15(0u, type_15().member_1);
+                                            phi_2776_ = _e1988;
+                                            phi_2819_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2017 = phi_2780_;
-                                        let _e2019 = phi_2823_;
-                                        let _e2022 = (bitcast<i32>(_e2019.member) != 0i);
-                                        if _e2022 {
-                                            phi_2783_ = (0.5f * (_e1994 + (_e1984 / _e1994)));
+                                        let _e2013 = phi_2776_;
+                                        let _e2015 = phi_2819_;
+                                        let _e2018 = (bitcast<i32>(_e2015.member) != 0i);
+                                        if _e2018 {
+                                            phi_2779_ = (0.5f * (_e1990 + (_e1980 / _e1990)));
                                         } else {
-                                            phi_2783_ = f32();
+                                            phi_2779_ = f32();
                                         }
-                                        let _e2027 = phi_2783_;
+                                        let _e2023 = phi_2779_;
                                         continue;
                                         continuing {
-                                            phi_2779_ = _e2017;
-                                            phi_2782_ = _e2027;
-                                            break if !(_e2022);
+                                            phi_2775_ = _e2013;
+                                            phi_2778_ = _e2023;
+                                            break if !(_e2018);
                                         }
                                     }
-                                    let _e2032 = local_10;
-                                    phi_2836_ = (_e2032 * (1f + (8f * 0.000000059604645f)));
+                                    let _e2028 = local_10;
+                                    phi_2832_ = (_e2028 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2039 = phi_2836_;
-                                let _e2040 = (1f / _e2039);
-                                let _e2041 = (_e1977 * _e2040);
-                                let _e2042 = (_e1978 * _e2040);
-                                let _e2043 = (_e1979 * _e2040);
-                                let _e2050 = ((3f - (((_e2041 * _e2041) + (_e2042 * _e2042)) + (_e2043 * _e2043))) * 0.5f);
-                                phi_3293_ = array<f32, 3>((_e2041 * _e2050), (_e2042 * _e2050), (_e2043 * _e2050));
+                                let _e2035 = phi_2832_;
+                                let _e2036 = (1f / _e2035);
+                                let _e2037 = (_e1973 * _e2036);
+                                let _e2038 = (_e1974 * _e2036);
+                                let _e2039 = (_e1975 * _e2036);
+                                let _e2046 = ((3f - (((_e2037 * _e2037) + (_e2038 * _e2038)) + (_e2039 * _e2039))) * 0.5f);
+                                phi_3289_ = array<f32, 3>((_e2037 * _e2046), (_e2038 * _e2046), (_e2039 * _e2046));
                             } else {
-                                let _e1640 = local.member_1;
-                                let _e1646 = local.member_2;
-                                if (_e1646[0] < 0f) {
-                                    phi_2870_ = -(_e1646[0]);
+                                let _e1636 = local.member_1;
+                                let _e1642 = local.member_2;
+                                if (_e1642[0] < 0f) {
+                                    phi_2866_ = -(_e1642[0]);
                                 } else {
-                                    phi_2870_ = _e1646[0];
+                                    phi_2866_ = _e1642[0];
                                 }
-                                let _e1654 = phi_2870_;
-                                if (_e1646[1] < 0f) {
-                                    phi_2877_ = -(_e1646[1]);
+                                let _e1650 = phi_2866_;
+                                if (_e1642[1] < 0f) {
+                                    phi_2873_ = -(_e1642[1]);
                                 } else {
-                                    phi_2877_ = _e1646[1];
+                                    phi_2873_ = _e1642[1];
                                 }
-                                let _e1658 = phi_2877_;
-                                if (_e1654 > _e1658) {
-                                    phi_2882_ = _e1654;
+                                let _e1654 = phi_2873_;
+                                if (_e1650 > _e1654) {
+                                    phi_2878_ = _e1650;
                                 } else {
-                                    phi_2882_ = _e1658;
+                                    phi_2878_ = _e1654;
                                 }
-                                let _e1661 = phi_2882_;
-                                if (_e1646[2] < 0f) {
-                                    phi_2889_ = -(_e1646[2]);
+                                let _e1657 = phi_2878_;
+                                if (_e1642[2] < 0f) {
+                                    phi_2885_ = -(_e1642[2]);
                                 } else {
-                                    phi_2889_ = _e1646[2];
+                                    phi_2885_ = _e1642[2];
                                 }
-                                let _e1665 = phi_2889_;
-                                if (_e1661 > _e1665) {
-                                    phi_2894_ = _e1661;
+                                let _e1661 = phi_2885_;
+                                if (_e1657 > _e1661) {
+                                    phi_2890_ = _e1657;
                                 } else {
-                                    phi_2894_ = _e1665;
+                                    phi_2890_ = _e1661;
                                 }
-                                let _e1668 = phi_2894_;
-                                if (_e1640[0] < 0f) {
-                                    phi_2901_ = -(_e1640[0]);
+                                let _e1664 = phi_2890_;
+                                if (_e1636[0] < 0f) {
+                                    phi_2897_ = -(_e1636[0]);
                                 } else {
-                                    phi_2901_ = _e1640[0];
+                                    phi_2897_ = _e1636[0];
                                 }
-                                let _e1672 = phi_2901_;
-                                if (_e1640[1] < 0f) {
-                                    phi_2908_ = -(_e1640[1]);
+                                let _e1668 = phi_2897_;
+                                if (_e1636[1] < 0f) {
+                                    phi_2904_ = -(_e1636[1]);
                                 } else {
-                                    phi_2908_ = _e1640[1];
+                                    phi_2904_ = _e1636[1];
                                 }
-                                let _e1676 = phi_2908_;
-                                if (_e1672 > _e1676) {
-                                    phi_2913_ = _e1672;
+                                let _e1672 = phi_2904_;
+                                if (_e1668 > _e1672) {
+                                    phi_2909_ = _e1668;
                                 } else {
-                                    phi_2913_ = _e1676;
+                                    phi_2909_ = _e1672;
                                 }
-                                let _e1679 = phi_2913_;
-                                if (_e1640[2] < 0f) {
-                                    phi_2920_ = -(_e1640[2]);
+                                let _e1675 = phi_2909_;
+                                if (_e1636[2] < 0f) {
+                                    phi_2916_ = -(_e1636[2]);
                                 } else {
-                                    phi_2920_ = _e1640[2];
+                                    phi_2916_ = _e1636[2];
                                 }
-                                let _e1683 = phi_2920_;
-                                if (_e1679 > _e1683) {
-                                    phi_2925_ = _e1679;
+                                let _e1679 = phi_2916_;
+                                if (_e1675 > _e1679) {
+                                    phi_2921_ = _e1675;
                                 } else {
-                                    phi_2925_ = _e1683;
+                                    phi_2921_ = _e1679;
                                 }
-                                let _e1686 = phi_2925_;
-                                if (_e1668 > _e1686) {
-                                    phi_2930_ = array<f32, 3>(_e1646[0], _e1646[1], _e1646[2]);
+                                let _e1682 = phi_2921_;
+                                if (_e1664 > _e1682) {
+                                    phi_2926_ = array<f32, 3>(_e1642[0], _e1642[1], _e1642[2]);
                                 } else {
-                                    phi_2930_ = array<f32, 3>(_e1640[0], _e1640[1], _e1640[2]);
+                                    phi_2926_ = array<f32, 3>(_e1636[0], _e1636[1], _e1636[2]);
                                 }
-                                let _e1689 = phi_2930_;
-                                if (_e1689[0] < 0f) {
-                                    phi_2937_ = -(_e1689[0]);
+                                let _e1685 = phi_2926_;
+                                if (_e1685[0] < 0f) {
+                                    phi_2933_ = -(_e1685[0]);
                                 } else {
-                                    phi_2937_ = _e1689[0];
+                                    phi_2933_ = _e1685[0];
                                 }
-                                let _e1694 = phi_2937_;
-                                if (_e1689[1] < 0f) {
-                                    phi_2944_ = -(_e1689[1]);
+                                let _e1690 = phi_2933_;
+                                if (_e1685[1] < 0f) {
+                                    phi_2940_ = -(_e1685[1]);
                                 } else {
-                                    phi_2944_ = _e1689[1];
+                                    phi_2940_ = _e1685[1];
                                 }
-                                let _e1699 = phi_2944_;
-                                if (_e1694 > _e1699) {
-                                    phi_2949_ = _e1694;
+                                let _e1695 = phi_2940_;
+                                if (_e1690 > _e1695) {
+                                    phi_2945_ = _e1690;
                                 } else {
-                                    phi_2949_ = _e1699;
+                                    phi_2945_ = _e1695;
                                 }
-                                let _e1702 = phi_2949_;
-                                if (_e1689[2] < 0f) {
-                                    phi_2956_ = -(_e1689[2]);
+                                let _e1698 = phi_2945_;
+                                if (_e1685[2] < 0f) {
+                                    phi_2952_ = -(_e1685[2]);
                                 } else {
-                                    phi_2956_ = _e1689[2];
+                                    phi_2952_ = _e1685[2];
                                 }
-                                let _e1707 = phi_2956_;
-                                if (_e1702 > _e1707) {
-                                    phi_2961_ = _e1702;
+                                let _e1703 = phi_2952_;
+                                if (_e1698 > _e1703) {
+                                    phi_2957_ = _e1698;
                                 } else {
-                                    phi_2961_ = _e1707;
+                                    phi_2957_ = _e1703;
                                 }
-                                let _e1710 = phi_2961_;
-                                if (_e1710 > 0f) {
-                                    if (_e1689[0] < 0f) {
-                                        phi_2972_ = -(_e1689[0]);
+                                let _e1706 = phi_2957_;
+                                if (_e1706 > 0f) {
+                                    if (_e1685[0] < 0f) {
+                                        phi_2968_ = -(_e1685[0]);
                                     } else {
-                                        phi_2972_ = _e1689[0];
+                                        phi_2968_ = _e1685[0];
                                     }
-                                    let _e1716 = phi_2972_;
-                                    if (_e1689[1] < 0f) {
-                                        phi_2979_ = -(_e1689[1]);
+                                    let _e1712 = phi_2968_;
+                                    if (_e1685[1] < 0f) {
+                                        phi_2975_ = -(_e1685[1]);
                                     } else {
-                                        phi_2979_ = _e1689[1];
+                                        phi_2975_ = _e1685[1];
                                     }
-                                    let _e1721 = phi_2979_;
-                                    if (_e1689[2] < 0f) {
-                                        phi_2986_ = -(_e1689[2]);
+                                    let _e1717 = phi_2975_;
+                                    if (_e1685[2] < 0f) {
+                                        phi_2982_ = -(_e1685[2]);
                                     } else {
-                                        phi_2986_ = _e1689[2];
+                                        phi_2982_ = _e1685[2];
                                     }
-                                    let _e1726 = phi_2986_;
-                                    if (_e1716 <= _e1721) {
-                                        if (_e1716 <= _e1726) {
-                                            phi_2996_ = array<f32, 3>(1f, 0f, 0f);
-                                            phi_2997_ = false;
+                                    let _e1722 = phi_2982_;
+                                    if (_e1712 <= _e1717) {
+                                        if (_e1712 <= _e1722) {
+                                            phi_2992_ = array<f32, 3>(1f, 0f, 0f);
+                                            phi_2993_ = false;
                                         } else {
-                                            phi_2996_ = array<f32, 3>();
-                                            phi_2997_ = true;
+                                            phi_2992_ = array<f32, 3>();
+                                            phi_2993_ = true;
                                         }
-                                        let _e1730 = phi_2996_;
-                                        let _e1732 = phi_2997_;
-                                        phi_2998_ = _e1730;
-                                        phi_2999_ = _e1732;
+                                        let _e1726 = phi_2992_;
+                                        let _e1728 = phi_2993_;
+                                        phi_2994_ = _e1726;
+                                        phi_2995_ = _e1728;
                                     } else {
-                                        phi_2998_ = array<f32, 3>();
-                                        phi_2999_ = true;
+                                        phi_2994_ = array<f32, 3>();
+                                        phi_2995_ = true;
                                     }
-                                    let _e1734 = phi_2998_;
-                                    let _e1736 = phi_2999_;
-                                    if _e1736 {
-                                        if (_e1721 <= _e1726) {
-                                            phi_3009_ = array<f32, 3>(0f, 1f, 0f);
+                                    let _e1730 = phi_2994_;
+                                    let _e1732 = phi_2995_;
+                                    if _e1732 {
+                                        if (_e1717 <= _e1722) {
+                                            phi_3005_ = array<f32, 3>(0f, 1f, 0f);
                                         } else {
-                                            phi_3009_ = array<f32, 3>(0f, 0f, 1f);
+                                            phi_3005_ = array<f32, 3>(0f, 0f, 1f);
                                         }
-                                        let _e1739 = phi_3009_;
-                                        phi_3010_ = _e1739;
+                                        let _e1735 = phi_3005_;
+                                        phi_3006_ = _e1735;
                                     } else {
-                                        phi_3010_ = _e1734;
+                                        phi_3006_ = _e1730;
                                     }
-                                    let _e1741 = phi_3010_;
-                                    if (_e1689[0] < 0f) {
-                                        phi_3017_ = -(_e1689[0]);
+                                    let _e1737 = phi_3006_;
+                                    if (_e1685[0] < 0f) {
+                                        phi_3013_ = -(_e1685[0]);
                                     } else {
-                                        phi_3017_ = _e1689[0];
+                                        phi_3013_ = _e1685[0];
                                     }
-                                    let _e1746 = phi_3017_;
-                                    if (_e1689[1] < 0f) {
-                                        phi_3024_ = -(_e1689[1]);
+                                    let _e1742 = phi_3013_;
+                                    if (_e1685[1] < 0f) {
+                                        phi_3020_ = -(_e1685[1]);
                                     } else {
-                                        phi_3024_ = _e1689[1];
+                                        phi_3020_ = _e1685[1];
                                     }
-                                    let _e1751 = phi_3024_;
-                                    if (_e1746 > _e1751) {
-                                        phi_3029_ = _e1746;
+                                    let _e1747 = phi_3020_;
+                                    if (_e1742 > _e1747) {
+                                        phi_3025_ = _e1742;
                                     } else {
-                                        phi_3029_ = _e1751;
+                                        phi_3025_ = _e1747;
                                     }
-                                    let _e1754 = phi_3029_;
-                                    if (_e1689[2] < 0f) {
-                                        phi_3036_ = -(_e1689[2]);
+                                    let _e1750 = phi_3025_;
+                                    if (_e1685[2] < 0f) {
+                                        phi_3032_ = -(_e1685[2]);
                                     } else {
-                                        phi_3036_ = _e1689[2];
+                                        phi_3032_ = _e1685[2];
                                     }
-                                    let _e1759 = phi_3036_;
-                                    if (_e1754 > _e1759) {
-                                        phi_3041_ = _e1754;
+                                    let _e1755 = phi_3032_;
+                                    if (_e1750 > _e1755) {
+                                        phi_3037_ = _e1750;
                                     } else {
-                                        phi_3041_ = _e1759;
+                                        phi_3037_ = _e1755;
                                     }
-                                    let _e1762 = phi_3041_;
-                                    let _e1763 = function_8(_e1762);
-                                    let _e1765 = (_e1689[0] * _e1763);
-                                    let _e1767 = (_e1689[1] * _e1763);
-                                    let _e1769 = (_e1689[2] * _e1763);
-                                    let _e1774 = (((_e1765 * _e1765) + (_e1767 * _e1767)) + (_e1769 * _e1769));
-                                    if (_e1774 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1774 > 0f) {
-                                            phi_3067_ = (0.000000000000000000106433627f * 2f);
+                                    let _e1758 = phi_3037_;
+                                    let _e1759 = function_8(_e1758);
+                                    let _e1761 = (_e1685[0] * _e1759);
+                                    let _e1763 = (_e1685[1] * _e1759);
+                                    let _e1765 = (_e1685[2] * _e1759);
+                                    let _e1770 = (((_e1761 * _e1761) + (_e1763 * _e1763)) + (_e1765 * _e1765));
+                                    if (_e1770 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e1770 > 0f) {
+                                            phi_3063_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3067_ = 0f;
+                                            phi_3063_ = 0f;
                                         }
-                                        let _e1827 = phi_3067_;
-                                        phi_3131_ = _e1827;
+                                        let _e1823 = phi_3063_;
+                                        phi_3127_ = _e1823;
                                     } else {
-                                        phi_3074_ = type_14(0i, 5i);
-                                        phi_3077_ = bitcast<f32>(((bitcast<u32>(_e1774) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3070_ = type_14(0i, 5i);
+                                        phi_3073_ = bitcast<f32>(((bitcast<u32>(_e1770) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1782 = phi_3074_;
-                                            let _e1784 = phi_3077_;
-                                            local_8 = _e1784;
-                                            if (_e1782.member < _e1782.member_1) {
-                                                let _e1791 = (_e1782.member + 1i);
-                                                if ((false == (_e1791 > _e1782.member)) != false) {
-                                                    phi_3098_ = true;
+                                            let _e1778 = phi_3070_;
+                                            let _e1780 = phi_3073_;
+                                            local_8 = _e1780;
+                                            if (_e1778.member < _e1778.member_1) {
+                                                let _e1787 = (_e1778.member + 1i);
+                                                if ((false == (_e1787 > _e1778.member)) != false) {
+                                                    phi_3094_ = true;
                                                 } else {
-                                                    phi_3098_ = false;
+                                                    phi_3094_ = false;
                                                 }
-                                                let _e1796 = phi_3098_;
-                                                if _e1796 {
-                                                    phi_3104_ = type_15(0u, type_15().member_1);
+                                                let _e1792 = phi_3094_;
+                                                if _e1792 {
+                                                    phi_3100_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3104_ = type_15(1u, _e1791);
+                                                    phi_3100_ = type_15(1u, _e1787);
                                                 }
-                                                let _e1801 = phi_3104_;
-                                                phi_3075_ = type_14(_e1801.member_1, _e1782.member_1);
-                                                phi_3118_ = type_15(1u, _e1782.member);
+                                                let _e1797 = phi_3100_;
+                                                phi_3071_ = type_14(_e1797.member_1, _e1778.member_1);
+                                                phi_3114_ = type_15(1u, _e1778.member);
                                             } else {
-                                                phi_3075_ = _e1782;
-                                                phi_3118_ = type_15(0u, type_15().member_1);
+                                                phi_3071_ = _e1778;
+                                                phi_3114_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1807 = phi_3075_;
-                                            let _e1809 = phi_3118_;
-                                            let _e1812 = (bitcast<i32>(_e1809.member) != 0i);
-                                            if _e1812 {
-                                                phi_3078_ = (0.5f * (_e1784 + (_e1774 / _e1784)));
+                                            let _e1803 = phi_3071_;
+                                            let _e1805 = phi_3114_;
+                                            let _e1808 = (bitcast<i32>(_e1805.member) != 0i);
+                                            if _e1808 {
+                                                phi_3074_ = (0.5f * (_e1780 + (_e1770 / _e1780)));
                                             } else {
-                                                phi_3078_ = f32();
+                                                phi_3074_ = f32();
                                             }
-                                            let _e1817 = phi_3078_;
+                                            let _e1813 = phi_3074_;
                                             continue;
                                             continuing {
-                                                phi_3074_ = _e1807;
-                                                phi_3077_ = _e1817;
-                                                break if !(_e1812);
+                                                phi_3070_ = _e1803;
+                                                phi_3073_ = _e1813;
+                                                break if !(_e1808);
                                             }
                                         }
-                                        let _e1822 = local_8;
-                                        phi_3131_ = (_e1822 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1818 = local_8;
+                                        phi_3127_ = (_e1818 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1829 = phi_3131_;
-                                    let _e1830 = (1f / _e1829);
-                                    let _e1831 = (_e1765 * _e1830);
-                                    let _e1832 = (_e1767 * _e1830);
-                                    let _e1833 = (_e1769 * _e1830);
-                                    let _e1840 = ((3f - (((_e1831 * _e1831) + (_e1832 * _e1832)) + (_e1833 * _e1833))) * 0.5f);
-                                    let _e1841 = (_e1831 * _e1840);
-                                    let _e1842 = (_e1832 * _e1840);
-                                    let _e1843 = (_e1833 * _e1840);
-                                    let _e1848 = ((_e1842 * _e1741[2]) - (_e1843 * _e1741[1]));
-                                    let _e1853 = ((_e1843 * _e1741[0]) - (_e1841 * _e1741[2]));
-                                    let _e1858 = ((_e1841 * _e1741[1]) - (_e1842 * _e1741[0]));
-                                    if (_e1848 < 0f) {
-                                        phi_3166_ = -(_e1848);
+                                    let _e1825 = phi_3127_;
+                                    let _e1826 = (1f / _e1825);
+                                    let _e1827 = (_e1761 * _e1826);
+                                    let _e1828 = (_e1763 * _e1826);
+                                    let _e1829 = (_e1765 * _e1826);
+                                    let _e1836 = ((3f - (((_e1827 * _e1827) + (_e1828 * _e1828)) + (_e1829 * _e1829))) * 0.5f);
+                                    let _e1837 = (_e1827 * _e1836);
+                                    let _e1838 = (_e1828 * _e1836);
+                                    let _e1839 = (_e1829 * _e1836);
+                                    let _e1844 = ((_e1838 * _e1737[2]) - (_e1839 * _e1737[1]));
+                                    let _e1849 = ((_e1839 * _e1737[0]) - (_e1837 * _e1737[2]));
+                                    let _e1854 = ((_e1837 * _e1737[1]) - (_e1838 * _e1737[0]));
+                                    if (_e1844 < 0f) {
+                                        phi_3162_ = -(_e1844);
                                     } else {
-                                        phi_3166_ = _e1848;
+                                        phi_3162_ = _e1844;
                                     }
-                                    let _e1862 = phi_3166_;
-                                    if (_e1853 < 0f) {
-                                        phi_3172_ = -(_e1853);
+                                    let _e1858 = phi_3162_;
+                                    if (_e1849 < 0f) {
+                                        phi_3168_ = -(_e1849);
                                     } else {
-                                        phi_3172_ = _e1853;
+                                        phi_3168_ = _e1849;
                                     }
-                                    let _e1866 = phi_3172_;
-                                    if (_e1862 > _e1866) {
-                                        phi_3177_ = _e1862;
+                                    let _e1862 = phi_3168_;
+                                    if (_e1858 > _e1862) {
+                                        phi_3173_ = _e1858;
                                     } else {
-                                        phi_3177_ = _e1866;
+                                        phi_3173_ = _e1862;
                                     }
-                                    let _e1869 = phi_3177_;
-                                    if (_e1858 < 0f) {
-                                        phi_3183_ = -(_e1858);
+                                    let _e1865 = phi_3173_;
+                                    if (_e1854 < 0f) {
+                                        phi_3179_ = -(_e1854);
                                     } else {
-                                        phi_3183_ = _e1858;
+                                        phi_3179_ = _e1854;
                                     }
-                                    let _e1873 = phi_3183_;
-                                    if (_e1869 > _e1873) {
-                                        phi_3188_ = _e1869;
+                                    let _e1869 = phi_3179_;
+                                    if (_e1865 > _e1869) {
+                                        phi_3184_ = _e1865;
                                     } else {
-                                        phi_3188_ = _e1873;
+                                        phi_3184_ = _e1869;
                                     }
-                                    let _e1876 = phi_3188_;
-                                    let _e1877 = function_8(_e1876);
-                                    let _e1878 = (_e1848 * _e1877);
-                                    let _e1879 = (_e1853 * _e1877);
-                                    let _e1880 = (_e1858 * _e1877);
-                                    let _e1885 = (((_e1878 * _e1878) + (_e1879 * _e1879)) + (_e1880 * _e1880));
-                                    if (_e1885 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1885 > 0f) {
-                                            phi_3211_ = (0.000000000000000000106433627f * 2f);
+                                    let _e1872 = phi_3184_;
+                                    let _e1873 = function_8(_e1872);
+                                    let _e1874 = (_e1844 * _e1873);
+                                    let _e1875 = (_e1849 * _e1873);
+                                    let _e1876 = (_e1854 * _e1873);
+                                    let _e1881 = (((_e1874 * _e1874) + (_e1875 * _e1875)) + (_e1876 * _e1876));
+                                    if (_e1881 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e1881 > 0f) {
+                                            phi_3207_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3211_ = 0f;
+                                            phi_3207_ = 0f;
                                         }
-                                        let _e1938 = phi_3211_;
-                                        phi_3275_ = _e1938;
+                                        let _e1934 = phi_3207_;
+                                        phi_3271_ = _e1934;
                                     } else {
-                                        phi_3218_ = type_14(0i, 5i);
-                                        phi_3221_ = bitcast<f32>(((bitcast<u32>(_e1885) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3214_ = type_14(0i, 5i);
+                                        phi_3217_ = bitcast<f32>(((bitcast<u32>(_e1881) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1893 = phi_3218_;
-                                            let _e1895 = phi_3221_;
-                                            local_9 = _e1895;
-                                            if (_e1893.member < _e1893.member_1) {
-                                                let _e1902 = (_e1893.member + 1i);
-                                                if ((false == (_e1902 > _e1893.member)) != false) {
-                                                    phi_3242_ = true;
+                                            let _e1889 = phi_3214_;
+                                            let _e1891 = phi_3217_;
+                                            local_9 = _e1891;
+                                            if (_e1889.member < _e1889.member_1) {
+                                                let _e1898 = (_e1889.member + 1i);
+                                                if ((false == (_e1898 > _e1889.member)) != false) {
+                                                    phi_3238_ = true;
                                                 } else {
-                                                    phi_3242_ = false;
+                                                    phi_3238_ = false;
                                                 }
-                                                let _e1907 = phi_3242_;
-                                                if _e1907 {
-                                                    phi_3248_ = type_15(0u, type_15().member_1);
+                                                let _e1903 = phi_3238_;
+                                                if _e1903 {
+                                                    phi_3244_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3248_ = type_15(1u, _e1902);
+                                                    phi_3244_ = type_15(1u, _e1898);
                                                 }
-                                                let _e1912 = phi_3248_;
-                                                phi_3219_ = type_14(_e1912.member_1, _e1893.member_1);
-                                                phi_3262_ = type_15(1u, _e1893.member);
+                                                let _e1908 = phi_3244_;
+                                                phi_3215_ = type_14(_e1908.member_1, _e1889.member_1);
+                                                phi_3258_ = type_15(1u, _e1889.member);
                                             } else {
-                                                phi_3219_ = _e1893;
-                                                phi_3262_ = type_15(0u, type_15().member_1);
+                                                phi_3215_ = _e1889;
+                                                phi_3258_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1918 = phi_3219_;
-                                            let _e1920 = phi_3262_;
-                                            let _e1923 = (bitcast<i32>(_e1920.member) != 0i);
-                                            if _e1923 {
-                                                phi_3222_ = (0.5f * (_e1895 + (_e1885 / _e1895)));
+                                            let _e1914 = phi_3215_;
+                                            let _e1916 = phi_3258_;
+                                            let _e1919 = (bitcast<i32>(_e1916.member) != 0i);
+                                            if _e1919 {
+                                                phi_3218_ = (0.5f * (_e1891 + (_e1881 / _e1891)));
                                             } else {
-                                                phi_3222_ = f32();
+                                                phi_3218_ = f32();
                                             }
-                                            let _e1928 = phi_3222_;
+                                            let _e1924 = phi_3218_;
                                             continue;
                                             continuing {
-                                                phi_3218_ = _e1918;
-                                                phi_3221_ = _e1928;
-                                                break if !(_e1923);
+                                                phi_3214_ = _e1914;
+                                                phi_3217_ = _e1924;
+                                                break if !(_e1919);
                                             }
                                         }
-                                        let _e1933 = local_9;
-                                        phi_3275_ = (_e1933 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1929 = local_9;
+                                        phi_3271_ = (_e1929 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1940 = phi_3275_;
-                                    let _e1941 = (1f / _e1940);
-                                    let _e1942 = (_e1878 * _e1941);
-                                    let _e1943 = (_e1879 * _e1941);
-                                    let _e1944 = (_e1880 * _e1941);
-                                    let _e1951 = ((3f - (((_e1942 * _e1942) + (_e1943 * _e1943)) + (_e1944 * _e1944))) * 0.5f);
-                                    phi_3292_ = array<f32, 3>((_e1942 * _e1951), (_e1943 * _e1951), (_e1944 * _e1951));
+                                    let _e1936 = phi_3271_;
+                                    let _e1937 = (1f / _e1936);
+                                    let _e1938 = (_e1874 * _e1937);
+                                    let _e1939 = (_e1875 * _e1937);
+                                    let _e1940 = (_e1876 * _e1937);
+                                    let _e1947 = ((3f - (((_e1938 * _e1938) + (_e1939 * _e1939)) + (_e1940 * _e1940))) * 0.5f);
+                                    phi_3288_ = array<f32, 3>((_e1938 * _e1947), (_e1939 * _e1947), (_e1940 * _e1947));
                                 } else {
-                                    phi_3292_ = array<f32, 3>(1f, 0f, 0f);
+                                    phi_3288_ = array<f32, 3>(1f, 0f, 0f);
                                 }
-                                let _e1957 = phi_3292_;
-                                phi_3293_ = _e1957;
+                                let _e1953 = phi_3288_;
+                                phi_3289_ = _e1953;
                             }
-                            let _e2056 = phi_3293_;
-                            phi_3294_ = _e2056;
-                            phi_3295_ = false;
+                            let _e2052 = phi_3289_;
+                            phi_3290_ = _e2052;
+                            phi_3291_ = false;
                         } else {
-                            phi_3294_ = array<f32, 3>();
-                            phi_3295_ = true;
+                            phi_3290_ = array<f32, 3>();
+                            phi_3291_ = true;
                         }
-                        let _e2058 = phi_3294_;
-                        let _e2060 = phi_3295_;
-                        phi_3296_ = _e2058;
-                        phi_3297_ = _e1636;
-                        phi_3298_ = _e2060;
+                        let _e2054 = phi_3290_;
+                        let _e2056 = phi_3291_;
+                        phi_3292_ = _e2054;
+                        phi_3293_ = _e1632;
+                        phi_3294_ = _e2056;
                     } else {
-                        phi_3296_ = array<f32, 3>();
-                        phi_3297_ = _e1261;
-                        phi_3298_ = true;
+                        phi_3292_ = array<f32, 3>();
+                        phi_3293_ = _e1257;
+                        phi_3294_ = true;
                     }
-                    let _e2062 = phi_3296_;
-                    let _e2064 = phi_3297_;
-                    let _e2066 = phi_3298_;
-                    phi_3302_ = _e2064;
-                    phi_3303_ = _e2062;
-                    phi_3304_ = _e2066;
+                    let _e2058 = phi_3292_;
+                    let _e2060 = phi_3293_;
+                    let _e2062 = phi_3294_;
+                    phi_3298_ = _e2060;
+                    phi_3299_ = _e2058;
+                    phi_3300_ = _e2062;
                 }
-                let _e2311 = phi_3302_;
-                let _e2313 = phi_3303_;
-                let _e2315 = phi_3304_;
-                if _e2315 {
-                    phi_3308_ = _e2311;
+                let _e2307 = phi_3298_;
+                let _e2309 = phi_3299_;
+                let _e2311 = phi_3300_;
+                if _e2311 {
+                    phi_3304_ = _e2307;
                 } else {
-                    phi_3308_ = _e2313;
+                    phi_3304_ = _e2309;
                 }
-                let _e2317 = phi_3308_;
-                if ((((_e2317[0] * _e2317[0]) + (_e2317[1] * _e2317[1])) + (_e2317[2] * _e2317[2])) > 0.5f) {
-                    phi_3325_ = _e2317;
+                let _e2313 = phi_3304_;
+                if ((((_e2313[0] * _e2313[0]) + (_e2313[1] * _e2313[1])) + (_e2313[2] * _e2313[2])) > 0.5f) {
+                    phi_3321_ = _e2313;
                 } else {
-                    phi_3325_ = array<f32, 3>(1f, 0f, 0f);
+                    phi_3321_ = array<f32, 3>(1f, 0f, 0f);
                 }
-                let _e2331 = phi_3325_;
-                let _e2334 = function_9(_e263[0], _e264[0], _e258);
-                let _e2337 = function_9(_e263[1], _e264[1], _e258);
-                let _e2340 = function_9(_e263[2], _e264[2], _e258);
-                let _e2343 = function_9(_e263[3], _e264[3], _e258);
+                let _e2327 = phi_3321_;
+                let _e2330 = function_9(_e263[0], _e264[0], _e258);
+                let _e2333 = function_9(_e263[1], _e264[1], _e258);
+                let _e2336 = function_9(_e263[2], _e264[2], _e258);
+                let _e2339 = function_9(_e263[3], _e264[3], _e258);
                 if (_e179.member != 0u) {
-                    let _e2380 = function_9(_e2334, _e2337, _e816.member);
-                    let _e2381 = function_9(_e2340, _e2343, _e816.member_1);
-                    phi_3381_ = _e2381;
-                    phi_3382_ = _e2380;
-                    phi_3383_ = array<f32, 4>((1f - _e816.member), _e816.member, (1f - _e816.member_1), _e816.member_1);
+                    let _e2376 = function_9(_e2330, _e2333, _e814.member);
+                    let _e2377 = function_9(_e2336, _e2339, _e814.member_1);
+                    phi_3377_ = _e2377;
+                    phi_3378_ = _e2376;
+                    phi_3379_ = array<f32, 4>((1f - _e814.member), _e814.member, (1f - _e814.member_1), _e814.member_1);
                 } else {
-                    let _e2346 = ((1f - _e816.member) - _e816.member_1);
-                    if (_e2346 > 0f) {
-                        phi_3353_ = _e2346;
+                    let _e2342 = ((1f - _e814.member) - _e814.member_1);
+                    if (_e2342 > 0f) {
+                        phi_3349_ = _e2342;
                     } else {
-                        phi_3353_ = 0f;
+                        phi_3349_ = 0f;
                     }
-                    let _e2349 = phi_3353_;
-                    let _e2376 = function_(array<f32, 4>(1f, _e2349, _e816.member, _e816.member_1), _e262);
-                    phi_3381_ = array<f32, 3>((((_e2337[0] * _e2349) + (_e2340[0] * _e816.member)) + (_e2343[0] * _e816.member_1)), (((_e2337[1] * _e2349) + (_e2340[1] * _e816.member)) + (_e2343[1] * _e816.member_1)), (((_e2337[2] * _e2349) + (_e2340[2] * _e816.member)) + (_e2343[2] * _e816.member_1)));
-                    phi_3382_ = _e2334;
-                    phi_3383_ = _e2376;
+                    let _e2345 = phi_3349_;
+                    let _e2372 = function_(array<f32, 4>(1f, _e2345, _e814.member, _e814.member_1), _e262);
+                    phi_3377_ = array<f32, 3>((((_e2333[0] * _e2345) + (_e2336[0] * _e814.member)) + (_e2339[0] * _e814.member_1)), (((_e2333[1] * _e2345) + (_e2336[1] * _e814.member)) + (_e2339[1] * _e814.member_1)), (((_e2333[2] * _e2345) + (_e2336[2] * _e814.member)) + (_e2339[2] * _e814.member_1)));
+                    phi_3378_ = _e2330;
+                    phi_3379_ = _e2372;
                 }
-                let _e2383 = phi_3381_;
-                let _e2385 = phi_3382_;
-                let _e2387 = phi_3383_;
-                let _e2388 = function_9(_e2385, _e2383, 0.5f);
-                let _e2392 = params.member.member_2.member;
-                let _e2395 = params.member.member_2.member_1;
-                geometry.member[_e140] = type_34(array<f32, 3>(((_e2388[0] * _e2395) + _e2392[0]), ((_e2388[1] * _e2395) + _e2392[1]), ((_e2388[2] * _e2395) + _e2392[2])), ((_e880 / _e506) * _e2395), _e2331, _e147, _e2387, _e179.member_1);
+                let _e2379 = phi_3377_;
+                let _e2381 = phi_3378_;
+                let _e2383 = phi_3379_;
+                let _e2384 = function_9(_e2381, _e2379, 0.5f);
+                let _e2388 = params.member.member_2.member;
+                let _e2391 = params.member.member_2.member_1;
+                geometry.member[_e140] = type_34(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
             }
         }
         continue;

@@ -147,23 +147,23 @@ fn function_(param: array<f64, 3>) -> array<f32, 3> {
 }
 
 fn function_1(param_1: array<f64, 4>, param_2: u32) -> array<f64, 4> {
-    var phi_4679_: array<f64, 4>;
+    var phi_4673_: array<f64, 4>;
 
     switch bitcast<i32>(param_2) {
         case 0: {
-            phi_4679_ = param_1;
+            phi_4673_ = param_1;
             break;
         }
         case 1: {
-            phi_4679_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
+            phi_4673_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
             break;
         }
         default: {
-            phi_4679_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
+            phi_4673_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
             break;
         }
     }
-    let _e14 = phi_4679_;
+    let _e14 = phi_4673_;
     return _e14;
 }
 
@@ -172,41 +172,41 @@ fn function_2(param_3: array<array<f64, 3>, 2>) -> array<f64, 3> {
 }
 
 fn function_3(param_4: type_44, param_5: type_44) -> type_44 {
-    var phi_4647_: type_44;
+    var phi_4641_: type_44;
 
     if (param_5.member_3 < param_4.member_3) {
-        phi_4647_ = param_5;
+        phi_4641_ = param_5;
     } else {
-        phi_4647_ = param_4;
+        phi_4641_ = param_4;
     }
-    let _e6 = phi_4647_;
+    let _e6 = phi_4641_;
     return _e6;
 }
 
 fn function_4(param_6: f64, param_7: f64) -> f64 {
+    var phi_3710_: f64;
+    var phi_3715_: f64;
     var phi_3716_: f64;
-    var phi_3721_: f64;
-    var phi_3722_: f64;
 
     let _e3 = f64(0f);
     if (param_6 > _e3) {
         if (param_6 < param_7) {
-            phi_3716_ = param_6;
+            phi_3710_ = param_6;
         } else {
-            phi_3716_ = param_7;
+            phi_3710_ = param_7;
         }
-        let _e7 = phi_3716_;
+        let _e7 = phi_3710_;
         if (_e7 > _e3) {
-            phi_3721_ = _e7;
+            phi_3715_ = _e7;
         } else {
-            phi_3721_ = _e3;
+            phi_3715_ = _e3;
         }
-        let _e10 = phi_3721_;
-        phi_3722_ = _e10;
+        let _e10 = phi_3715_;
+        phi_3716_ = _e10;
     } else {
-        phi_3722_ = _e3;
+        phi_3716_ = _e3;
     }
-    let _e12 = phi_3722_;
+    let _e12 = phi_3716_;
     return _e12;
 }
 
@@ -241,28 +241,28 @@ fn function_7(param_14: ptr<function, type_35>, param_15: f64, param_16: f64) ->
 }
 
 fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
-    var phi_4345_: f64;
-    var phi_4352_: f64;
-    var phi_4364_: type_44;
-    var phi_4365_: bool;
-    var phi_4366_: type_44;
-    var phi_4367_: bool;
-    var phi_4222_: bool;
-    var phi_4223_: bool;
+    var phi_4339_: f64;
+    var phi_4346_: f64;
+    var phi_4358_: type_44;
+    var phi_4359_: bool;
+    var phi_4360_: type_44;
+    var phi_4361_: bool;
+    var phi_4216_: bool;
+    var phi_4217_: bool;
+    var phi_4233_: f64;
     var phi_4239_: f64;
-    var phi_4245_: f64;
-    var phi_4248_: type_44;
-    var phi_4249_: bool;
-    var phi_4250_: type_44;
-    var phi_4251_: bool;
-    var phi_4252_: type_44;
-    var phi_4253_: bool;
-    var phi_4371_: type_44;
-    var phi_4372_: bool;
+    var phi_4242_: type_44;
+    var phi_4243_: bool;
+    var phi_4244_: type_44;
+    var phi_4245_: bool;
+    var phi_4246_: type_44;
+    var phi_4247_: bool;
+    var phi_4365_: type_44;
+    var phi_4366_: bool;
+    var phi_4441_: type_44;
+    var phi_4442_: type_44;
+    var phi_4443_: bool;
     var phi_4447_: type_44;
-    var phi_4448_: type_44;
-    var phi_4449_: bool;
-    var phi_4453_: type_44;
 
     let _e9 = f64(0f);
     let _e10 = f64(1f);
@@ -281,65 +281,65 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
         let _e157 = (*param_17).member_3;
         let _e166 = ((((((_e138[1] * _e143[2]) - (_e138[2] * _e143[1])) * _e157[0]) + (((_e138[2] * _e143[0]) - (_e138[0] * _e143[2])) * _e157[1])) + (((_e138[0] * _e143[1]) - (_e138[1] * _e143[0])) * _e157[2])) / _e106);
         if _e11 {
-            phi_4223_ = ((_e136 + _e166) <= _e10);
+            phi_4217_ = ((_e136 + _e166) <= _e10);
         } else {
             if (_e136 <= _e10) {
-                phi_4222_ = (_e166 <= _e10);
+                phi_4216_ = (_e166 <= _e10);
             } else {
-                phi_4222_ = false;
+                phi_4216_ = false;
             }
-            let _e170 = phi_4222_;
-            phi_4223_ = _e170;
+            let _e170 = phi_4216_;
+            phi_4217_ = _e170;
         }
-        let _e174 = phi_4223_;
+        let _e174 = phi_4217_;
         if (_e136 >= _e9) {
             if (_e166 >= _e9) {
                 if _e174 {
                     if _e11 {
-                        phi_4239_ = (_e10 - _e136);
+                        phi_4233_ = (_e10 - _e136);
+                    } else {
+                        phi_4233_ = _e10;
+                    }
+                    let _e179 = phi_4233_;
+                    let _e180 = function_7(param_17, _e136, _e179);
+                    if _e11 {
+                        phi_4239_ = (_e10 - _e180);
                     } else {
                         phi_4239_ = _e10;
                     }
-                    let _e179 = phi_4239_;
-                    let _e180 = function_7(param_17, _e136, _e179);
-                    if _e11 {
-                        phi_4245_ = (_e10 - _e180);
-                    } else {
-                        phi_4245_ = _e10;
-                    }
-                    let _e183 = phi_4245_;
+                    let _e183 = phi_4239_;
                     let _e184 = function_5(param_17, _e180, _e183);
                     let _e185 = function_6(param_17, _e184, _e180);
-                    phi_4248_ = _e185;
-                    phi_4249_ = false;
+                    phi_4242_ = _e185;
+                    phi_4243_ = false;
                 } else {
-                    phi_4248_ = type_44();
-                    phi_4249_ = true;
+                    phi_4242_ = type_44();
+                    phi_4243_ = true;
                 }
-                let _e187 = phi_4248_;
-                let _e189 = phi_4249_;
-                phi_4250_ = _e187;
-                phi_4251_ = _e189;
+                let _e187 = phi_4242_;
+                let _e189 = phi_4243_;
+                phi_4244_ = _e187;
+                phi_4245_ = _e189;
             } else {
-                phi_4250_ = type_44();
-                phi_4251_ = true;
+                phi_4244_ = type_44();
+                phi_4245_ = true;
             }
-            let _e191 = phi_4250_;
-            let _e193 = phi_4251_;
-            phi_4252_ = _e191;
-            phi_4253_ = _e193;
+            let _e191 = phi_4244_;
+            let _e193 = phi_4245_;
+            phi_4246_ = _e191;
+            phi_4247_ = _e193;
         } else {
-            phi_4252_ = type_44();
-            phi_4253_ = true;
+            phi_4246_ = type_44();
+            phi_4247_ = true;
         }
-        let _e195 = phi_4252_;
-        let _e197 = phi_4253_;
-        phi_4371_ = _e195;
-        phi_4372_ = _e197;
+        let _e195 = phi_4246_;
+        let _e197 = phi_4247_;
+        phi_4365_ = _e195;
+        phi_4366_ = _e197;
     } else {
         if _e11 {
-            phi_4366_ = type_44();
-            phi_4367_ = true;
+            phi_4360_ = type_44();
+            phi_4361_ = true;
         } else {
             let _e16 = (*param_17).member;
             let _e21 = (*param_17).member_1;
@@ -352,41 +352,41 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e59 = (*param_17).member_1;
             let _e67 = (((_e54[0] * _e59[0]) + (_e54[1] * _e59[1])) + (_e54[2] * _e59[2]));
             if (_e29 < _e52) {
-                phi_4345_ = _e29;
+                phi_4339_ = _e29;
             } else {
-                phi_4345_ = _e52;
+                phi_4339_ = _e52;
             }
-            let _e70 = phi_4345_;
+            let _e70 = phi_4339_;
             let _e72 = function_4((_e70 / _e67), _e10);
             if (_e29 > _e52) {
-                phi_4352_ = _e29;
+                phi_4346_ = _e29;
             } else {
-                phi_4352_ = _e52;
+                phi_4346_ = _e52;
             }
-            let _e75 = phi_4352_;
+            let _e75 = phi_4346_;
             let _e77 = function_4((_e75 / _e67), _e10);
             if (_e72 < _e77) {
                 let _e81 = ((_e72 + _e77) * f64(0.5f));
                 let _e82 = function_7(param_17, _e81, _e10);
                 let _e83 = function_6(param_17, _e81, _e82);
-                phi_4364_ = _e83;
-                phi_4365_ = false;
+                phi_4358_ = _e83;
+                phi_4359_ = false;
             } else {
-                phi_4364_ = type_44();
-                phi_4365_ = true;
+                phi_4358_ = type_44();
+                phi_4359_ = true;
             }
-            let _e85 = phi_4364_;
-            let _e87 = phi_4365_;
-            phi_4366_ = _e85;
-            phi_4367_ = _e87;
+            let _e85 = phi_4358_;
+            let _e87 = phi_4359_;
+            phi_4360_ = _e85;
+            phi_4361_ = _e87;
         }
-        let _e89 = phi_4366_;
-        let _e91 = phi_4367_;
-        phi_4371_ = _e89;
-        phi_4372_ = _e91;
+        let _e89 = phi_4360_;
+        let _e91 = phi_4361_;
+        phi_4365_ = _e89;
+        phi_4366_ = _e91;
     }
-    let _e199 = phi_4371_;
-    let _e201 = phi_4372_;
+    let _e199 = phi_4365_;
+    let _e201 = phi_4366_;
     if _e201 {
         let _e202 = function_5(param_17, _e9, _e10);
         let _e203 = function_6(param_17, _e202, _e9);
@@ -404,7 +404,7 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e250 = function_4((((((_e227[0] - _e232[0]) * _e223) + ((_e227[1] - _e232[1]) * _e224)) + ((_e227[2] - _e232[2]) * _e225)) / (((_e223 * _e223) + (_e224 * _e224)) + (_e225 * _e225))), _e10);
             let _e252 = function_6(param_17, (_e10 - _e250), _e250);
             let _e253 = function_3(_e206, _e252);
-            phi_4447_ = _e253;
+            phi_4441_ = _e253;
         } else {
             let _e207 = function_7(param_17, _e10, _e10);
             let _e208 = function_6(param_17, _e10, _e207);
@@ -412,50 +412,50 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e210 = function_6(param_17, _e209, _e10);
             let _e211 = function_3(_e208, _e210);
             let _e212 = function_3(_e206, _e211);
-            phi_4447_ = _e212;
+            phi_4441_ = _e212;
         }
-        let _e255 = phi_4447_;
-        phi_4448_ = _e255;
-        phi_4449_ = false;
+        let _e255 = phi_4441_;
+        phi_4442_ = _e255;
+        phi_4443_ = false;
     } else {
-        phi_4448_ = type_44();
-        phi_4449_ = true;
+        phi_4442_ = type_44();
+        phi_4443_ = true;
     }
-    let _e257 = phi_4448_;
-    let _e259 = phi_4449_;
+    let _e257 = phi_4442_;
+    let _e259 = phi_4443_;
     if _e259 {
-        phi_4453_ = _e199;
+        phi_4447_ = _e199;
     } else {
-        phi_4453_ = _e257;
+        phi_4447_ = _e257;
     }
-    let _e261 = phi_4453_;
+    let _e261 = phi_4447_;
     return _e261;
 }
 
 fn function_9(param_19: f64) -> f64 {
-    var phi_4074_: u64;
-    var phi_4078_: f64;
-    var phi_4080_: f64;
+    var phi_4068_: u64;
+    var phi_4072_: f64;
+    var phi_4074_: f64;
 
     if ((bitcast<u64>(param_19) & 9218868437227405312lu) != 9218868437227405312lu) {
         if (param_19 >= 2.2250738585072014e-308lf) {
             let _e15 = (9214364837600034816lu - (bitcast<u64>(param_19) & 9218868437227405312lu));
             if (_e15 > 4503599627370496lu) {
-                phi_4074_ = _e15;
+                phi_4068_ = _e15;
             } else {
-                phi_4074_ = 4503599627370496lu;
+                phi_4068_ = 4503599627370496lu;
             }
-            let _e18 = phi_4074_;
-            phi_4078_ = bitcast<f64>(_e18);
+            let _e18 = phi_4068_;
+            phi_4072_ = bitcast<f64>(_e18);
         } else {
-            phi_4078_ = (f64(1f) / 2.2250738585072014e-308lf);
+            phi_4072_ = (f64(1f) / 2.2250738585072014e-308lf);
         }
-        let _e21 = phi_4078_;
-        phi_4080_ = _e21;
+        let _e21 = phi_4072_;
+        phi_4074_ = _e21;
     } else {
-        phi_4080_ = f64(1f);
+        phi_4074_ = f64(1f);
     }
-    let _e23 = phi_4080_;
+    let _e23 = phi_4074_;
     return _e23;
 }
 
@@ -465,12 +465,12 @@ fn function_10(param_20: array<f64, 3>, param_21: array<f64, 3>, param_22: f64) 
 }
 
 fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) -> array<array<f64, 3>, 4> {
-    var phi_4051_: array<array<f64, 3>, 4>;
+    var phi_4045_: array<array<f64, 3>, 4>;
 
     switch bitcast<i32>(param_24) {
         case 0: {
             let _e32 = (*param_23);
-            phi_4051_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
+            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
             break;
         }
         case 1: {
@@ -478,7 +478,7 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e14 = (*param_23)[2u];
             let _e20 = (*param_23)[3u];
             let _e26 = (*param_23)[1u];
-            phi_4051_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
+            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
             break;
         }
         default: {
@@ -486,28 +486,28 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e61 = (*param_23)[3u];
             let _e67 = (*param_23)[1u];
             let _e73 = (*param_23)[2u];
-            phi_4051_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
+            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
             break;
         }
     }
-    let _e80 = phi_4051_;
+    let _e80 = phi_4045_;
     return _e80;
 }
 
 fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<function, array<array<f64, 3>, 4>>, param_27: f64) -> u32 {
-    var phi_3778_: f64;
-    var phi_3785_: f64;
-    var phi_3793_: f64;
-    var phi_3846_: f64;
-    var phi_3853_: f64;
-    var phi_3861_: f64;
-    var phi_3914_: f64;
-    var phi_3921_: f64;
-    var phi_3929_: f64;
-    var phi_3939_: bool;
-    var phi_3940_: bool;
-    var phi_3948_: u32;
-    var phi_3949_: u32;
+    var phi_3772_: f64;
+    var phi_3779_: f64;
+    var phi_3787_: f64;
+    var phi_3840_: f64;
+    var phi_3847_: f64;
+    var phi_3855_: f64;
+    var phi_3908_: f64;
+    var phi_3915_: f64;
+    var phi_3923_: f64;
+    var phi_3933_: bool;
+    var phi_3934_: bool;
+    var phi_3942_: u32;
+    var phi_3943_: u32;
 
     let _e11 = (*param_25)[3u];
     let _e16 = (*param_25)[2u];
@@ -515,23 +515,23 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e30 = (*param_26)[2u];
     let _e38 = function_10(array<f64, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f64, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_27);
     if (_e38[0] < 0.0lf) {
-        phi_3778_ = -(_e38[0]);
+        phi_3772_ = -(_e38[0]);
     } else {
-        phi_3778_ = _e38[0];
+        phi_3772_ = _e38[0];
     }
-    let _e43 = phi_3778_;
+    let _e43 = phi_3772_;
     if (_e38[1] < 0.0lf) {
-        phi_3785_ = -(_e38[1]);
+        phi_3779_ = -(_e38[1]);
     } else {
-        phi_3785_ = _e38[1];
+        phi_3779_ = _e38[1];
     }
-    let _e48 = phi_3785_;
+    let _e48 = phi_3779_;
     if (_e38[2] < 0.0lf) {
-        phi_3793_ = -(_e38[2]);
+        phi_3787_ = -(_e38[2]);
     } else {
-        phi_3793_ = _e38[2];
+        phi_3787_ = _e38[2];
     }
-    let _e54 = phi_3793_;
+    let _e54 = phi_3787_;
     let _e55 = ((_e43 + _e48) + _e54);
     let _e57 = (*param_25)[1u];
     let _e62 = (*param_25)[3u];
@@ -539,23 +539,23 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e76 = (*param_26)[3u];
     let _e84 = function_10(array<f64, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f64, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_27);
     if (_e84[0] < 0.0lf) {
-        phi_3846_ = -(_e84[0]);
+        phi_3840_ = -(_e84[0]);
     } else {
-        phi_3846_ = _e84[0];
+        phi_3840_ = _e84[0];
     }
-    let _e89 = phi_3846_;
+    let _e89 = phi_3840_;
     if (_e84[1] < 0.0lf) {
-        phi_3853_ = -(_e84[1]);
+        phi_3847_ = -(_e84[1]);
     } else {
-        phi_3853_ = _e84[1];
+        phi_3847_ = _e84[1];
     }
-    let _e94 = phi_3853_;
+    let _e94 = phi_3847_;
     if (_e84[2] < 0.0lf) {
-        phi_3861_ = -(_e84[2]);
+        phi_3855_ = -(_e84[2]);
     } else {
-        phi_3861_ = _e84[2];
+        phi_3855_ = _e84[2];
     }
-    let _e100 = phi_3861_;
+    let _e100 = phi_3855_;
     let _e101 = ((_e89 + _e94) + _e100);
     let _e103 = (*param_25)[2u];
     let _e108 = (*param_25)[1u];
@@ -563,61 +563,61 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e122 = (*param_26)[1u];
     let _e130 = function_10(array<f64, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f64, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_27);
     if (_e130[0] < 0.0lf) {
-        phi_3914_ = -(_e130[0]);
+        phi_3908_ = -(_e130[0]);
     } else {
-        phi_3914_ = _e130[0];
+        phi_3908_ = _e130[0];
     }
-    let _e135 = phi_3914_;
+    let _e135 = phi_3908_;
     if (_e130[1] < 0.0lf) {
-        phi_3921_ = -(_e130[1]);
+        phi_3915_ = -(_e130[1]);
     } else {
-        phi_3921_ = _e130[1];
+        phi_3915_ = _e130[1];
     }
-    let _e140 = phi_3921_;
+    let _e140 = phi_3915_;
     if (_e130[2] < 0.0lf) {
-        phi_3929_ = -(_e130[2]);
+        phi_3923_ = -(_e130[2]);
     } else {
-        phi_3929_ = _e130[2];
+        phi_3923_ = _e130[2];
     }
-    let _e146 = phi_3929_;
+    let _e146 = phi_3923_;
     let _e147 = ((_e135 + _e140) + _e146);
     if (_e55 >= _e101) {
         if (_e55 >= _e147) {
-            phi_3939_ = false;
+            phi_3933_ = false;
         } else {
-            phi_3939_ = true;
+            phi_3933_ = true;
         }
-        let _e151 = phi_3939_;
-        phi_3940_ = _e151;
+        let _e151 = phi_3933_;
+        phi_3934_ = _e151;
     } else {
-        phi_3940_ = true;
+        phi_3934_ = true;
     }
-    let _e153 = phi_3940_;
+    let _e153 = phi_3934_;
     if _e153 {
         if (_e101 >= _e147) {
-            phi_3948_ = 1u;
+            phi_3942_ = 1u;
         } else {
-            phi_3948_ = 2u;
+            phi_3942_ = 2u;
         }
-        let _e156 = phi_3948_;
-        phi_3949_ = _e156;
+        let _e156 = phi_3942_;
+        phi_3943_ = _e156;
     } else {
-        phi_3949_ = 0u;
+        phi_3943_ = 0u;
     }
-    let _e158 = phi_3949_;
+    let _e158 = phi_3943_;
     return _e158;
 }
 
 fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
-    var phi_3615_: f64;
-    var phi_3593_: array<u32, 2>;
-    var phi_3616_: f64;
-    var phi_3658_: f64;
-    var phi_3636_: array<u32, 2>;
-    var phi_3659_: f64;
-    var phi_3701_: f64;
-    var phi_3679_: array<u32, 2>;
-    var phi_3702_: f64;
+    var phi_3609_: f64;
+    var phi_3587_: array<u32, 2>;
+    var phi_3610_: f64;
+    var phi_3652_: f64;
+    var phi_3630_: array<u32, 2>;
+    var phi_3653_: f64;
+    var phi_3695_: f64;
+    var phi_3673_: array<u32, 2>;
+    var phi_3696_: f64;
 
     let _e10 = bitcast<u32>(param_28[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -625,66 +625,66 @@ fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
         let _e21 = bitcast<u32>(param_28[0]);
         let _e22 = (_e21 & 2147483647u);
         if (_e22 < 8388608u) {
-            phi_3593_ = array<u32, 2>(0u, 0u);
+            phi_3587_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3593_ = array<u32, 2>((_e21 << bitcast<u32>(29i)), ((_e21 ^ _e22) | ((_e22 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3587_ = array<u32, 2>((_e21 << bitcast<u32>(29i)), ((_e21 ^ _e22) | ((_e22 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e33 = phi_3593_;
-        phi_3616_ = bitcast<f64>(((u64(_e33[1]) * 4294967296lu) + u64(_e33[0])));
+        let _e33 = phi_3587_;
+        phi_3610_ = bitcast<f64>(((u64(_e33[1]) * 4294967296lu) + u64(_e33[0])));
     } else {
         if (_e10 == _e11) {
-            phi_3615_ = (f64(_e11) * 1.401298464324817e-45lf);
+            phi_3609_ = (f64(_e11) * 1.401298464324817e-45lf);
         } else {
-            phi_3615_ = -((f64(_e11) * 1.401298464324817e-45lf));
+            phi_3609_ = -((f64(_e11) * 1.401298464324817e-45lf));
         }
-        let _e20 = phi_3615_;
-        phi_3616_ = _e20;
+        let _e20 = phi_3609_;
+        phi_3610_ = _e20;
     }
-    let _e42 = phi_3616_;
+    let _e42 = phi_3610_;
     let _e44 = bitcast<u32>(param_28[1]);
     let _e45 = (_e44 & 2147483647u);
     if (_e45 >= 8388608u) {
         let _e55 = bitcast<u32>(param_28[1]);
         let _e56 = (_e55 & 2147483647u);
         if (_e56 < 8388608u) {
-            phi_3636_ = array<u32, 2>(0u, 0u);
+            phi_3630_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3636_ = array<u32, 2>((_e55 << bitcast<u32>(29i)), ((_e55 ^ _e56) | ((_e56 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3630_ = array<u32, 2>((_e55 << bitcast<u32>(29i)), ((_e55 ^ _e56) | ((_e56 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e67 = phi_3636_;
-        phi_3659_ = bitcast<f64>(((u64(_e67[1]) * 4294967296lu) + u64(_e67[0])));
+        let _e67 = phi_3630_;
+        phi_3653_ = bitcast<f64>(((u64(_e67[1]) * 4294967296lu) + u64(_e67[0])));
     } else {
         if (_e44 == _e45) {
-            phi_3658_ = (f64(_e45) * 1.401298464324817e-45lf);
+            phi_3652_ = (f64(_e45) * 1.401298464324817e-45lf);
         } else {
-            phi_3658_ = -((f64(_e45) * 1.401298464324817e-45lf));
+            phi_3652_ = -((f64(_e45) * 1.401298464324817e-45lf));
         }
-        let _e54 = phi_3658_;
-        phi_3659_ = _e54;
+        let _e54 = phi_3652_;
+        phi_3653_ = _e54;
     }
-    let _e76 = phi_3659_;
+    let _e76 = phi_3653_;
     let _e78 = bitcast<u32>(param_28[2]);
     let _e79 = (_e78 & 2147483647u);
     if (_e79 >= 8388608u) {
         let _e89 = bitcast<u32>(param_28[2]);
         let _e90 = (_e89 & 2147483647u);
         if (_e90 < 8388608u) {
-            phi_3679_ = array<u32, 2>(0u, 0u);
+            phi_3673_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3679_ = array<u32, 2>((_e89 << bitcast<u32>(29i)), ((_e89 ^ _e90) | ((_e90 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3673_ = array<u32, 2>((_e89 << bitcast<u32>(29i)), ((_e89 ^ _e90) | ((_e90 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e101 = phi_3679_;
-        phi_3702_ = bitcast<f64>(((u64(_e101[1]) * 4294967296lu) + u64(_e101[0])));
+        let _e101 = phi_3673_;
+        phi_3696_ = bitcast<f64>(((u64(_e101[1]) * 4294967296lu) + u64(_e101[0])));
     } else {
         if (_e78 == _e79) {
-            phi_3701_ = (f64(_e79) * 1.401298464324817e-45lf);
+            phi_3695_ = (f64(_e79) * 1.401298464324817e-45lf);
         } else {
-            phi_3701_ = -((f64(_e79) * 1.401298464324817e-45lf));
+            phi_3695_ = -((f64(_e79) * 1.401298464324817e-45lf));
         }
-        let _e88 = phi_3701_;
-        phi_3702_ = _e88;
+        let _e88 = phi_3695_;
+        phi_3696_ = _e88;
     }
-    let _e110 = phi_3702_;
+    let _e110 = phi_3696_;
     return array<f64, 3>(_e42, _e76, _e110);
 }
 
@@ -755,299 +755,299 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1189_: f64;
     var phi_1194_: f64;
     var phi_1199_: f64;
-    var phi_1235_: f64;
-    var phi_1241_: f64;
-    var phi_1246_: f64;
-    var phi_1252_: f64;
-    var phi_1257_: f64;
-    var phi_1265_: f64;
-    var phi_1271_: f64;
-    var phi_1276_: f64;
-    var phi_1282_: f64;
-    var phi_1287_: f64;
-    var phi_1315_: type_16;
-    var phi_1318_: f64;
-    var phi_1339_: bool;
-    var phi_1345_: type_17;
-    var phi_1316_: type_16;
-    var phi_1359_: type_17;
-    var phi_1319_: f64;
+    var phi_1232_: f64;
+    var phi_1238_: f64;
+    var phi_1243_: f64;
+    var phi_1249_: f64;
+    var phi_1254_: f64;
+    var phi_1262_: f64;
+    var phi_1268_: f64;
+    var phi_1273_: f64;
+    var phi_1279_: f64;
+    var phi_1284_: f64;
+    var phi_1312_: type_16;
+    var phi_1315_: f64;
+    var phi_1336_: bool;
+    var phi_1342_: type_17;
+    var phi_1313_: type_16;
+    var phi_1356_: type_17;
+    var phi_1316_: f64;
     var local_3: f64;
-    var phi_1308_: f64;
-    var phi_1372_: f64;
-    var phi_1382_: f64;
-    var phi_1388_: f64;
-    var phi_1438_: type_16;
-    var phi_1441_: f64;
-    var phi_1462_: bool;
-    var phi_1468_: type_17;
-    var phi_1439_: type_16;
-    var phi_1482_: type_17;
-    var phi_1442_: f64;
+    var phi_1305_: f64;
+    var phi_1369_: f64;
+    var phi_1379_: f64;
+    var phi_1385_: f64;
+    var phi_1435_: type_16;
+    var phi_1438_: f64;
+    var phi_1459_: bool;
+    var phi_1465_: type_17;
+    var phi_1436_: type_16;
+    var phi_1479_: type_17;
+    var phi_1439_: f64;
     var local_4: f64;
-    var phi_1431_: f64;
-    var phi_1495_: f64;
-    var phi_1505_: f64;
-    var phi_1511_: f64;
-    var phi_1552_: bool;
-    var phi_1558_: bool;
+    var phi_1428_: f64;
+    var phi_1492_: f64;
+    var phi_1502_: f64;
+    var phi_1508_: f64;
+    var phi_1549_: bool;
+    var phi_1555_: bool;
+    var phi_1571_: bool;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
     var phi_1574_: bool;
     var phi_1575_: bool;
-    var phi_1576_: bool;
-    var phi_1577_: bool;
-    var phi_1578_: bool;
-    var phi_1582_: bool;
-    var phi_1934_: f64;
-    var phi_1941_: f64;
-    var phi_1946_: f64;
-    var phi_1953_: f64;
-    var phi_1958_: f64;
-    var phi_1966_: f64;
-    var phi_1973_: f64;
-    var phi_1978_: f64;
-    var phi_1985_: f64;
-    var phi_1990_: f64;
-    var phi_1995_: f64;
-    var phi_2005_: f64;
-    var phi_2012_: f64;
-    var phi_2017_: f64;
-    var phi_2024_: f64;
-    var phi_2029_: f64;
-    var phi_2037_: f64;
-    var phi_2044_: f64;
-    var phi_2049_: f64;
-    var phi_2056_: f64;
-    var phi_2061_: f64;
-    var phi_2066_: f64;
-    var phi_2076_: f64;
-    var phi_2083_: f64;
-    var phi_2088_: f64;
-    var phi_2095_: f64;
-    var phi_2100_: f64;
-    var phi_2108_: f64;
-    var phi_2115_: f64;
-    var phi_2120_: f64;
-    var phi_2127_: f64;
-    var phi_2132_: f64;
-    var phi_2137_: f64;
+    var phi_1579_: bool;
+    var phi_1931_: f64;
+    var phi_1938_: f64;
+    var phi_1943_: f64;
+    var phi_1950_: f64;
+    var phi_1955_: f64;
+    var phi_1963_: f64;
+    var phi_1970_: f64;
+    var phi_1975_: f64;
+    var phi_1982_: f64;
+    var phi_1987_: f64;
+    var phi_1992_: f64;
+    var phi_2002_: f64;
+    var phi_2009_: f64;
+    var phi_2014_: f64;
+    var phi_2021_: f64;
+    var phi_2026_: f64;
+    var phi_2034_: f64;
+    var phi_2041_: f64;
+    var phi_2046_: f64;
+    var phi_2053_: f64;
+    var phi_2058_: f64;
+    var phi_2063_: f64;
+    var phi_2073_: f64;
+    var phi_2080_: f64;
+    var phi_2085_: f64;
+    var phi_2092_: f64;
+    var phi_2097_: f64;
+    var phi_2105_: f64;
+    var phi_2112_: f64;
+    var phi_2117_: f64;
+    var phi_2124_: f64;
+    var phi_2129_: f64;
+    var phi_2134_: f64;
+    var phi_2154_: f64;
     var phi_2160_: f64;
-    var phi_2166_: f64;
+    var phi_2165_: f64;
     var phi_2171_: f64;
-    var phi_2177_: f64;
-    var phi_2182_: f64;
-    var phi_2213_: type_16;
-    var phi_2216_: f64;
-    var phi_2237_: bool;
-    var phi_2243_: type_17;
-    var phi_2214_: type_16;
-    var phi_2257_: type_17;
-    var phi_2217_: f64;
+    var phi_2176_: f64;
+    var phi_2207_: type_16;
+    var phi_2210_: f64;
+    var phi_2231_: bool;
+    var phi_2237_: type_17;
+    var phi_2208_: type_16;
+    var phi_2251_: type_17;
+    var phi_2211_: f64;
     var local_5: f64;
-    var phi_2206_: f64;
-    var phi_2270_: f64;
+    var phi_2200_: f64;
+    var phi_2264_: f64;
+    var phi_2292_: f64;
     var phi_2298_: f64;
-    var phi_2304_: f64;
-    var phi_2311_: f64;
-    var phi_2325_: f64;
-    var phi_2339_: array<f64, 3>;
-    var phi_2340_: array<f64, 3>;
-    var phi_2341_: bool;
-    var phi_2342_: array<f64, 3>;
-    var phi_2343_: bool;
-    var phi_2353_: bool;
-    var phi_2354_: bool;
-    var phi_2389_: array<f64, 3>;
-    var phi_2390_: bool;
-    var phi_2391_: array<f64, 3>;
-    var phi_2392_: bool;
-    var phi_2393_: array<f64, 3>;
-    var phi_2394_: bool;
-    var phi_2416_: f64;
-    var phi_2423_: f64;
-    var phi_2428_: f64;
-    var phi_2435_: f64;
-    var phi_2440_: f64;
-    var phi_2453_: f64;
-    var phi_2460_: f64;
-    var phi_2465_: f64;
-    var phi_2472_: f64;
-    var phi_2477_: f64;
-    var phi_2482_: bool;
-    var phi_2483_: bool;
-    var phi_2493_: array<f64, 3>;
-    var phi_2494_: bool;
-    var phi_2495_: array<f64, 3>;
-    var phi_2496_: bool;
-    var phi_2510_: array<f64, 3>;
-    var phi_2511_: array<f64, 3>;
-    var phi_2512_: array<f64, 3>;
-    var phi_2519_: f64;
-    var phi_2526_: f64;
-    var phi_2531_: f64;
-    var phi_2538_: f64;
-    var phi_2543_: f64;
-    var phi_2555_: f64;
-    var phi_2562_: f64;
-    var phi_2567_: f64;
-    var phi_2574_: f64;
-    var phi_2579_: f64;
-    var phi_2613_: type_16;
-    var phi_2616_: f64;
-    var phi_2637_: bool;
-    var phi_2643_: type_17;
-    var phi_2614_: type_16;
-    var phi_2657_: type_17;
-    var phi_2617_: f64;
+    var phi_2305_: f64;
+    var phi_2319_: f64;
+    var phi_2333_: array<f64, 3>;
+    var phi_2334_: array<f64, 3>;
+    var phi_2335_: bool;
+    var phi_2336_: array<f64, 3>;
+    var phi_2337_: bool;
+    var phi_2347_: bool;
+    var phi_2348_: bool;
+    var phi_2383_: array<f64, 3>;
+    var phi_2384_: bool;
+    var phi_2385_: array<f64, 3>;
+    var phi_2386_: bool;
+    var phi_2387_: array<f64, 3>;
+    var phi_2388_: bool;
+    var phi_2410_: f64;
+    var phi_2417_: f64;
+    var phi_2422_: f64;
+    var phi_2429_: f64;
+    var phi_2434_: f64;
+    var phi_2447_: f64;
+    var phi_2454_: f64;
+    var phi_2459_: f64;
+    var phi_2466_: f64;
+    var phi_2471_: f64;
+    var phi_2476_: bool;
+    var phi_2477_: bool;
+    var phi_2487_: array<f64, 3>;
+    var phi_2488_: bool;
+    var phi_2489_: array<f64, 3>;
+    var phi_2490_: bool;
+    var phi_2504_: array<f64, 3>;
+    var phi_2505_: array<f64, 3>;
+    var phi_2506_: array<f64, 3>;
+    var phi_2513_: f64;
+    var phi_2520_: f64;
+    var phi_2525_: f64;
+    var phi_2532_: f64;
+    var phi_2537_: f64;
+    var phi_2549_: f64;
+    var phi_2556_: f64;
+    var phi_2561_: f64;
+    var phi_2568_: f64;
+    var phi_2573_: f64;
+    var phi_2607_: type_16;
+    var phi_2610_: f64;
+    var phi_2631_: bool;
+    var phi_2637_: type_17;
+    var phi_2608_: type_16;
+    var phi_2651_: type_17;
+    var phi_2611_: f64;
     var local_6: f64;
-    var phi_2606_: f64;
-    var phi_2670_: f64;
-    var phi_2699_: array<f64, 3>;
-    var phi_2706_: f64;
-    var phi_2713_: f64;
-    var phi_2721_: f64;
+    var phi_2600_: f64;
+    var phi_2664_: f64;
+    var phi_2693_: array<f64, 3>;
+    var phi_2700_: f64;
+    var phi_2707_: f64;
+    var phi_2715_: f64;
+    var phi_2733_: f64;
     var phi_2739_: f64;
-    var phi_2745_: f64;
+    var phi_2744_: f64;
     var phi_2750_: f64;
-    var phi_2756_: f64;
-    var phi_2761_: f64;
-    var phi_2792_: type_16;
-    var phi_2795_: f64;
-    var phi_2816_: bool;
-    var phi_2822_: type_17;
-    var phi_2793_: type_16;
-    var phi_2836_: type_17;
-    var phi_2796_: f64;
+    var phi_2755_: f64;
+    var phi_2786_: type_16;
+    var phi_2789_: f64;
+    var phi_2810_: bool;
+    var phi_2816_: type_17;
+    var phi_2787_: type_16;
+    var phi_2830_: type_17;
+    var phi_2790_: f64;
     var local_7: f64;
-    var phi_2785_: f64;
-    var phi_2849_: f64;
-    var phi_2867_: array<f64, 3>;
-    var phi_2868_: bool;
-    var phi_2869_: array<f64, 3>;
-    var phi_2870_: bool;
-    var phi_3030_: f64;
-    var phi_3037_: f64;
-    var phi_3042_: f64;
-    var phi_3049_: f64;
-    var phi_3054_: f64;
-    var phi_3061_: f64;
-    var phi_3068_: f64;
-    var phi_3073_: f64;
-    var phi_3080_: f64;
-    var phi_3085_: f64;
-    var phi_3090_: array<f64, 3>;
-    var phi_3097_: f64;
-    var phi_3104_: f64;
-    var phi_3109_: f64;
-    var phi_3116_: f64;
-    var phi_3121_: f64;
-    var phi_3132_: f64;
-    var phi_3139_: f64;
-    var phi_3146_: f64;
-    var phi_3156_: array<f64, 3>;
-    var phi_3157_: bool;
-    var phi_3158_: array<f64, 3>;
-    var phi_3159_: bool;
-    var phi_3169_: array<f64, 3>;
-    var phi_3170_: array<f64, 3>;
-    var phi_3177_: f64;
-    var phi_3184_: f64;
-    var phi_3189_: f64;
-    var phi_3196_: f64;
-    var phi_3201_: f64;
-    var phi_3235_: type_16;
-    var phi_3238_: f64;
-    var phi_3259_: bool;
-    var phi_3265_: type_17;
-    var phi_3236_: type_16;
-    var phi_3279_: type_17;
-    var phi_3239_: f64;
+    var phi_2779_: f64;
+    var phi_2843_: f64;
+    var phi_2861_: array<f64, 3>;
+    var phi_2862_: bool;
+    var phi_2863_: array<f64, 3>;
+    var phi_2864_: bool;
+    var phi_3024_: f64;
+    var phi_3031_: f64;
+    var phi_3036_: f64;
+    var phi_3043_: f64;
+    var phi_3048_: f64;
+    var phi_3055_: f64;
+    var phi_3062_: f64;
+    var phi_3067_: f64;
+    var phi_3074_: f64;
+    var phi_3079_: f64;
+    var phi_3084_: array<f64, 3>;
+    var phi_3091_: f64;
+    var phi_3098_: f64;
+    var phi_3103_: f64;
+    var phi_3110_: f64;
+    var phi_3115_: f64;
+    var phi_3126_: f64;
+    var phi_3133_: f64;
+    var phi_3140_: f64;
+    var phi_3150_: array<f64, 3>;
+    var phi_3151_: bool;
+    var phi_3152_: array<f64, 3>;
+    var phi_3153_: bool;
+    var phi_3163_: array<f64, 3>;
+    var phi_3164_: array<f64, 3>;
+    var phi_3171_: f64;
+    var phi_3178_: f64;
+    var phi_3183_: f64;
+    var phi_3190_: f64;
+    var phi_3195_: f64;
+    var phi_3229_: type_16;
+    var phi_3232_: f64;
+    var phi_3253_: bool;
+    var phi_3259_: type_17;
+    var phi_3230_: type_16;
+    var phi_3273_: type_17;
+    var phi_3233_: f64;
     var local_8: f64;
-    var phi_3228_: f64;
-    var phi_3292_: f64;
+    var phi_3222_: f64;
+    var phi_3286_: f64;
+    var phi_3323_: f64;
     var phi_3329_: f64;
-    var phi_3335_: f64;
+    var phi_3334_: f64;
     var phi_3340_: f64;
-    var phi_3346_: f64;
-    var phi_3351_: f64;
-    var phi_3382_: type_16;
-    var phi_3385_: f64;
-    var phi_3406_: bool;
-    var phi_3412_: type_17;
-    var phi_3383_: type_16;
-    var phi_3426_: type_17;
-    var phi_3386_: f64;
+    var phi_3345_: f64;
+    var phi_3376_: type_16;
+    var phi_3379_: f64;
+    var phi_3400_: bool;
+    var phi_3406_: type_17;
+    var phi_3377_: type_16;
+    var phi_3420_: type_17;
+    var phi_3380_: f64;
     var local_9: f64;
-    var phi_3375_: f64;
-    var phi_3439_: f64;
-    var phi_3458_: array<f64, 3>;
+    var phi_3369_: f64;
+    var phi_3433_: f64;
+    var phi_3452_: array<f64, 3>;
+    var phi_2876_: f64;
     var phi_2882_: f64;
-    var phi_2888_: f64;
+    var phi_2887_: f64;
     var phi_2893_: f64;
-    var phi_2899_: f64;
-    var phi_2904_: f64;
-    var phi_2935_: type_16;
-    var phi_2938_: f64;
-    var phi_2959_: bool;
-    var phi_2965_: type_17;
-    var phi_2936_: type_16;
-    var phi_2979_: type_17;
-    var phi_2939_: f64;
+    var phi_2898_: f64;
+    var phi_2929_: type_16;
+    var phi_2932_: f64;
+    var phi_2953_: bool;
+    var phi_2959_: type_17;
+    var phi_2930_: type_16;
+    var phi_2973_: type_17;
+    var phi_2933_: f64;
     var local_10: f64;
-    var phi_2928_: f64;
-    var phi_2992_: f64;
-    var phi_3459_: array<f64, 3>;
-    var phi_3460_: array<f64, 3>;
-    var phi_3461_: bool;
+    var phi_2922_: f64;
+    var phi_2986_: f64;
+    var phi_3453_: array<f64, 3>;
+    var phi_3454_: array<f64, 3>;
+    var phi_3455_: bool;
+    var phi_3456_: array<f64, 3>;
+    var phi_3457_: array<f64, 3>;
+    var phi_3458_: bool;
+    var phi_1641_: array<f64, 3>;
+    var phi_1648_: f64;
+    var phi_1655_: f64;
+    var phi_1660_: f64;
+    var phi_1667_: f64;
+    var phi_1672_: f64;
+    var phi_1706_: type_16;
+    var phi_1709_: f64;
+    var phi_1730_: bool;
+    var phi_1736_: type_17;
+    var phi_1707_: type_16;
+    var phi_1750_: type_17;
+    var phi_1710_: f64;
+    var local_11: f64;
+    var phi_1699_: f64;
+    var phi_1763_: f64;
+    var phi_1781_: array<f64, 3>;
+    var phi_1782_: bool;
+    var phi_1783_: array<f64, 3>;
+    var phi_1784_: bool;
+    var phi_1785_: array<f64, 3>;
+    var phi_1786_: bool;
+    var phi_1795_: f64;
+    var phi_1801_: f64;
+    var phi_1806_: f64;
+    var phi_1812_: f64;
+    var phi_1817_: f64;
+    var phi_1848_: type_16;
+    var phi_1851_: f64;
+    var phi_1872_: bool;
+    var phi_1878_: type_17;
+    var phi_1849_: type_16;
+    var phi_1892_: type_17;
+    var phi_1852_: f64;
+    var local_12: f64;
+    var phi_1841_: f64;
+    var phi_1905_: f64;
+    var phi_1923_: array<f64, 3>;
     var phi_3462_: array<f64, 3>;
     var phi_3463_: array<f64, 3>;
     var phi_3464_: bool;
-    var phi_1644_: array<f64, 3>;
-    var phi_1651_: f64;
-    var phi_1658_: f64;
-    var phi_1663_: f64;
-    var phi_1670_: f64;
-    var phi_1675_: f64;
-    var phi_1709_: type_16;
-    var phi_1712_: f64;
-    var phi_1733_: bool;
-    var phi_1739_: type_17;
-    var phi_1710_: type_16;
-    var phi_1753_: type_17;
-    var phi_1713_: f64;
-    var local_11: f64;
-    var phi_1702_: f64;
-    var phi_1766_: f64;
-    var phi_1784_: array<f64, 3>;
-    var phi_1785_: bool;
-    var phi_1786_: array<f64, 3>;
-    var phi_1787_: bool;
-    var phi_1788_: array<f64, 3>;
-    var phi_1789_: bool;
-    var phi_1798_: f64;
-    var phi_1804_: f64;
-    var phi_1809_: f64;
-    var phi_1815_: f64;
-    var phi_1820_: f64;
-    var phi_1851_: type_16;
-    var phi_1854_: f64;
-    var phi_1875_: bool;
-    var phi_1881_: type_17;
-    var phi_1852_: type_16;
-    var phi_1895_: type_17;
-    var phi_1855_: f64;
-    var local_12: f64;
-    var phi_1844_: f64;
-    var phi_1908_: f64;
-    var phi_1926_: array<f64, 3>;
     var phi_3468_: array<f64, 3>;
-    var phi_3469_: array<f64, 3>;
-    var phi_3470_: bool;
-    var phi_3474_: array<f64, 3>;
-    var phi_3494_: array<f64, 3>;
-    var phi_3523_: f64;
-    var phi_3551_: array<f64, 3>;
-    var phi_3552_: array<f64, 3>;
-    var phi_3553_: array<f64, 4>;
+    var phi_3488_: array<f64, 3>;
+    var phi_3517_: f64;
+    var phi_3545_: array<f64, 3>;
+    var phi_3546_: array<f64, 3>;
+    var phi_3547_: array<f64, 4>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1507,1801 +1507,1801 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e755 = phi_1199_;
                 let _e757 = (_e755 + _e501.member_3);
                 let _e759 = (1.1102230246251565e-16lf * f64(16f));
-                let _e765 = ((_e501.member_3 + (2.2250738585072014e-308lf * f64(8f))) * f64(4f));
-                let _e773 = ((_e596 * _e604) - (_e598 * _e602));
-                let _e776 = ((_e598 * _e600) - (_e594 * _e604));
-                let _e779 = ((_e594 * _e602) - (_e596 * _e600));
+                let _e762 = (_e501.member_3 * f64(4f));
+                let _e770 = ((_e596 * _e604) - (_e598 * _e602));
+                let _e773 = ((_e598 * _e600) - (_e594 * _e604));
+                let _e776 = ((_e594 * _e602) - (_e596 * _e600));
                 if (_e600 < 0.0lf) {
-                    phi_1235_ = -(_e600);
+                    phi_1232_ = -(_e600);
                 } else {
-                    phi_1235_ = _e600;
+                    phi_1232_ = _e600;
                 }
-                let _e788 = phi_1235_;
+                let _e785 = phi_1232_;
                 if (_e602 < 0.0lf) {
-                    phi_1241_ = -(_e602);
+                    phi_1238_ = -(_e602);
                 } else {
-                    phi_1241_ = _e602;
+                    phi_1238_ = _e602;
                 }
-                let _e792 = phi_1241_;
-                if (_e788 > _e792) {
-                    phi_1246_ = _e788;
+                let _e789 = phi_1238_;
+                if (_e785 > _e789) {
+                    phi_1243_ = _e785;
                 } else {
-                    phi_1246_ = _e792;
+                    phi_1243_ = _e789;
                 }
-                let _e795 = phi_1246_;
+                let _e792 = phi_1243_;
                 if (_e604 < 0.0lf) {
-                    phi_1252_ = -(_e604);
+                    phi_1249_ = -(_e604);
                 } else {
-                    phi_1252_ = _e604;
+                    phi_1249_ = _e604;
                 }
-                let _e799 = phi_1252_;
-                if (_e795 > _e799) {
-                    phi_1257_ = _e795;
+                let _e796 = phi_1249_;
+                if (_e792 > _e796) {
+                    phi_1254_ = _e792;
                 } else {
-                    phi_1257_ = _e799;
+                    phi_1254_ = _e796;
                 }
-                let _e802 = phi_1257_;
+                let _e799 = phi_1254_;
                 if (_e594 < 0.0lf) {
-                    phi_1265_ = -(_e594);
+                    phi_1262_ = -(_e594);
                 } else {
-                    phi_1265_ = _e594;
+                    phi_1262_ = _e594;
                 }
-                let _e808 = phi_1265_;
+                let _e805 = phi_1262_;
                 if (_e596 < 0.0lf) {
-                    phi_1271_ = -(_e596);
+                    phi_1268_ = -(_e596);
                 } else {
-                    phi_1271_ = _e596;
+                    phi_1268_ = _e596;
                 }
-                let _e812 = phi_1271_;
-                if (_e808 > _e812) {
-                    phi_1276_ = _e808;
+                let _e809 = phi_1268_;
+                if (_e805 > _e809) {
+                    phi_1273_ = _e805;
                 } else {
-                    phi_1276_ = _e812;
+                    phi_1273_ = _e809;
                 }
-                let _e815 = phi_1276_;
+                let _e812 = phi_1273_;
                 if (_e598 < 0.0lf) {
-                    phi_1282_ = -(_e598);
+                    phi_1279_ = -(_e598);
                 } else {
-                    phi_1282_ = _e598;
+                    phi_1279_ = _e598;
                 }
-                let _e819 = phi_1282_;
-                if (_e815 > _e819) {
-                    phi_1287_ = _e815;
+                let _e816 = phi_1279_;
+                if (_e812 > _e816) {
+                    phi_1284_ = _e812;
                 } else {
-                    phi_1287_ = _e819;
+                    phi_1284_ = _e816;
                 }
-                let _e822 = phi_1287_;
-                let _e824 = (((((_e706 * _e759) + _e765) * _e586) * _e802) + ((((_e757 * _e759) + _e765) * _e586) * _e822));
-                let _e829 = (((_e773 * _e773) + (_e776 * _e776)) + (_e779 * _e779));
-                if (_e829 <= 2.2250738585072014e-308lf) {
-                    if (_e829 > 0.0lf) {
-                        phi_1308_ = (1.464336215552873e-154lf * 2.0lf);
+                let _e819 = phi_1284_;
+                let _e821 = (((((_e706 * _e759) + _e762) * _e586) * _e799) + ((((_e757 * _e759) + _e762) * _e586) * _e819));
+                let _e826 = (((_e770 * _e770) + (_e773 * _e773)) + (_e776 * _e776));
+                if (_e826 <= 2.2250738585072014e-308lf) {
+                    if (_e826 > 0.0lf) {
+                        phi_1305_ = (1.464336215552873e-154lf * 2.0lf);
                     } else {
-                        phi_1308_ = 0.0lf;
+                        phi_1305_ = 0.0lf;
                     }
-                    let _e881 = phi_1308_;
-                    phi_1372_ = _e881;
+                    let _e878 = phi_1305_;
+                    phi_1369_ = _e878;
                 } else {
-                    phi_1315_ = type_16(0i, 5i);
-                    phi_1318_ = bitcast<f64>(((bitcast<u64>(_e829) / 2lu) + 2303426169912950784lu));
+                    phi_1312_ = type_16(0i, 5i);
+                    phi_1315_ = bitcast<f64>(((bitcast<u64>(_e826) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e836 = phi_1315_;
-                        let _e838 = phi_1318_;
-                        local_3 = _e838;
-                        if (_e836.member < _e836.member_1) {
-                            let _e845 = (_e836.member + 1i);
-                            if ((false == (_e845 > _e836.member)) != false) {
-                                phi_1339_ = true;
+                        let _e833 = phi_1312_;
+                        let _e835 = phi_1315_;
+                        local_3 = _e835;
+                        if (_e833.member < _e833.member_1) {
+                            let _e842 = (_e833.member + 1i);
+                            if ((false == (_e842 > _e833.member)) != false) {
+                                phi_1336_ = true;
                             } else {
-                                phi_1339_ = false;
+                                phi_1336_ = false;
                             }
-                            let _e850 = phi_1339_;
-                            if _e850 {
-                                phi_1345_ = type_17(0u, type_17().member_1);
+                            let _e847 = phi_1336_;
+                            if _e847 {
+                                phi_1342_ = type_17(0u, type_17().member_1);
                             } else {
-                                phi_1345_ = type_17(1u, _e845);
+                                phi_1342_ = type_17(1u, _e842);
                             }
-                            let _e855 = phi_1345_;
-                            phi_1316_ = type_16(_e855.member_1, _e836.member_1);
-                            phi_1359_ = type_17(1u, _e836.member);
+                            let _e852 = phi_1342_;
+                            phi_1313_ = type_16(_e852.member_1, _e833.member_1);
+                            phi_1356_ = type_17(1u, _e833.member);
                         } else {
-                            phi_1316_ = _e836;
-                            phi_1359_ = type_17(0u, type_17().member_1);
+                            phi_1313_ = _e833;
+                            phi_1356_ = type_17(0u, type_17().member_1);
                         }
-                        let _e861 = phi_1316_;
-                        let _e863 = phi_1359_;
-                        let _e866 = (bitcast<i32>(_e863.member) != 0i);
-                        if _e866 {
-                            phi_1319_ = (0.5lf * (_e838 + (_e829 / _e838)));
+                        let _e858 = phi_1313_;
+                        let _e860 = phi_1356_;
+                        let _e863 = (bitcast<i32>(_e860.member) != 0i);
+                        if _e863 {
+                            phi_1316_ = (0.5lf * (_e835 + (_e826 / _e835)));
                         } else {
-                            phi_1319_ = f64();
+                            phi_1316_ = f64();
                         }
-                        let _e871 = phi_1319_;
+                        let _e868 = phi_1316_;
                         continue;
                         continuing {
-                            phi_1315_ = _e861;
-                            phi_1318_ = _e871;
-                            break if !(_e866);
+                            phi_1312_ = _e858;
+                            phi_1315_ = _e868;
+                            break if !(_e863);
                         }
                     }
-                    let _e876 = local_3;
-                    phi_1372_ = (_e876 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e873 = local_3;
+                    phi_1369_ = (_e873 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e883 = phi_1372_;
-                if (_e883 > f64(0f)) {
-                    phi_1382_ = ((_e883 + (_e829 / _e883)) * f64(0.5f));
+                let _e880 = phi_1369_;
+                if (_e880 > f64(0f)) {
+                    phi_1379_ = ((_e880 + (_e826 / _e880)) * f64(0.5f));
                 } else {
-                    phi_1382_ = _e883;
+                    phi_1379_ = _e880;
                 }
-                let _e891 = phi_1382_;
-                if (_e891 > _e824) {
-                    phi_1388_ = _e891;
+                let _e888 = phi_1379_;
+                if (_e888 > _e821) {
+                    phi_1385_ = _e888;
                 } else {
-                    phi_1388_ = f64(0f);
+                    phi_1385_ = f64(0f);
                 }
-                let _e895 = phi_1388_;
-                local = type_35(array<f64, 3>((_e506[0] * _e586), (_e506[1] * _e586), (_e506[2] * _e586)), array<f64, 3>(_e594, _e596, _e598), array<f64, 3>(_e600, _e602, _e604), array<f64, 3>(_e773, _e776, _e779), _e895, _e824, ((((((_e653 + _e501.member_3) + _e706) + _e757) * _e759) + _e765) * _e586));
-                let _e901 = function_8((&local), _e176.member);
-                if (_e901.member_3 <= 2.2250738585072014e-308lf) {
-                    if (_e901.member_3 > 0.0lf) {
-                        phi_1431_ = (1.464336215552873e-154lf * 2.0lf);
+                let _e892 = phi_1385_;
+                local = type_35(array<f64, 3>((_e506[0] * _e586), (_e506[1] * _e586), (_e506[2] * _e586)), array<f64, 3>(_e594, _e596, _e598), array<f64, 3>(_e600, _e602, _e604), array<f64, 3>(_e770, _e773, _e776), _e892, _e821, ((((((_e653 + _e501.member_3) + _e706) + _e757) * _e759) + _e762) * _e586));
+                let _e898 = function_8((&local), _e176.member);
+                if (_e898.member_3 <= 2.2250738585072014e-308lf) {
+                    if (_e898.member_3 > 0.0lf) {
+                        phi_1428_ = (1.464336215552873e-154lf * 2.0lf);
                     } else {
-                        phi_1431_ = 0.0lf;
+                        phi_1428_ = 0.0lf;
                     }
-                    let _e956 = phi_1431_;
-                    phi_1495_ = _e956;
+                    let _e953 = phi_1428_;
+                    phi_1492_ = _e953;
                 } else {
-                    phi_1438_ = type_16(0i, 5i);
-                    phi_1441_ = bitcast<f64>(((bitcast<u64>(_e901.member_3) / 2lu) + 2303426169912950784lu));
+                    phi_1435_ = type_16(0i, 5i);
+                    phi_1438_ = bitcast<f64>(((bitcast<u64>(_e898.member_3) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e911 = phi_1438_;
-                        let _e913 = phi_1441_;
-                        local_4 = _e913;
-                        if (_e911.member < _e911.member_1) {
-                            let _e920 = (_e911.member + 1i);
-                            if ((false == (_e920 > _e911.member)) != false) {
-                                phi_1462_ = true;
+                        let _e908 = phi_1435_;
+                        let _e910 = phi_1438_;
+                        local_4 = _e910;
+                        if (_e908.member < _e908.member_1) {
+                            let _e917 = (_e908.member + 1i);
+                            if ((false == (_e917 > _e908.member)) != false) {
+                                phi_1459_ = true;
                             } else {
-                                phi_1462_ = false;
+                                phi_1459_ = false;
                             }
-                            let _e925 = phi_1462_;
-                            if _e925 {
-                                phi_1468_ = type_17(0u, type_17().member_1);
+                            let _e922 = phi_1459_;
+                            if _e922 {
+                                phi_1465_ = type_17(0u, type_17().member_1);
                             } else {
-                                phi_1468_ = type_17(1u, _e920);
+                                phi_1465_ = type_17(1u, _e917);
                             }
-                            let _e930 = phi_1468_;
-                            phi_1439_ = type_16(_e930.member_1, _e911.member_1);
-                            phi_1482_ = type_17(1u, _e911.member);
+                            let _e927 = phi_1465_;
+                            phi_1436_ = type_16(_e927.member_1, _e908.member_1);
+                            phi_1479_ = type_17(1u, _e908.member);
                         } else {
-                            phi_1439_ = _e911;
-                            phi_1482_ = type_17(0u, type_17().member_1);
+                            phi_1436_ = _e908;
+                            phi_1479_ = type_17(0u, type_17().member_1);
                         }
-                        let _e936 = phi_1439_;
-                        let _e938 = phi_1482_;
-                        let _e941 = (bitcast<i32>(_e938.member) != 0i);
-                        if _e941 {
-                            phi_1442_ = (0.5lf * (_e913 + (_e901.member_3 / _e913)));
+                        let _e933 = phi_1436_;
+                        let _e935 = phi_1479_;
+                        let _e938 = (bitcast<i32>(_e935.member) != 0i);
+                        if _e938 {
+                            phi_1439_ = (0.5lf * (_e910 + (_e898.member_3 / _e910)));
                         } else {
-                            phi_1442_ = f64();
+                            phi_1439_ = f64();
                         }
-                        let _e946 = phi_1442_;
+                        let _e943 = phi_1439_;
                         continue;
                         continuing {
-                            phi_1438_ = _e936;
-                            phi_1441_ = _e946;
-                            break if !(_e941);
+                            phi_1435_ = _e933;
+                            phi_1438_ = _e943;
+                            break if !(_e938);
                         }
                     }
-                    let _e951 = local_4;
-                    phi_1495_ = (_e951 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e948 = local_4;
+                    phi_1492_ = (_e948 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e958 = phi_1495_;
-                if (_e958 > f64(0f)) {
-                    phi_1505_ = ((_e958 + (_e901.member_3 / _e958)) * f64(0.5f));
+                let _e955 = phi_1492_;
+                if (_e955 > f64(0f)) {
+                    phi_1502_ = ((_e955 + (_e898.member_3 / _e955)) * f64(0.5f));
                 } else {
-                    phi_1505_ = _e958;
+                    phi_1502_ = _e955;
                 }
-                let _e966 = phi_1505_;
+                let _e963 = phi_1502_;
                 if (_e176.member == 0u) {
-                    phi_1511_ = _e337;
+                    phi_1508_ = _e337;
                 } else {
-                    phi_1511_ = -(_e337);
+                    phi_1508_ = -(_e337);
                 }
-                let _e970 = phi_1511_;
-                let _e972 = function_2(_e501.member);
-                let _e974 = function_2(_e501.member_1);
-                let _e988 = function_2(_e501.member_2);
-                let _e998 = (((_e972[0] - (_e974[0] * _e901.member)) - (_e988[0] * _e901.member_1)) * _e970);
-                let _e999 = (((_e972[1] - (_e974[1] * _e901.member)) - (_e988[1] * _e901.member_1)) * _e970);
-                let _e1000 = (((_e972[2] - (_e974[2] * _e901.member)) - (_e988[2] * _e901.member_1)) * _e970);
-                let _e1002 = f64(0f);
-                let _e1003 = f64(1f);
-                if (_e901.member > _e1002) {
-                    phi_1552_ = (_e901.member < _e1003);
+                let _e967 = phi_1508_;
+                let _e969 = function_2(_e501.member);
+                let _e971 = function_2(_e501.member_1);
+                let _e985 = function_2(_e501.member_2);
+                let _e995 = (((_e969[0] - (_e971[0] * _e898.member)) - (_e985[0] * _e898.member_1)) * _e967);
+                let _e996 = (((_e969[1] - (_e971[1] * _e898.member)) - (_e985[1] * _e898.member_1)) * _e967);
+                let _e997 = (((_e969[2] - (_e971[2] * _e898.member)) - (_e985[2] * _e898.member_1)) * _e967);
+                let _e999 = f64(0f);
+                let _e1000 = f64(1f);
+                if (_e898.member > _e999) {
+                    phi_1549_ = (_e898.member < _e1000);
                 } else {
-                    phi_1552_ = false;
+                    phi_1549_ = false;
                 }
-                let _e1009 = phi_1552_;
-                if (_e901.member_1 > _e1002) {
-                    phi_1558_ = (_e901.member_1 < _e1003);
+                let _e1006 = phi_1549_;
+                if (_e898.member_1 > _e999) {
+                    phi_1555_ = (_e898.member_1 < _e1000);
                 } else {
-                    phi_1558_ = false;
+                    phi_1555_ = false;
                 }
-                let _e1013 = phi_1558_;
-                let _e1014 = (_e970 > _e1002);
-                if _e1009 {
-                    if _e1013 {
-                        if _e1014 {
-                            phi_1574_ = ((_e901.member + _e901.member_1) < (_e1003 - (1.1102230246251565e-16lf * f64(4f))));
+                let _e1010 = phi_1555_;
+                let _e1011 = (_e967 > _e999);
+                if _e1006 {
+                    if _e1010 {
+                        if _e1011 {
+                            phi_1571_ = ((_e898.member + _e898.member_1) < (_e1000 - (1.1102230246251565e-16lf * f64(4f))));
                         } else {
-                            phi_1574_ = true;
+                            phi_1571_ = true;
                         }
-                        let _e1021 = phi_1574_;
-                        phi_1575_ = _e1021;
-                        phi_1576_ = false;
+                        let _e1018 = phi_1571_;
+                        phi_1572_ = _e1018;
+                        phi_1573_ = false;
                     } else {
-                        phi_1575_ = bool();
-                        phi_1576_ = true;
+                        phi_1572_ = bool();
+                        phi_1573_ = true;
                     }
-                    let _e1023 = phi_1575_;
-                    let _e1025 = phi_1576_;
-                    phi_1577_ = _e1023;
-                    phi_1578_ = _e1025;
+                    let _e1020 = phi_1572_;
+                    let _e1022 = phi_1573_;
+                    phi_1574_ = _e1020;
+                    phi_1575_ = _e1022;
                 } else {
-                    phi_1577_ = bool();
-                    phi_1578_ = true;
+                    phi_1574_ = bool();
+                    phi_1575_ = true;
                 }
-                let _e1027 = phi_1577_;
-                let _e1029 = phi_1578_;
-                if _e1029 {
-                    phi_1582_ = false;
+                let _e1024 = phi_1574_;
+                let _e1026 = phi_1575_;
+                if _e1026 {
+                    phi_1579_ = false;
                 } else {
-                    phi_1582_ = _e1027;
+                    phi_1579_ = _e1024;
                 }
-                let _e1031 = phi_1582_;
-                let _e1033 = local.member_4;
-                let _e1034 = (_e1033 > _e1002);
-                let _e1036 = local.member_3;
-                let _e1040 = (_e1036[0] * _e970);
-                let _e1041 = (_e1036[1] * _e970);
-                let _e1042 = (_e1036[2] * _e970);
-                let _e1045 = local.member_6;
-                if (_e966 > _e1045) {
-                    let _e2181 = (_e901.member_2[0] * _e970);
-                    let _e2183 = (_e901.member_2[1] * _e970);
-                    let _e2185 = (_e901.member_2[2] * _e970);
-                    if _e1034 {
-                        if _e1031 {
-                            let _e2187 = local.member_5;
-                            let _e2190 = local.member_6;
-                            let _e2192 = local.member_4;
-                            if ((_e2187 * _e966) <= (_e2190 * _e2192)) {
-                                if ((((_e2181 * _e1040) + (_e2183 * _e1041)) + (_e2185 * _e1042)) >= _e1002) {
-                                    phi_1644_ = array<f64, 3>(_e1040, _e1041, _e1042);
+                let _e1028 = phi_1579_;
+                let _e1030 = local.member_4;
+                let _e1031 = (_e1030 > _e999);
+                let _e1033 = local.member_3;
+                let _e1037 = (_e1033[0] * _e967);
+                let _e1038 = (_e1033[1] * _e967);
+                let _e1039 = (_e1033[2] * _e967);
+                let _e1042 = local.member_6;
+                if (_e963 > _e1042) {
+                    let _e2175 = (_e898.member_2[0] * _e967);
+                    let _e2177 = (_e898.member_2[1] * _e967);
+                    let _e2179 = (_e898.member_2[2] * _e967);
+                    if _e1031 {
+                        if _e1028 {
+                            let _e2181 = local.member_5;
+                            let _e2184 = local.member_6;
+                            let _e2186 = local.member_4;
+                            if ((_e2181 * _e963) <= (_e2184 * _e2186)) {
+                                if ((((_e2175 * _e1037) + (_e2177 * _e1038)) + (_e2179 * _e1039)) >= _e999) {
+                                    phi_1641_ = array<f64, 3>(_e1037, _e1038, _e1039);
                                 } else {
-                                    let _e2201 = -(_e1003);
-                                    phi_1644_ = array<f64, 3>((_e1040 * _e2201), (_e1041 * _e2201), (_e1042 * _e2201));
+                                    let _e2195 = -(_e1000);
+                                    phi_1641_ = array<f64, 3>((_e1037 * _e2195), (_e1038 * _e2195), (_e1039 * _e2195));
                                 }
-                                let _e2207 = phi_1644_;
-                                if (_e2207[0] < 0.0lf) {
-                                    phi_1651_ = -(_e2207[0]);
+                                let _e2201 = phi_1641_;
+                                if (_e2201[0] < 0.0lf) {
+                                    phi_1648_ = -(_e2201[0]);
                                 } else {
-                                    phi_1651_ = _e2207[0];
+                                    phi_1648_ = _e2201[0];
                                 }
-                                let _e2212 = phi_1651_;
-                                if (_e2207[1] < 0.0lf) {
-                                    phi_1658_ = -(_e2207[1]);
+                                let _e2206 = phi_1648_;
+                                if (_e2201[1] < 0.0lf) {
+                                    phi_1655_ = -(_e2201[1]);
                                 } else {
-                                    phi_1658_ = _e2207[1];
+                                    phi_1655_ = _e2201[1];
                                 }
-                                let _e2217 = phi_1658_;
-                                if (_e2212 > _e2217) {
-                                    phi_1663_ = _e2212;
+                                let _e2211 = phi_1655_;
+                                if (_e2206 > _e2211) {
+                                    phi_1660_ = _e2206;
                                 } else {
-                                    phi_1663_ = _e2217;
+                                    phi_1660_ = _e2211;
                                 }
-                                let _e2220 = phi_1663_;
-                                if (_e2207[2] < 0.0lf) {
-                                    phi_1670_ = -(_e2207[2]);
+                                let _e2214 = phi_1660_;
+                                if (_e2201[2] < 0.0lf) {
+                                    phi_1667_ = -(_e2201[2]);
                                 } else {
-                                    phi_1670_ = _e2207[2];
+                                    phi_1667_ = _e2201[2];
                                 }
-                                let _e2225 = phi_1670_;
-                                if (_e2220 > _e2225) {
-                                    phi_1675_ = _e2220;
+                                let _e2219 = phi_1667_;
+                                if (_e2214 > _e2219) {
+                                    phi_1672_ = _e2214;
                                 } else {
-                                    phi_1675_ = _e2225;
+                                    phi_1672_ = _e2219;
                                 }
-                                let _e2228 = phi_1675_;
-                                let _e2229 = function_9(_e2228);
-                                let _e2231 = (_e2207[0] * _e2229);
-                                let _e2233 = (_e2207[1] * _e2229);
-                                let _e2235 = (_e2207[2] * _e2229);
-                                let _e2241 = (((_e2231 * _e2231) + (_e2233 * _e2233)) + (_e2235 * _e2235));
-                                if (_e2241 <= 2.2250738585072014e-308lf) {
-                                    if (_e2241 > 0.0lf) {
-                                        phi_1702_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e2222 = phi_1672_;
+                                let _e2223 = function_9(_e2222);
+                                let _e2225 = (_e2201[0] * _e2223);
+                                let _e2227 = (_e2201[1] * _e2223);
+                                let _e2229 = (_e2201[2] * _e2223);
+                                let _e2235 = (((_e2225 * _e2225) + (_e2227 * _e2227)) + (_e2229 * _e2229));
+                                if (_e2235 <= 2.2250738585072014e-308lf) {
+                                    if (_e2235 > 0.0lf) {
+                                        phi_1699_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_1702_ = 0.0lf;
+                                        phi_1699_ = 0.0lf;
                                     }
-                                    let _e2293 = phi_1702_;
-                                    phi_1766_ = _e2293;
+                                    let _e2287 = phi_1699_;
+                                    phi_1763_ = _e2287;
                                 } else {
-                                    phi_1709_ = type_16(0i, 5i);
-                                    phi_1712_ = bitcast<f64>(((bitcast<u64>(_e2241) / 2lu) + 2303426169912950784lu));
+                                    phi_1706_ = type_16(0i, 5i);
+                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2235) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2248 = phi_1709_;
-                                        let _e2250 = phi_1712_;
-                                        local_11 = _e2250;
-                                        if (_e2248.member < _e2248.member_1) {
-                                            let _e2257 = (_e2248.member + 1i);
-                                            if ((false == (_e2257 > _e2248.member)) != false) {
-                                                phi_1733_ = true;
+                                        let _e2242 = phi_1706_;
+                                        let _e2244 = phi_1709_;
+                                        local_11 = _e2244;
+                                        if (_e2242.member < _e2242.member_1) {
+                                            let _e2251 = (_e2242.member + 1i);
+                                            if ((false == (_e2251 > _e2242.member)) != false) {
+                                                phi_1730_ = true;
                                             } else {
-                                                phi_1733_ = false;
+                                                phi_1730_ = false;
                                             }
-                                            let _e2262 = phi_1733_;
-                                            if _e2262 {
-                                                phi_1739_ = type_17(0u, type_17().member_1);
+                                            let _e2256 = phi_1730_;
+                                            if _e2256 {
+                                                phi_1736_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_1739_ = type_17(1u, _e2257);
+                                                phi_1736_ = type_17(1u, _e2251);
                                             }
-                                            let _e2267 = phi_1739_;
-                                            phi_1710_ = type_16(_e2267.member_1, _e2248.member_1);
-                                            phi_1753_ = type_17(1u, _e2248.member);
+                                            let _e2261 = phi_1736_;
+                                            phi_1707_ = type_16(_e2261.member_1, _e2242.member_1);
+                                            phi_1750_ = type_17(1u, _e2242.member);
                                         } else {
-                                            phi_1710_ = _e2248;
-                                            phi_1753_ = type_17(0u, type_17().member_1);
+                                            phi_1707_ = _e2242;
+                                            phi_1750_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2273 = phi_1710_;
-                                        let _e2275 = phi_1753_;
-                                        let _e2278 = (bitcast<i32>(_e2275.member) != 0i);
-                                        if _e2278 {
-                                            phi_1713_ = (0.5lf * (_e2250 + (_e2241 / _e2250)));
+                                        let _e2267 = phi_1707_;
+                                        let _e2269 = phi_1750_;
+                                        let _e2272 = (bitcast<i32>(_e2269.member) != 0i);
+                                        if _e2272 {
+                                            phi_1710_ = (0.5lf * (_e2244 + (_e2235 / _e2244)));
                                         } else {
-                                            phi_1713_ = f64();
+                                            phi_1710_ = f64();
                                         }
-                                        let _e2283 = phi_1713_;
+                                        let _e2277 = phi_1710_;
                                         continue;
                                         continuing {
-                                            phi_1709_ = _e2273;
-                                            phi_1712_ = _e2283;
-                                            break if !(_e2278);
+                                            phi_1706_ = _e2267;
+                                            phi_1709_ = _e2277;
+                                            break if !(_e2272);
                                         }
                                     }
-                                    let _e2288 = local_11;
-                                    phi_1766_ = (_e2288 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2282 = local_11;
+                                    phi_1763_ = (_e2282 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2295 = phi_1766_;
-                                let _e2296 = (f64(1f) / _e2295);
-                                let _e2297 = (_e2231 * _e2296);
-                                let _e2298 = (_e2233 * _e2296);
-                                let _e2299 = (_e2235 * _e2296);
-                                let _e2308 = ((f64(3f) - (((_e2297 * _e2297) + (_e2298 * _e2298)) + (_e2299 * _e2299))) * f64(0.5f));
-                                phi_1784_ = array<f64, 3>((_e2297 * _e2308), (_e2298 * _e2308), (_e2299 * _e2308));
-                                phi_1785_ = false;
+                                let _e2289 = phi_1763_;
+                                let _e2290 = (f64(1f) / _e2289);
+                                let _e2291 = (_e2225 * _e2290);
+                                let _e2292 = (_e2227 * _e2290);
+                                let _e2293 = (_e2229 * _e2290);
+                                let _e2302 = ((f64(3f) - (((_e2291 * _e2291) + (_e2292 * _e2292)) + (_e2293 * _e2293))) * f64(0.5f));
+                                phi_1781_ = array<f64, 3>((_e2291 * _e2302), (_e2292 * _e2302), (_e2293 * _e2302));
+                                phi_1782_ = false;
                             } else {
-                                phi_1784_ = array<f64, 3>();
-                                phi_1785_ = true;
+                                phi_1781_ = array<f64, 3>();
+                                phi_1782_ = true;
                             }
-                            let _e2314 = phi_1784_;
-                            let _e2316 = phi_1785_;
-                            phi_1786_ = _e2314;
-                            phi_1787_ = _e2316;
+                            let _e2308 = phi_1781_;
+                            let _e2310 = phi_1782_;
+                            phi_1783_ = _e2308;
+                            phi_1784_ = _e2310;
                         } else {
-                            phi_1786_ = array<f64, 3>();
-                            phi_1787_ = true;
+                            phi_1783_ = array<f64, 3>();
+                            phi_1784_ = true;
                         }
-                        let _e2318 = phi_1786_;
-                        let _e2320 = phi_1787_;
-                        phi_1788_ = _e2318;
-                        phi_1789_ = _e2320;
+                        let _e2312 = phi_1783_;
+                        let _e2314 = phi_1784_;
+                        phi_1785_ = _e2312;
+                        phi_1786_ = _e2314;
                     } else {
-                        phi_1788_ = array<f64, 3>();
-                        phi_1789_ = true;
+                        phi_1785_ = array<f64, 3>();
+                        phi_1786_ = true;
                     }
-                    let _e2322 = phi_1788_;
-                    let _e2324 = phi_1789_;
-                    if _e2324 {
-                        if (_e2181 < 0.0lf) {
-                            phi_1798_ = -(_e2181);
+                    let _e2316 = phi_1785_;
+                    let _e2318 = phi_1786_;
+                    if _e2318 {
+                        if (_e2175 < 0.0lf) {
+                            phi_1795_ = -(_e2175);
                         } else {
-                            phi_1798_ = _e2181;
+                            phi_1795_ = _e2175;
                         }
-                        let _e2328 = phi_1798_;
-                        if (_e2183 < 0.0lf) {
-                            phi_1804_ = -(_e2183);
+                        let _e2322 = phi_1795_;
+                        if (_e2177 < 0.0lf) {
+                            phi_1801_ = -(_e2177);
                         } else {
-                            phi_1804_ = _e2183;
+                            phi_1801_ = _e2177;
                         }
-                        let _e2332 = phi_1804_;
-                        if (_e2328 > _e2332) {
-                            phi_1809_ = _e2328;
+                        let _e2326 = phi_1801_;
+                        if (_e2322 > _e2326) {
+                            phi_1806_ = _e2322;
                         } else {
-                            phi_1809_ = _e2332;
+                            phi_1806_ = _e2326;
                         }
-                        let _e2335 = phi_1809_;
-                        if (_e2185 < 0.0lf) {
-                            phi_1815_ = -(_e2185);
+                        let _e2329 = phi_1806_;
+                        if (_e2179 < 0.0lf) {
+                            phi_1812_ = -(_e2179);
                         } else {
-                            phi_1815_ = _e2185;
+                            phi_1812_ = _e2179;
                         }
-                        let _e2339 = phi_1815_;
-                        if (_e2335 > _e2339) {
-                            phi_1820_ = _e2335;
+                        let _e2333 = phi_1812_;
+                        if (_e2329 > _e2333) {
+                            phi_1817_ = _e2329;
                         } else {
-                            phi_1820_ = _e2339;
+                            phi_1817_ = _e2333;
                         }
-                        let _e2342 = phi_1820_;
-                        let _e2343 = function_9(_e2342);
-                        let _e2344 = (_e2181 * _e2343);
-                        let _e2345 = (_e2183 * _e2343);
-                        let _e2346 = (_e2185 * _e2343);
-                        let _e2352 = (((_e2344 * _e2344) + (_e2345 * _e2345)) + (_e2346 * _e2346));
-                        if (_e2352 <= 2.2250738585072014e-308lf) {
-                            if (_e2352 > 0.0lf) {
-                                phi_1844_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e2336 = phi_1817_;
+                        let _e2337 = function_9(_e2336);
+                        let _e2338 = (_e2175 * _e2337);
+                        let _e2339 = (_e2177 * _e2337);
+                        let _e2340 = (_e2179 * _e2337);
+                        let _e2346 = (((_e2338 * _e2338) + (_e2339 * _e2339)) + (_e2340 * _e2340));
+                        if (_e2346 <= 2.2250738585072014e-308lf) {
+                            if (_e2346 > 0.0lf) {
+                                phi_1841_ = (1.464336215552873e-154lf * 2.0lf);
                             } else {
-                                phi_1844_ = 0.0lf;
+                                phi_1841_ = 0.0lf;
                             }
-                            let _e2404 = phi_1844_;
-                            phi_1908_ = _e2404;
+                            let _e2398 = phi_1841_;
+                            phi_1905_ = _e2398;
                         } else {
-                            phi_1851_ = type_16(0i, 5i);
-                            phi_1854_ = bitcast<f64>(((bitcast<u64>(_e2352) / 2lu) + 2303426169912950784lu));
+                            phi_1848_ = type_16(0i, 5i);
+                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2346) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e2359 = phi_1851_;
-                                let _e2361 = phi_1854_;
-                                local_12 = _e2361;
-                                if (_e2359.member < _e2359.member_1) {
-                                    let _e2368 = (_e2359.member + 1i);
-                                    if ((false == (_e2368 > _e2359.member)) != false) {
-                                        phi_1875_ = true;
+                                let _e2353 = phi_1848_;
+                                let _e2355 = phi_1851_;
+                                local_12 = _e2355;
+                                if (_e2353.member < _e2353.member_1) {
+                                    let _e2362 = (_e2353.member + 1i);
+                                    if ((false == (_e2362 > _e2353.member)) != false) {
+                                        phi_1872_ = true;
                                     } else {
-                                        phi_1875_ = false;
+                                        phi_1872_ = false;
                                     }
-                                    let _e2373 = phi_1875_;
-                                    if _e2373 {
-                                        phi_1881_ = type_17(0u, type_17().member_1);
+                                    let _e2367 = phi_1872_;
+                                    if _e2367 {
+                                        phi_1878_ = type_17(0u, type_17().member_1);
                                     } else {
-                                        phi_1881_ = type_17(1u, _e2368);
+                                        phi_1878_ = type_17(1u, _e2362);
                                     }
-                                    let _e2378 = phi_1881_;
-                                    phi_1852_ = type_16(_e2378.member_1, _e2359.member_1);
-                                    phi_1895_ = type_17(1u, _e2359.member);
+                                    let _e2372 = phi_1878_;
+                                    phi_1849_ = type_16(_e2372.member_1, _e2353.member_1);
+                                    phi_1892_ = type_17(1u, _e2353.member);
                                 } else {
-                                    phi_1852_ = _e2359;
-                                    phi_1895_ = type_17(0u, type_17().member_1);
+                                    phi_1849_ = _e2353;
+                                    phi_1892_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e2384 = phi_1852_;
-                                let _e2386 = phi_1895_;
-                                let _e2389 = (bitcast<i32>(_e2386.member) != 0i);
-                                if _e2389 {
-                                    phi_1855_ = (0.5lf * (_e2361 + (_e2352 / _e2361)));
+                                let _e2378 = phi_1849_;
+                                let _e2380 = phi_1892_;
+                                let _e2383 = (bitcast<i32>(_e2380.member) != 0i);
+                                if _e2383 {
+                                    phi_1852_ = (0.5lf * (_e2355 + (_e2346 / _e2355)));
                                 } else {
-                                    phi_1855_ = f64();
+                                    phi_1852_ = f64();
                                 }
-                                let _e2394 = phi_1855_;
+                                let _e2388 = phi_1852_;
                                 continue;
                                 continuing {
-                                    phi_1851_ = _e2384;
-                                    phi_1854_ = _e2394;
-                                    break if !(_e2389);
+                                    phi_1848_ = _e2378;
+                                    phi_1851_ = _e2388;
+                                    break if !(_e2383);
                                 }
                             }
-                            let _e2399 = local_12;
-                            phi_1908_ = (_e2399 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e2393 = local_12;
+                            phi_1905_ = (_e2393 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e2406 = phi_1908_;
-                        let _e2407 = (f64(1f) / _e2406);
-                        let _e2408 = (_e2344 * _e2407);
-                        let _e2409 = (_e2345 * _e2407);
-                        let _e2410 = (_e2346 * _e2407);
-                        let _e2419 = ((f64(3f) - (((_e2408 * _e2408) + (_e2409 * _e2409)) + (_e2410 * _e2410))) * f64(0.5f));
-                        phi_1926_ = array<f64, 3>((_e2408 * _e2419), (_e2409 * _e2419), (_e2410 * _e2419));
+                        let _e2400 = phi_1905_;
+                        let _e2401 = (f64(1f) / _e2400);
+                        let _e2402 = (_e2338 * _e2401);
+                        let _e2403 = (_e2339 * _e2401);
+                        let _e2404 = (_e2340 * _e2401);
+                        let _e2413 = ((f64(3f) - (((_e2402 * _e2402) + (_e2403 * _e2403)) + (_e2404 * _e2404))) * f64(0.5f));
+                        phi_1923_ = array<f64, 3>((_e2402 * _e2413), (_e2403 * _e2413), (_e2404 * _e2413));
                     } else {
-                        phi_1926_ = _e2322;
+                        phi_1923_ = _e2316;
                     }
-                    let _e2425 = phi_1926_;
-                    phi_3468_ = _e2425;
-                    phi_3469_ = array<f64, 3>();
-                    phi_3470_ = true;
+                    let _e2419 = phi_1923_;
+                    phi_3462_ = _e2419;
+                    phi_3463_ = array<f64, 3>();
+                    phi_3464_ = true;
                 } else {
                     if (_e501.member[0][0] < 0.0lf) {
-                        phi_1934_ = -(_e501.member[0][0]);
+                        phi_1931_ = -(_e501.member[0][0]);
                     } else {
-                        phi_1934_ = _e501.member[0][0];
+                        phi_1931_ = _e501.member[0][0];
                     }
-                    let _e1053 = phi_1934_;
+                    let _e1050 = phi_1931_;
                     if (_e501.member[0][1] < 0.0lf) {
-                        phi_1941_ = -(_e501.member[0][1]);
+                        phi_1938_ = -(_e501.member[0][1]);
                     } else {
-                        phi_1941_ = _e501.member[0][1];
+                        phi_1938_ = _e501.member[0][1];
                     }
-                    let _e1058 = phi_1941_;
-                    if (_e1053 > _e1058) {
-                        phi_1946_ = _e1053;
+                    let _e1055 = phi_1938_;
+                    if (_e1050 > _e1055) {
+                        phi_1943_ = _e1050;
                     } else {
-                        phi_1946_ = _e1058;
+                        phi_1943_ = _e1055;
                     }
-                    let _e1061 = phi_1946_;
+                    let _e1058 = phi_1943_;
                     if (_e501.member[0][2] < 0.0lf) {
-                        phi_1953_ = -(_e501.member[0][2]);
+                        phi_1950_ = -(_e501.member[0][2]);
                     } else {
-                        phi_1953_ = _e501.member[0][2];
+                        phi_1950_ = _e501.member[0][2];
                     }
-                    let _e1066 = phi_1953_;
-                    if (_e1061 > _e1066) {
-                        phi_1958_ = _e1061;
+                    let _e1063 = phi_1950_;
+                    if (_e1058 > _e1063) {
+                        phi_1955_ = _e1058;
                     } else {
-                        phi_1958_ = _e1066;
+                        phi_1955_ = _e1063;
                     }
-                    let _e1069 = phi_1958_;
+                    let _e1066 = phi_1955_;
                     if (_e501.member[1][0] < 0.0lf) {
-                        phi_1966_ = -(_e501.member[1][0]);
+                        phi_1963_ = -(_e501.member[1][0]);
                     } else {
-                        phi_1966_ = _e501.member[1][0];
+                        phi_1963_ = _e501.member[1][0];
                     }
-                    let _e1076 = phi_1966_;
+                    let _e1073 = phi_1963_;
                     if (_e501.member[1][1] < 0.0lf) {
-                        phi_1973_ = -(_e501.member[1][1]);
+                        phi_1970_ = -(_e501.member[1][1]);
                     } else {
-                        phi_1973_ = _e501.member[1][1];
+                        phi_1970_ = _e501.member[1][1];
                     }
-                    let _e1081 = phi_1973_;
-                    if (_e1076 > _e1081) {
-                        phi_1978_ = _e1076;
+                    let _e1078 = phi_1970_;
+                    if (_e1073 > _e1078) {
+                        phi_1975_ = _e1073;
                     } else {
-                        phi_1978_ = _e1081;
+                        phi_1975_ = _e1078;
                     }
-                    let _e1084 = phi_1978_;
+                    let _e1081 = phi_1975_;
                     if (_e501.member[1][2] < 0.0lf) {
-                        phi_1985_ = -(_e501.member[1][2]);
+                        phi_1982_ = -(_e501.member[1][2]);
                     } else {
-                        phi_1985_ = _e501.member[1][2];
+                        phi_1982_ = _e501.member[1][2];
                     }
-                    let _e1089 = phi_1985_;
-                    if (_e1084 > _e1089) {
-                        phi_1990_ = _e1084;
+                    let _e1086 = phi_1982_;
+                    if (_e1081 > _e1086) {
+                        phi_1987_ = _e1081;
                     } else {
-                        phi_1990_ = _e1089;
+                        phi_1987_ = _e1086;
                     }
-                    let _e1092 = phi_1990_;
-                    if (_e1069 > _e1092) {
-                        phi_1995_ = _e1069;
+                    let _e1089 = phi_1987_;
+                    if (_e1066 > _e1089) {
+                        phi_1992_ = _e1066;
                     } else {
-                        phi_1995_ = _e1092;
+                        phi_1992_ = _e1089;
                     }
-                    let _e1095 = phi_1995_;
+                    let _e1092 = phi_1992_;
                     if (_e501.member_1[0][0] < 0.0lf) {
-                        phi_2005_ = -(_e501.member_1[0][0]);
+                        phi_2002_ = -(_e501.member_1[0][0]);
                     } else {
-                        phi_2005_ = _e501.member_1[0][0];
+                        phi_2002_ = _e501.member_1[0][0];
                     }
-                    let _e1104 = phi_2005_;
+                    let _e1101 = phi_2002_;
                     if (_e501.member_1[0][1] < 0.0lf) {
-                        phi_2012_ = -(_e501.member_1[0][1]);
+                        phi_2009_ = -(_e501.member_1[0][1]);
                     } else {
-                        phi_2012_ = _e501.member_1[0][1];
+                        phi_2009_ = _e501.member_1[0][1];
                     }
-                    let _e1109 = phi_2012_;
-                    if (_e1104 > _e1109) {
-                        phi_2017_ = _e1104;
+                    let _e1106 = phi_2009_;
+                    if (_e1101 > _e1106) {
+                        phi_2014_ = _e1101;
                     } else {
-                        phi_2017_ = _e1109;
+                        phi_2014_ = _e1106;
                     }
-                    let _e1112 = phi_2017_;
+                    let _e1109 = phi_2014_;
                     if (_e501.member_1[0][2] < 0.0lf) {
-                        phi_2024_ = -(_e501.member_1[0][2]);
+                        phi_2021_ = -(_e501.member_1[0][2]);
                     } else {
-                        phi_2024_ = _e501.member_1[0][2];
+                        phi_2021_ = _e501.member_1[0][2];
                     }
-                    let _e1117 = phi_2024_;
-                    if (_e1112 > _e1117) {
-                        phi_2029_ = _e1112;
+                    let _e1114 = phi_2021_;
+                    if (_e1109 > _e1114) {
+                        phi_2026_ = _e1109;
                     } else {
-                        phi_2029_ = _e1117;
+                        phi_2026_ = _e1114;
                     }
-                    let _e1120 = phi_2029_;
+                    let _e1117 = phi_2026_;
                     if (_e501.member_1[1][0] < 0.0lf) {
-                        phi_2037_ = -(_e501.member_1[1][0]);
+                        phi_2034_ = -(_e501.member_1[1][0]);
                     } else {
-                        phi_2037_ = _e501.member_1[1][0];
+                        phi_2034_ = _e501.member_1[1][0];
                     }
-                    let _e1127 = phi_2037_;
+                    let _e1124 = phi_2034_;
                     if (_e501.member_1[1][1] < 0.0lf) {
-                        phi_2044_ = -(_e501.member_1[1][1]);
+                        phi_2041_ = -(_e501.member_1[1][1]);
                     } else {
-                        phi_2044_ = _e501.member_1[1][1];
+                        phi_2041_ = _e501.member_1[1][1];
                     }
-                    let _e1132 = phi_2044_;
-                    if (_e1127 > _e1132) {
-                        phi_2049_ = _e1127;
+                    let _e1129 = phi_2041_;
+                    if (_e1124 > _e1129) {
+                        phi_2046_ = _e1124;
                     } else {
-                        phi_2049_ = _e1132;
+                        phi_2046_ = _e1129;
                     }
-                    let _e1135 = phi_2049_;
+                    let _e1132 = phi_2046_;
                     if (_e501.member_1[1][2] < 0.0lf) {
-                        phi_2056_ = -(_e501.member_1[1][2]);
+                        phi_2053_ = -(_e501.member_1[1][2]);
                     } else {
-                        phi_2056_ = _e501.member_1[1][2];
+                        phi_2053_ = _e501.member_1[1][2];
                     }
-                    let _e1140 = phi_2056_;
-                    if (_e1135 > _e1140) {
-                        phi_2061_ = _e1135;
+                    let _e1137 = phi_2053_;
+                    if (_e1132 > _e1137) {
+                        phi_2058_ = _e1132;
                     } else {
-                        phi_2061_ = _e1140;
+                        phi_2058_ = _e1137;
                     }
-                    let _e1143 = phi_2061_;
-                    if (_e1120 > _e1143) {
-                        phi_2066_ = _e1120;
+                    let _e1140 = phi_2058_;
+                    if (_e1117 > _e1140) {
+                        phi_2063_ = _e1117;
                     } else {
-                        phi_2066_ = _e1143;
+                        phi_2063_ = _e1140;
                     }
-                    let _e1146 = phi_2066_;
+                    let _e1143 = phi_2063_;
                     if (_e501.member_2[0][0] < 0.0lf) {
-                        phi_2076_ = -(_e501.member_2[0][0]);
+                        phi_2073_ = -(_e501.member_2[0][0]);
                     } else {
-                        phi_2076_ = _e501.member_2[0][0];
+                        phi_2073_ = _e501.member_2[0][0];
                     }
-                    let _e1155 = phi_2076_;
+                    let _e1152 = phi_2073_;
                     if (_e501.member_2[0][1] < 0.0lf) {
-                        phi_2083_ = -(_e501.member_2[0][1]);
+                        phi_2080_ = -(_e501.member_2[0][1]);
                     } else {
-                        phi_2083_ = _e501.member_2[0][1];
+                        phi_2080_ = _e501.member_2[0][1];
                     }
-                    let _e1160 = phi_2083_;
-                    if (_e1155 > _e1160) {
-                        phi_2088_ = _e1155;
+                    let _e1157 = phi_2080_;
+                    if (_e1152 > _e1157) {
+                        phi_2085_ = _e1152;
                     } else {
-                        phi_2088_ = _e1160;
+                        phi_2085_ = _e1157;
                     }
-                    let _e1163 = phi_2088_;
+                    let _e1160 = phi_2085_;
                     if (_e501.member_2[0][2] < 0.0lf) {
-                        phi_2095_ = -(_e501.member_2[0][2]);
+                        phi_2092_ = -(_e501.member_2[0][2]);
                     } else {
-                        phi_2095_ = _e501.member_2[0][2];
+                        phi_2092_ = _e501.member_2[0][2];
                     }
-                    let _e1168 = phi_2095_;
-                    if (_e1163 > _e1168) {
-                        phi_2100_ = _e1163;
+                    let _e1165 = phi_2092_;
+                    if (_e1160 > _e1165) {
+                        phi_2097_ = _e1160;
                     } else {
-                        phi_2100_ = _e1168;
+                        phi_2097_ = _e1165;
                     }
-                    let _e1171 = phi_2100_;
+                    let _e1168 = phi_2097_;
                     if (_e501.member_2[1][0] < 0.0lf) {
-                        phi_2108_ = -(_e501.member_2[1][0]);
+                        phi_2105_ = -(_e501.member_2[1][0]);
                     } else {
-                        phi_2108_ = _e501.member_2[1][0];
+                        phi_2105_ = _e501.member_2[1][0];
                     }
-                    let _e1178 = phi_2108_;
+                    let _e1175 = phi_2105_;
                     if (_e501.member_2[1][1] < 0.0lf) {
-                        phi_2115_ = -(_e501.member_2[1][1]);
+                        phi_2112_ = -(_e501.member_2[1][1]);
                     } else {
-                        phi_2115_ = _e501.member_2[1][1];
+                        phi_2112_ = _e501.member_2[1][1];
                     }
-                    let _e1183 = phi_2115_;
-                    if (_e1178 > _e1183) {
-                        phi_2120_ = _e1178;
+                    let _e1180 = phi_2112_;
+                    if (_e1175 > _e1180) {
+                        phi_2117_ = _e1175;
                     } else {
-                        phi_2120_ = _e1183;
+                        phi_2117_ = _e1180;
                     }
-                    let _e1186 = phi_2120_;
+                    let _e1183 = phi_2117_;
                     if (_e501.member_2[1][2] < 0.0lf) {
-                        phi_2127_ = -(_e501.member_2[1][2]);
+                        phi_2124_ = -(_e501.member_2[1][2]);
                     } else {
-                        phi_2127_ = _e501.member_2[1][2];
+                        phi_2124_ = _e501.member_2[1][2];
                     }
-                    let _e1191 = phi_2127_;
-                    if (_e1186 > _e1191) {
-                        phi_2132_ = _e1186;
+                    let _e1188 = phi_2124_;
+                    if (_e1183 > _e1188) {
+                        phi_2129_ = _e1183;
                     } else {
-                        phi_2132_ = _e1191;
+                        phi_2129_ = _e1188;
                     }
-                    let _e1194 = phi_2132_;
-                    if (_e1171 > _e1194) {
-                        phi_2137_ = _e1171;
+                    let _e1191 = phi_2129_;
+                    if (_e1168 > _e1191) {
+                        phi_2134_ = _e1168;
                     } else {
-                        phi_2137_ = _e1194;
+                        phi_2134_ = _e1191;
                     }
-                    let _e1197 = phi_2137_;
-                    let _e1211 = (((((_e1095 + _e501.member_3) + (_e1146 + _e501.member_3)) + (_e1197 + _e501.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + ((_e501.member_3 + (2.2250738585072014e-308lf * f64(8f))) * f64(8f)));
-                    if _e1034 {
-                        if (_e1040 < 0.0lf) {
-                            phi_2160_ = -(_e1040);
+                    let _e1194 = phi_2134_;
+                    let _e1205 = (((((_e1092 + _e501.member_3) + (_e1143 + _e501.member_3)) + (_e1194 + _e501.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + (_e501.member_3 * f64(8f)));
+                    if _e1031 {
+                        if (_e1037 < 0.0lf) {
+                            phi_2154_ = -(_e1037);
                         } else {
-                            phi_2160_ = _e1040;
+                            phi_2154_ = _e1037;
                         }
-                        let _e1215 = phi_2160_;
-                        if (_e1041 < 0.0lf) {
-                            phi_2166_ = -(_e1041);
+                        let _e1209 = phi_2154_;
+                        if (_e1038 < 0.0lf) {
+                            phi_2160_ = -(_e1038);
                         } else {
-                            phi_2166_ = _e1041;
+                            phi_2160_ = _e1038;
                         }
-                        let _e1219 = phi_2166_;
-                        if (_e1215 > _e1219) {
-                            phi_2171_ = _e1215;
+                        let _e1213 = phi_2160_;
+                        if (_e1209 > _e1213) {
+                            phi_2165_ = _e1209;
                         } else {
-                            phi_2171_ = _e1219;
+                            phi_2165_ = _e1213;
                         }
-                        let _e1222 = phi_2171_;
-                        if (_e1042 < 0.0lf) {
-                            phi_2177_ = -(_e1042);
+                        let _e1216 = phi_2165_;
+                        if (_e1039 < 0.0lf) {
+                            phi_2171_ = -(_e1039);
                         } else {
-                            phi_2177_ = _e1042;
+                            phi_2171_ = _e1039;
                         }
-                        let _e1226 = phi_2177_;
-                        if (_e1222 > _e1226) {
-                            phi_2182_ = _e1222;
+                        let _e1220 = phi_2171_;
+                        if (_e1216 > _e1220) {
+                            phi_2176_ = _e1216;
                         } else {
-                            phi_2182_ = _e1226;
+                            phi_2176_ = _e1220;
                         }
-                        let _e1229 = phi_2182_;
-                        let _e1230 = function_9(_e1229);
-                        let _e1231 = (_e1040 * _e1230);
-                        let _e1232 = (_e1041 * _e1230);
-                        let _e1233 = (_e1042 * _e1230);
-                        let _e1239 = (((_e1231 * _e1231) + (_e1232 * _e1232)) + (_e1233 * _e1233));
-                        if (_e1239 <= 2.2250738585072014e-308lf) {
-                            if (_e1239 > 0.0lf) {
-                                phi_2206_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e1223 = phi_2176_;
+                        let _e1224 = function_9(_e1223);
+                        let _e1225 = (_e1037 * _e1224);
+                        let _e1226 = (_e1038 * _e1224);
+                        let _e1227 = (_e1039 * _e1224);
+                        let _e1233 = (((_e1225 * _e1225) + (_e1226 * _e1226)) + (_e1227 * _e1227));
+                        if (_e1233 <= 2.2250738585072014e-308lf) {
+                            if (_e1233 > 0.0lf) {
+                                phi_2200_ = (1.464336215552873e-154lf * 2.0lf);
                             } else {
-                                phi_2206_ = 0.0lf;
+                                phi_2200_ = 0.0lf;
                             }
-                            let _e1291 = phi_2206_;
-                            phi_2270_ = _e1291;
+                            let _e1285 = phi_2200_;
+                            phi_2264_ = _e1285;
                         } else {
-                            phi_2213_ = type_16(0i, 5i);
-                            phi_2216_ = bitcast<f64>(((bitcast<u64>(_e1239) / 2lu) + 2303426169912950784lu));
+                            phi_2207_ = type_16(0i, 5i);
+                            phi_2210_ = bitcast<f64>(((bitcast<u64>(_e1233) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1246 = phi_2213_;
-                                let _e1248 = phi_2216_;
-                                local_5 = _e1248;
-                                if (_e1246.member < _e1246.member_1) {
-                                    let _e1255 = (_e1246.member + 1i);
-                                    if ((false == (_e1255 > _e1246.member)) != false) {
-                                        phi_2237_ = true;
+                                let _e1240 = phi_2207_;
+                                let _e1242 = phi_2210_;
+                                local_5 = _e1242;
+                                if (_e1240.member < _e1240.member_1) {
+                                    let _e1249 = (_e1240.member + 1i);
+                                    if ((false == (_e1249 > _e1240.member)) != false) {
+                                        phi_2231_ = true;
                                     } else {
-                                        phi_2237_ = false;
+                                        phi_2231_ = false;
                                     }
-                                    let _e1260 = phi_2237_;
-                                    if _e1260 {
-                                        phi_2243_ = type_17(0u, type_17().member_1);
+                                    let _e1254 = phi_2231_;
+                                    if _e1254 {
+                                        phi_2237_ = type_17(0u, type_17().member_1);
                                     } else {
-                                        phi_2243_ = type_17(1u, _e1255);
+                                        phi_2237_ = type_17(1u, _e1249);
                                     }
-                                    let _e1265 = phi_2243_;
-                                    phi_2214_ = type_16(_e1265.member_1, _e1246.member_1);
-                                    phi_2257_ = type_17(1u, _e1246.member);
+                                    let _e1259 = phi_2237_;
+                                    phi_2208_ = type_16(_e1259.member_1, _e1240.member_1);
+                                    phi_2251_ = type_17(1u, _e1240.member);
                                 } else {
-                                    phi_2214_ = _e1246;
-                                    phi_2257_ = type_17(0u, type_17().member_1);
+                                    phi_2208_ = _e1240;
+                                    phi_2251_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1271 = phi_2214_;
-                                let _e1273 = phi_2257_;
-                                let _e1276 = (bitcast<i32>(_e1273.member) != 0i);
-                                if _e1276 {
-                                    phi_2217_ = (0.5lf * (_e1248 + (_e1239 / _e1248)));
+                                let _e1265 = phi_2208_;
+                                let _e1267 = phi_2251_;
+                                let _e1270 = (bitcast<i32>(_e1267.member) != 0i);
+                                if _e1270 {
+                                    phi_2211_ = (0.5lf * (_e1242 + (_e1233 / _e1242)));
                                 } else {
-                                    phi_2217_ = f64();
+                                    phi_2211_ = f64();
                                 }
-                                let _e1281 = phi_2217_;
+                                let _e1275 = phi_2211_;
                                 continue;
                                 continuing {
-                                    phi_2213_ = _e1271;
-                                    phi_2216_ = _e1281;
-                                    break if !(_e1276);
+                                    phi_2207_ = _e1265;
+                                    phi_2210_ = _e1275;
+                                    break if !(_e1270);
                                 }
                             }
-                            let _e1286 = local_5;
-                            phi_2270_ = (_e1286 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1280 = local_5;
+                            phi_2264_ = (_e1280 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1293 = phi_2270_;
-                        let _e1294 = (f64(1f) / _e1293);
-                        let _e1295 = (_e1231 * _e1294);
-                        let _e1296 = (_e1232 * _e1294);
-                        let _e1297 = (_e1233 * _e1294);
-                        let _e1306 = ((f64(3f) - (((_e1295 * _e1295) + (_e1296 * _e1296)) + (_e1297 * _e1297))) * f64(0.5f));
-                        let _e1307 = (_e1295 * _e1306);
-                        let _e1308 = (_e1296 * _e1306);
-                        let _e1309 = (_e1297 * _e1306);
-                        let _e1315 = (((_e998 * _e1307) + (_e999 * _e1308)) + (_e1000 * _e1309));
-                        if (_e998 < 0.0lf) {
-                            phi_2298_ = -(_e998);
+                        let _e1287 = phi_2264_;
+                        let _e1288 = (f64(1f) / _e1287);
+                        let _e1289 = (_e1225 * _e1288);
+                        let _e1290 = (_e1226 * _e1288);
+                        let _e1291 = (_e1227 * _e1288);
+                        let _e1300 = ((f64(3f) - (((_e1289 * _e1289) + (_e1290 * _e1290)) + (_e1291 * _e1291))) * f64(0.5f));
+                        let _e1301 = (_e1289 * _e1300);
+                        let _e1302 = (_e1290 * _e1300);
+                        let _e1303 = (_e1291 * _e1300);
+                        let _e1309 = (((_e995 * _e1301) + (_e996 * _e1302)) + (_e997 * _e1303));
+                        if (_e995 < 0.0lf) {
+                            phi_2292_ = -(_e995);
                         } else {
-                            phi_2298_ = _e998;
+                            phi_2292_ = _e995;
                         }
-                        let _e1319 = phi_2298_;
-                        if (_e999 < 0.0lf) {
-                            phi_2304_ = -(_e999);
+                        let _e1313 = phi_2292_;
+                        if (_e996 < 0.0lf) {
+                            phi_2298_ = -(_e996);
                         } else {
-                            phi_2304_ = _e999;
+                            phi_2298_ = _e996;
                         }
-                        let _e1323 = phi_2304_;
-                        if (_e1000 < 0.0lf) {
-                            phi_2311_ = -(_e1000);
+                        let _e1317 = phi_2298_;
+                        if (_e997 < 0.0lf) {
+                            phi_2305_ = -(_e997);
                         } else {
-                            phi_2311_ = _e1000;
+                            phi_2305_ = _e997;
                         }
-                        let _e1328 = phi_2311_;
-                        let _e1331 = local.member_5;
-                        let _e1333 = local.member_4;
-                        if (_e1315 < 0.0lf) {
-                            phi_2325_ = -(_e1315);
+                        let _e1322 = phi_2305_;
+                        let _e1325 = local.member_5;
+                        let _e1327 = local.member_4;
+                        if (_e1309 < 0.0lf) {
+                            phi_2319_ = -(_e1309);
                         } else {
-                            phi_2325_ = _e1315;
+                            phi_2319_ = _e1309;
                         }
-                        let _e1340 = phi_2325_;
-                        if (_e1340 > (_e1211 + (((_e1319 + _e1323) + _e1328) * (_e1331 / _e1333)))) {
-                            if (_e1315 < _e1002) {
-                                phi_2339_ = array<f64, 3>(_e1307, _e1308, _e1309);
+                        let _e1334 = phi_2319_;
+                        if (_e1334 > (_e1205 + (((_e1313 + _e1317) + _e1322) * (_e1325 / _e1327)))) {
+                            if (_e1309 < _e999) {
+                                phi_2333_ = array<f64, 3>(_e1301, _e1302, _e1303);
                             } else {
-                                let _e1343 = -(_e1003);
-                                phi_2339_ = array<f64, 3>((_e1307 * _e1343), (_e1308 * _e1343), (_e1309 * _e1343));
+                                let _e1337 = -(_e1000);
+                                phi_2333_ = array<f64, 3>((_e1301 * _e1337), (_e1302 * _e1337), (_e1303 * _e1337));
                             }
-                            let _e1349 = phi_2339_;
-                            phi_2340_ = _e1349;
-                            phi_2341_ = false;
+                            let _e1343 = phi_2333_;
+                            phi_2334_ = _e1343;
+                            phi_2335_ = false;
                         } else {
-                            phi_2340_ = array<f64, 3>();
-                            phi_2341_ = true;
+                            phi_2334_ = array<f64, 3>();
+                            phi_2335_ = true;
                         }
-                        let _e1351 = phi_2340_;
-                        let _e1353 = phi_2341_;
-                        phi_2342_ = _e1351;
-                        phi_2343_ = _e1353;
+                        let _e1345 = phi_2334_;
+                        let _e1347 = phi_2335_;
+                        phi_2336_ = _e1345;
+                        phi_2337_ = _e1347;
                     } else {
-                        phi_2342_ = array<f64, 3>();
-                        phi_2343_ = true;
+                        phi_2336_ = array<f64, 3>();
+                        phi_2337_ = true;
                     }
-                    let _e1355 = phi_2342_;
-                    let _e1357 = phi_2343_;
-                    if _e1357 {
-                        if _e1034 {
+                    let _e1349 = phi_2336_;
+                    let _e1351 = phi_2337_;
+                    if _e1351 {
+                        if _e1031 {
+                            if _e1028 {
+                                phi_2347_ = false;
+                            } else {
+                                phi_2347_ = true;
+                            }
+                            let _e1353 = phi_2347_;
+                            phi_2348_ = _e1353;
+                        } else {
+                            phi_2348_ = true;
+                        }
+                        let _e1355 = phi_2348_;
+                        if _e1355 {
+                            if _e1011 {
+                                if _e1006 {
+                                    if _e1010 {
+                                        let _e1357 = local.member_2;
+                                        let _e1362 = local.member_1;
+                                        phi_2383_ = array<f64, 3>((_e1357[0] - _e1362[0]), (_e1357[1] - _e1362[1]), (_e1357[2] - _e1362[2]));
+                                        phi_2384_ = false;
+                                    } else {
+                                        phi_2383_ = array<f64, 3>();
+                                        phi_2384_ = true;
+                                    }
+                                    let _e1371 = phi_2383_;
+                                    let _e1373 = phi_2384_;
+                                    phi_2385_ = _e1371;
+                                    phi_2386_ = _e1373;
+                                } else {
+                                    phi_2385_ = array<f64, 3>();
+                                    phi_2386_ = true;
+                                }
+                                let _e1375 = phi_2385_;
+                                let _e1377 = phi_2386_;
+                                phi_2387_ = _e1375;
+                                phi_2388_ = _e1377;
+                            } else {
+                                phi_2387_ = array<f64, 3>();
+                                phi_2388_ = true;
+                            }
+                            let _e1379 = phi_2387_;
+                            let _e1381 = phi_2388_;
+                            if _e1381 {
+                                if _e1006 {
+                                    if _e1010 {
+                                        let _e1383 = local.member_2;
+                                        if (_e1383[0] < 0.0lf) {
+                                            phi_2410_ = -(_e1383[0]);
+                                        } else {
+                                            phi_2410_ = _e1383[0];
+                                        }
+                                        let _e1390 = phi_2410_;
+                                        if (_e1383[1] < 0.0lf) {
+                                            phi_2417_ = -(_e1383[1]);
+                                        } else {
+                                            phi_2417_ = _e1383[1];
+                                        }
+                                        let _e1394 = phi_2417_;
+                                        if (_e1390 > _e1394) {
+                                            phi_2422_ = _e1390;
+                                        } else {
+                                            phi_2422_ = _e1394;
+                                        }
+                                        let _e1397 = phi_2422_;
+                                        if (_e1383[2] < 0.0lf) {
+                                            phi_2429_ = -(_e1383[2]);
+                                        } else {
+                                            phi_2429_ = _e1383[2];
+                                        }
+                                        let _e1401 = phi_2429_;
+                                        if (_e1397 > _e1401) {
+                                            phi_2434_ = _e1397;
+                                        } else {
+                                            phi_2434_ = _e1401;
+                                        }
+                                        let _e1404 = phi_2434_;
+                                        let _e1406 = local.member_1;
+                                        if (_e1406[0] < 0.0lf) {
+                                            phi_2447_ = -(_e1406[0]);
+                                        } else {
+                                            phi_2447_ = _e1406[0];
+                                        }
+                                        let _e1413 = phi_2447_;
+                                        if (_e1406[1] < 0.0lf) {
+                                            phi_2454_ = -(_e1406[1]);
+                                        } else {
+                                            phi_2454_ = _e1406[1];
+                                        }
+                                        let _e1417 = phi_2454_;
+                                        if (_e1413 > _e1417) {
+                                            phi_2459_ = _e1413;
+                                        } else {
+                                            phi_2459_ = _e1417;
+                                        }
+                                        let _e1420 = phi_2459_;
+                                        if (_e1406[2] < 0.0lf) {
+                                            phi_2466_ = -(_e1406[2]);
+                                        } else {
+                                            phi_2466_ = _e1406[2];
+                                        }
+                                        let _e1424 = phi_2466_;
+                                        if (_e1420 > _e1424) {
+                                            phi_2471_ = _e1420;
+                                        } else {
+                                            phi_2471_ = _e1424;
+                                        }
+                                        let _e1427 = phi_2471_;
+                                        if (_e1404 > _e1427) {
+                                            phi_2476_ = false;
+                                        } else {
+                                            phi_2476_ = true;
+                                        }
+                                        let _e1430 = phi_2476_;
+                                        phi_2477_ = _e1430;
+                                    } else {
+                                        phi_2477_ = true;
+                                    }
+                                    let _e1432 = phi_2477_;
+                                    if _e1432 {
+                                        let _e1434 = local.member_1;
+                                        phi_2487_ = array<f64, 3>(_e1434[0], _e1434[1], _e1434[2]);
+                                        phi_2488_ = false;
+                                    } else {
+                                        phi_2487_ = array<f64, 3>();
+                                        phi_2488_ = true;
+                                    }
+                                    let _e1440 = phi_2487_;
+                                    let _e1442 = phi_2488_;
+                                    phi_2489_ = _e1440;
+                                    phi_2490_ = _e1442;
+                                } else {
+                                    phi_2489_ = array<f64, 3>();
+                                    phi_2490_ = true;
+                                }
+                                let _e1444 = phi_2489_;
+                                let _e1446 = phi_2490_;
+                                if _e1446 {
+                                    if _e1010 {
+                                        let _e1449 = local.member_2;
+                                        phi_2504_ = array<f64, 3>(_e1449[0], _e1449[1], _e1449[2]);
+                                    } else {
+                                        phi_2504_ = array<f64, 3>(_e999, _e999, _e999);
+                                    }
+                                    let _e1455 = phi_2504_;
+                                    phi_2505_ = _e1455;
+                                } else {
+                                    phi_2505_ = _e1444;
+                                }
+                                let _e1457 = phi_2505_;
+                                phi_2506_ = _e1457;
+                            } else {
+                                phi_2506_ = _e1379;
+                            }
+                            let _e1459 = phi_2506_;
+                            if (_e1459[0] < 0.0lf) {
+                                phi_2513_ = -(_e1459[0]);
+                            } else {
+                                phi_2513_ = _e1459[0];
+                            }
+                            let _e1464 = phi_2513_;
+                            if (_e1459[1] < 0.0lf) {
+                                phi_2520_ = -(_e1459[1]);
+                            } else {
+                                phi_2520_ = _e1459[1];
+                            }
+                            let _e1469 = phi_2520_;
+                            if (_e1464 > _e1469) {
+                                phi_2525_ = _e1464;
+                            } else {
+                                phi_2525_ = _e1469;
+                            }
+                            let _e1472 = phi_2525_;
+                            if (_e1459[2] < 0.0lf) {
+                                phi_2532_ = -(_e1459[2]);
+                            } else {
+                                phi_2532_ = _e1459[2];
+                            }
+                            let _e1477 = phi_2532_;
+                            if (_e1472 > _e1477) {
+                                phi_2537_ = _e1472;
+                            } else {
+                                phi_2537_ = _e1477;
+                            }
+                            let _e1480 = phi_2537_;
+                            if (_e1480 > f64(0f)) {
+                                if (_e1459[0] < 0.0lf) {
+                                    phi_2549_ = -(_e1459[0]);
+                                } else {
+                                    phi_2549_ = _e1459[0];
+                                }
+                                let _e1487 = phi_2549_;
+                                if (_e1459[1] < 0.0lf) {
+                                    phi_2556_ = -(_e1459[1]);
+                                } else {
+                                    phi_2556_ = _e1459[1];
+                                }
+                                let _e1492 = phi_2556_;
+                                if (_e1487 > _e1492) {
+                                    phi_2561_ = _e1487;
+                                } else {
+                                    phi_2561_ = _e1492;
+                                }
+                                let _e1495 = phi_2561_;
+                                if (_e1459[2] < 0.0lf) {
+                                    phi_2568_ = -(_e1459[2]);
+                                } else {
+                                    phi_2568_ = _e1459[2];
+                                }
+                                let _e1500 = phi_2568_;
+                                if (_e1495 > _e1500) {
+                                    phi_2573_ = _e1495;
+                                } else {
+                                    phi_2573_ = _e1500;
+                                }
+                                let _e1503 = phi_2573_;
+                                let _e1504 = function_9(_e1503);
+                                let _e1506 = (_e1459[0] * _e1504);
+                                let _e1508 = (_e1459[1] * _e1504);
+                                let _e1510 = (_e1459[2] * _e1504);
+                                let _e1516 = (((_e1506 * _e1506) + (_e1508 * _e1508)) + (_e1510 * _e1510));
+                                if (_e1516 <= 2.2250738585072014e-308lf) {
+                                    if (_e1516 > 0.0lf) {
+                                        phi_2600_ = (1.464336215552873e-154lf * 2.0lf);
+                                    } else {
+                                        phi_2600_ = 0.0lf;
+                                    }
+                                    let _e1568 = phi_2600_;
+                                    phi_2664_ = _e1568;
+                                } else {
+                                    phi_2607_ = type_16(0i, 5i);
+                                    phi_2610_ = bitcast<f64>(((bitcast<u64>(_e1516) / 2lu) + 2303426169912950784lu));
+                                    loop {
+                                        let _e1523 = phi_2607_;
+                                        let _e1525 = phi_2610_;
+                                        local_6 = _e1525;
+                                        if (_e1523.member < _e1523.member_1) {
+                                            let _e1532 = (_e1523.member + 1i);
+                                            if ((false == (_e1532 > _e1523.member)) != false) {
+                                                phi_2631_ = true;
+                                            } else {
+                                                phi_2631_ = false;
+                                            }
+                                            let _e1537 = phi_2631_;
+                                            if _e1537 {
+                                                phi_2637_ = type_17(0u, type_17().member_1);
+                                            } else {
+                                                phi_2637_ = type_17(1u, _e1532);
+                                            }
+                                            let _e1542 = phi_2637_;
+                                            phi_2608_ = type_16(_e1542.member_1, _e1523.member_1);
+                                            phi_2651_ = type_17(1u, _e1523.member);
+                                        } else {
+                                            phi_2608_ = _e1523;
+                                            phi_2651_ = type_17(0u, type_17().member_1);
+                                        }
+                                        let _e1548 = phi_2608_;
+                                        let _e1550 = phi_2651_;
+                                        let _e1553 = (bitcast<i32>(_e1550.member) != 0i);
+                                        if _e1553 {
+                                            phi_2611_ = (0.5lf * (_e1525 + (_e1516 / _e1525)));
+                                        } else {
+                                            phi_2611_ = f64();
+                                        }
+                                        let _e1558 = phi_2611_;
+                                        continue;
+                                        continuing {
+                                            phi_2607_ = _e1548;
+                                            phi_2610_ = _e1558;
+                                            break if !(_e1553);
+                                        }
+                                    }
+                                    let _e1563 = local_6;
+                                    phi_2664_ = (_e1563 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                }
+                                let _e1570 = phi_2664_;
+                                let _e1571 = (f64(1f) / _e1570);
+                                let _e1572 = (_e1506 * _e1571);
+                                let _e1573 = (_e1508 * _e1571);
+                                let _e1574 = (_e1510 * _e1571);
+                                let _e1583 = ((f64(3f) - (((_e1572 * _e1572) + (_e1573 * _e1573)) + (_e1574 * _e1574))) * f64(0.5f));
+                                let _e1584 = (_e1572 * _e1583);
+                                let _e1585 = (_e1573 * _e1583);
+                                let _e1586 = (_e1574 * _e1583);
+                                let _e1591 = (((_e995 * _e1584) + (_e996 * _e1585)) + (_e997 * _e1586));
+                                phi_2693_ = array<f64, 3>((_e995 - (_e1584 * _e1591)), (_e996 - (_e1585 * _e1591)), (_e997 - (_e1586 * _e1591)));
+                            } else {
+                                phi_2693_ = array<f64, 3>(_e995, _e996, _e997);
+                            }
+                            let _e1600 = phi_2693_;
+                            if (_e1600[0] < 0.0lf) {
+                                phi_2700_ = -(_e1600[0]);
+                            } else {
+                                phi_2700_ = _e1600[0];
+                            }
+                            let _e1605 = phi_2700_;
+                            if (_e1600[1] < 0.0lf) {
+                                phi_2707_ = -(_e1600[1]);
+                            } else {
+                                phi_2707_ = _e1600[1];
+                            }
+                            let _e1610 = phi_2707_;
+                            if (_e1600[2] < 0.0lf) {
+                                phi_2715_ = -(_e1600[2]);
+                            } else {
+                                phi_2715_ = _e1600[2];
+                            }
+                            let _e1616 = phi_2715_;
+                            if (((_e1605 + _e1610) + _e1616) > _e1205) {
+                                let _e1619 = -(_e1000);
+                                let _e1621 = (_e1600[0] * _e1619);
+                                let _e1623 = (_e1600[1] * _e1619);
+                                let _e1625 = (_e1600[2] * _e1619);
+                                if (_e1621 < 0.0lf) {
+                                    phi_2733_ = -(_e1621);
+                                } else {
+                                    phi_2733_ = _e1621;
+                                }
+                                let _e1629 = phi_2733_;
+                                if (_e1623 < 0.0lf) {
+                                    phi_2739_ = -(_e1623);
+                                } else {
+                                    phi_2739_ = _e1623;
+                                }
+                                let _e1633 = phi_2739_;
+                                if (_e1629 > _e1633) {
+                                    phi_2744_ = _e1629;
+                                } else {
+                                    phi_2744_ = _e1633;
+                                }
+                                let _e1636 = phi_2744_;
+                                if (_e1625 < 0.0lf) {
+                                    phi_2750_ = -(_e1625);
+                                } else {
+                                    phi_2750_ = _e1625;
+                                }
+                                let _e1640 = phi_2750_;
+                                if (_e1636 > _e1640) {
+                                    phi_2755_ = _e1636;
+                                } else {
+                                    phi_2755_ = _e1640;
+                                }
+                                let _e1643 = phi_2755_;
+                                let _e1644 = function_9(_e1643);
+                                let _e1645 = (_e1621 * _e1644);
+                                let _e1646 = (_e1623 * _e1644);
+                                let _e1647 = (_e1625 * _e1644);
+                                let _e1653 = (((_e1645 * _e1645) + (_e1646 * _e1646)) + (_e1647 * _e1647));
+                                if (_e1653 <= 2.2250738585072014e-308lf) {
+                                    if (_e1653 > 0.0lf) {
+                                        phi_2779_ = (1.464336215552873e-154lf * 2.0lf);
+                                    } else {
+                                        phi_2779_ = 0.0lf;
+                                    }
+                                    let _e1705 = phi_2779_;
+                                    phi_2843_ = _e1705;
+                                } else {
+                                    phi_2786_ = type_16(0i, 5i);
+                                    phi_2789_ = bitcast<f64>(((bitcast<u64>(_e1653) / 2lu) + 2303426169912950784lu));
+                                    loop {
+                                        let _e1660 = phi_2786_;
+                                        let _e1662 = phi_2789_;
+                                        local_7 = _e1662;
+                                        if (_e1660.member < _e1660.member_1) {
+                                            let _e1669 = (_e1660.member + 1i);
+                                            if ((false == (_e1669 > _e1660.member)) != false) {
+                                                phi_2810_ = true;
+                                            } else {
+                                                phi_2810_ = false;
+                                            }
+                                            let _e1674 = phi_2810_;
+                                            if _e1674 {
+                                                phi_2816_ = type_17(0u, type_17().member_1);
+                                            } else {
+                                                phi_2816_ = type_17(1u, _e1669);
+                                            }
+                                            let _e1679 = phi_2816_;
+                                            phi_2787_ = type_16(_e1679.member_1, _e1660.member_1);
+                                            phi_2830_ = type_17(1u, _e1660.member);
+                                        } else {
+                                            phi_2787_ = _e1660;
+                                            phi_2830_ = type_17(0u, type_17().member_1);
+                                        }
+                                        let _e1685 = phi_2787_;
+                                        let _e1687 = phi_2830_;
+                                        let _e1690 = (bitcast<i32>(_e1687.member) != 0i);
+                                        if _e1690 {
+                                            phi_2790_ = (0.5lf * (_e1662 + (_e1653 / _e1662)));
+                                        } else {
+                                            phi_2790_ = f64();
+                                        }
+                                        let _e1695 = phi_2790_;
+                                        continue;
+                                        continuing {
+                                            phi_2786_ = _e1685;
+                                            phi_2789_ = _e1695;
+                                            break if !(_e1690);
+                                        }
+                                    }
+                                    let _e1700 = local_7;
+                                    phi_2843_ = (_e1700 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                }
+                                let _e1707 = phi_2843_;
+                                let _e1708 = (f64(1f) / _e1707);
+                                let _e1709 = (_e1645 * _e1708);
+                                let _e1710 = (_e1646 * _e1708);
+                                let _e1711 = (_e1647 * _e1708);
+                                let _e1720 = ((f64(3f) - (((_e1709 * _e1709) + (_e1710 * _e1710)) + (_e1711 * _e1711))) * f64(0.5f));
+                                phi_2861_ = array<f64, 3>((_e1709 * _e1720), (_e1710 * _e1720), (_e1711 * _e1720));
+                                phi_2862_ = false;
+                            } else {
+                                phi_2861_ = array<f64, 3>();
+                                phi_2862_ = true;
+                            }
+                            let _e1726 = phi_2861_;
+                            let _e1728 = phi_2862_;
+                            phi_2863_ = _e1726;
+                            phi_2864_ = _e1728;
+                        } else {
+                            phi_2863_ = array<f64, 3>();
+                            phi_2864_ = true;
+                        }
+                        let _e1730 = phi_2863_;
+                        let _e1732 = phi_2864_;
+                        if _e1732 {
                             if _e1031 {
-                                phi_2353_ = false;
-                            } else {
-                                phi_2353_ = true;
-                            }
-                            let _e1359 = phi_2353_;
-                            phi_2354_ = _e1359;
-                        } else {
-                            phi_2354_ = true;
-                        }
-                        let _e1361 = phi_2354_;
-                        if _e1361 {
-                            if _e1014 {
-                                if _e1009 {
-                                    if _e1013 {
-                                        let _e1363 = local.member_2;
-                                        let _e1368 = local.member_1;
-                                        phi_2389_ = array<f64, 3>((_e1363[0] - _e1368[0]), (_e1363[1] - _e1368[1]), (_e1363[2] - _e1368[2]));
-                                        phi_2390_ = false;
+                                if (_e1037 < 0.0lf) {
+                                    phi_2876_ = -(_e1037);
+                                } else {
+                                    phi_2876_ = _e1037;
+                                }
+                                let _e2065 = phi_2876_;
+                                if (_e1038 < 0.0lf) {
+                                    phi_2882_ = -(_e1038);
+                                } else {
+                                    phi_2882_ = _e1038;
+                                }
+                                let _e2069 = phi_2882_;
+                                if (_e2065 > _e2069) {
+                                    phi_2887_ = _e2065;
+                                } else {
+                                    phi_2887_ = _e2069;
+                                }
+                                let _e2072 = phi_2887_;
+                                if (_e1039 < 0.0lf) {
+                                    phi_2893_ = -(_e1039);
+                                } else {
+                                    phi_2893_ = _e1039;
+                                }
+                                let _e2076 = phi_2893_;
+                                if (_e2072 > _e2076) {
+                                    phi_2898_ = _e2072;
+                                } else {
+                                    phi_2898_ = _e2076;
+                                }
+                                let _e2079 = phi_2898_;
+                                let _e2080 = function_9(_e2079);
+                                let _e2081 = (_e1037 * _e2080);
+                                let _e2082 = (_e1038 * _e2080);
+                                let _e2083 = (_e1039 * _e2080);
+                                let _e2089 = (((_e2081 * _e2081) + (_e2082 * _e2082)) + (_e2083 * _e2083));
+                                if (_e2089 <= 2.2250738585072014e-308lf) {
+                                    if (_e2089 > 0.0lf) {
+                                        phi_2922_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_2389_ = array<f64, 3>();
-                                        phi_2390_ = true;
+                                        phi_2922_ = 0.0lf;
                                     }
-                                    let _e1377 = phi_2389_;
-                                    let _e1379 = phi_2390_;
-                                    phi_2391_ = _e1377;
-                                    phi_2392_ = _e1379;
+                                    let _e2141 = phi_2922_;
+                                    phi_2986_ = _e2141;
                                 } else {
-                                    phi_2391_ = array<f64, 3>();
-                                    phi_2392_ = true;
-                                }
-                                let _e1381 = phi_2391_;
-                                let _e1383 = phi_2392_;
-                                phi_2393_ = _e1381;
-                                phi_2394_ = _e1383;
-                            } else {
-                                phi_2393_ = array<f64, 3>();
-                                phi_2394_ = true;
-                            }
-                            let _e1385 = phi_2393_;
-                            let _e1387 = phi_2394_;
-                            if _e1387 {
-                                if _e1009 {
-                                    if _e1013 {
-                                        let _e1389 = local.member_2;
-                                        if (_e1389[0] < 0.0lf) {
-                                            phi_2416_ = -(_e1389[0]);
-                                        } else {
-                                            phi_2416_ = _e1389[0];
-                                        }
-                                        let _e1396 = phi_2416_;
-                                        if (_e1389[1] < 0.0lf) {
-                                            phi_2423_ = -(_e1389[1]);
-                                        } else {
-                                            phi_2423_ = _e1389[1];
-                                        }
-                                        let _e1400 = phi_2423_;
-                                        if (_e1396 > _e1400) {
-                                            phi_2428_ = _e1396;
-                                        } else {
-                                            phi_2428_ = _e1400;
-                                        }
-                                        let _e1403 = phi_2428_;
-                                        if (_e1389[2] < 0.0lf) {
-                                            phi_2435_ = -(_e1389[2]);
-                                        } else {
-                                            phi_2435_ = _e1389[2];
-                                        }
-                                        let _e1407 = phi_2435_;
-                                        if (_e1403 > _e1407) {
-                                            phi_2440_ = _e1403;
-                                        } else {
-                                            phi_2440_ = _e1407;
-                                        }
-                                        let _e1410 = phi_2440_;
-                                        let _e1412 = local.member_1;
-                                        if (_e1412[0] < 0.0lf) {
-                                            phi_2453_ = -(_e1412[0]);
-                                        } else {
-                                            phi_2453_ = _e1412[0];
-                                        }
-                                        let _e1419 = phi_2453_;
-                                        if (_e1412[1] < 0.0lf) {
-                                            phi_2460_ = -(_e1412[1]);
-                                        } else {
-                                            phi_2460_ = _e1412[1];
-                                        }
-                                        let _e1423 = phi_2460_;
-                                        if (_e1419 > _e1423) {
-                                            phi_2465_ = _e1419;
-                                        } else {
-                                            phi_2465_ = _e1423;
-                                        }
-                                        let _e1426 = phi_2465_;
-                                        if (_e1412[2] < 0.0lf) {
-                                            phi_2472_ = -(_e1412[2]);
-                                        } else {
-                                            phi_2472_ = _e1412[2];
-                                        }
-                                        let _e1430 = phi_2472_;
-                                        if (_e1426 > _e1430) {
-                                            phi_2477_ = _e1426;
-                                        } else {
-                                            phi_2477_ = _e1430;
-                                        }
-                                        let _e1433 = phi_2477_;
-                                        if (_e1410 > _e1433) {
-                                            phi_2482_ = false;
-                                        } else {
-                                            phi_2482_ = true;
-                                        }
-                                        let _e1436 = phi_2482_;
-                                        phi_2483_ = _e1436;
-                                    } else {
-                                        phi_2483_ = true;
-                                    }
-                                    let _e1438 = phi_2483_;
-                                    if _e1438 {
-                                        let _e1440 = local.member_1;
-                                        phi_2493_ = array<f64, 3>(_e1440[0], _e1440[1], _e1440[2]);
-                                        phi_2494_ = false;
-                                    } else {
-                                        phi_2493_ = array<f64, 3>();
-                                        phi_2494_ = true;
-                                    }
-                                    let _e1446 = phi_2493_;
-                                    let _e1448 = phi_2494_;
-                                    phi_2495_ = _e1446;
-                                    phi_2496_ = _e1448;
-                                } else {
-                                    phi_2495_ = array<f64, 3>();
-                                    phi_2496_ = true;
-                                }
-                                let _e1450 = phi_2495_;
-                                let _e1452 = phi_2496_;
-                                if _e1452 {
-                                    if _e1013 {
-                                        let _e1455 = local.member_2;
-                                        phi_2510_ = array<f64, 3>(_e1455[0], _e1455[1], _e1455[2]);
-                                    } else {
-                                        phi_2510_ = array<f64, 3>(_e1002, _e1002, _e1002);
-                                    }
-                                    let _e1461 = phi_2510_;
-                                    phi_2511_ = _e1461;
-                                } else {
-                                    phi_2511_ = _e1450;
-                                }
-                                let _e1463 = phi_2511_;
-                                phi_2512_ = _e1463;
-                            } else {
-                                phi_2512_ = _e1385;
-                            }
-                            let _e1465 = phi_2512_;
-                            if (_e1465[0] < 0.0lf) {
-                                phi_2519_ = -(_e1465[0]);
-                            } else {
-                                phi_2519_ = _e1465[0];
-                            }
-                            let _e1470 = phi_2519_;
-                            if (_e1465[1] < 0.0lf) {
-                                phi_2526_ = -(_e1465[1]);
-                            } else {
-                                phi_2526_ = _e1465[1];
-                            }
-                            let _e1475 = phi_2526_;
-                            if (_e1470 > _e1475) {
-                                phi_2531_ = _e1470;
-                            } else {
-                                phi_2531_ = _e1475;
-                            }
-                            let _e1478 = phi_2531_;
-                            if (_e1465[2] < 0.0lf) {
-                                phi_2538_ = -(_e1465[2]);
-                            } else {
-                                phi_2538_ = _e1465[2];
-                            }
-                            let _e1483 = phi_2538_;
-                            if (_e1478 > _e1483) {
-                                phi_2543_ = _e1478;
-                            } else {
-                                phi_2543_ = _e1483;
-                            }
-                            let _e1486 = phi_2543_;
-                            if (_e1486 > f64(0f)) {
-                                if (_e1465[0] < 0.0lf) {
-                                    phi_2555_ = -(_e1465[0]);
-                                } else {
-                                    phi_2555_ = _e1465[0];
-                                }
-                                let _e1493 = phi_2555_;
-                                if (_e1465[1] < 0.0lf) {
-                                    phi_2562_ = -(_e1465[1]);
-                                } else {
-                                    phi_2562_ = _e1465[1];
-                                }
-                                let _e1498 = phi_2562_;
-                                if (_e1493 > _e1498) {
-                                    phi_2567_ = _e1493;
-                                } else {
-                                    phi_2567_ = _e1498;
-                                }
-                                let _e1501 = phi_2567_;
-                                if (_e1465[2] < 0.0lf) {
-                                    phi_2574_ = -(_e1465[2]);
-                                } else {
-                                    phi_2574_ = _e1465[2];
-                                }
-                                let _e1506 = phi_2574_;
-                                if (_e1501 > _e1506) {
-                                    phi_2579_ = _e1501;
-                                } else {
-                                    phi_2579_ = _e1506;
-                                }
-                                let _e1509 = phi_2579_;
-                                let _e1510 = function_9(_e1509);
-                                let _e1512 = (_e1465[0] * _e1510);
-                                let _e1514 = (_e1465[1] * _e1510);
-                                let _e1516 = (_e1465[2] * _e1510);
-                                let _e1522 = (((_e1512 * _e1512) + (_e1514 * _e1514)) + (_e1516 * _e1516));
-                                if (_e1522 <= 2.2250738585072014e-308lf) {
-                                    if (_e1522 > 0.0lf) {
-                                        phi_2606_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2606_ = 0.0lf;
-                                    }
-                                    let _e1574 = phi_2606_;
-                                    phi_2670_ = _e1574;
-                                } else {
-                                    phi_2613_ = type_16(0i, 5i);
-                                    phi_2616_ = bitcast<f64>(((bitcast<u64>(_e1522) / 2lu) + 2303426169912950784lu));
+                                    phi_2929_ = type_16(0i, 5i);
+                                    phi_2932_ = bitcast<f64>(((bitcast<u64>(_e2089) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1529 = phi_2613_;
-                                        let _e1531 = phi_2616_;
-                                        local_6 = _e1531;
-                                        if (_e1529.member < _e1529.member_1) {
-                                            let _e1538 = (_e1529.member + 1i);
-                                            if ((false == (_e1538 > _e1529.member)) != false) {
-                                                phi_2637_ = true;
+                                        let _e2096 = phi_2929_;
+                                        let _e2098 = phi_2932_;
+                                        local_10 = _e2098;
+                                        if (_e2096.member < _e2096.member_1) {
+                                            let _e2105 = (_e2096.member + 1i);
+                                            if ((false == (_e2105 > _e2096.member)) != false) {
+                                                phi_2953_ = true;
                                             } else {
-                                                phi_2637_ = false;
+                                                phi_2953_ = false;
                                             }
-                                            let _e1543 = phi_2637_;
-                                            if _e1543 {
-                                                phi_2643_ = type_17(0u, type_17().member_1);
+                                            let _e2110 = phi_2953_;
+                                            if _e2110 {
+                                                phi_2959_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_2643_ = type_17(1u, _e1538);
+                                                phi_2959_ = type_17(1u, _e2105);
                                             }
-                                            let _e1548 = phi_2643_;
-                                            phi_2614_ = type_16(_e1548.member_1, _e1529.member_1);
-                                            phi_2657_ = type_17(1u, _e1529.member);
+                                            let _e2115 = phi_2959_;
+                                            phi_2930_ = type_16(_e2115.member_1, _e2096.member_1);
+                                            phi_2973_ = type_17(1u, _e2096.member);
                                         } else {
-                                            phi_2614_ = _e1529;
-                                            phi_2657_ = type_17(0u, type_17().member_1);
+                                            phi_2930_ = _e2096;
+                                            phi_2973_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1554 = phi_2614_;
-                                        let _e1556 = phi_2657_;
-                                        let _e1559 = (bitcast<i32>(_e1556.member) != 0i);
-                                        if _e1559 {
-                                            phi_2617_ = (0.5lf * (_e1531 + (_e1522 / _e1531)));
+                                        let _e2121 = phi_2930_;
+                                        let _e2123 = phi_2973_;
+                                        let _e2126 = (bitcast<i32>(_e2123.member) != 0i);
+                                        if _e2126 {
+                                            phi_2933_ = (0.5lf * (_e2098 + (_e2089 / _e2098)));
                                         } else {
-                                            phi_2617_ = f64();
+                                            phi_2933_ = f64();
                                         }
-                                        let _e1564 = phi_2617_;
+                                        let _e2131 = phi_2933_;
                                         continue;
                                         continuing {
-                                            phi_2613_ = _e1554;
-                                            phi_2616_ = _e1564;
-                                            break if !(_e1559);
+                                            phi_2929_ = _e2121;
+                                            phi_2932_ = _e2131;
+                                            break if !(_e2126);
                                         }
                                     }
-                                    let _e1569 = local_6;
-                                    phi_2670_ = (_e1569 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2136 = local_10;
+                                    phi_2986_ = (_e2136 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1576 = phi_2670_;
-                                let _e1577 = (f64(1f) / _e1576);
-                                let _e1578 = (_e1512 * _e1577);
-                                let _e1579 = (_e1514 * _e1577);
-                                let _e1580 = (_e1516 * _e1577);
-                                let _e1589 = ((f64(3f) - (((_e1578 * _e1578) + (_e1579 * _e1579)) + (_e1580 * _e1580))) * f64(0.5f));
-                                let _e1590 = (_e1578 * _e1589);
-                                let _e1591 = (_e1579 * _e1589);
-                                let _e1592 = (_e1580 * _e1589);
-                                let _e1597 = (((_e998 * _e1590) + (_e999 * _e1591)) + (_e1000 * _e1592));
-                                phi_2699_ = array<f64, 3>((_e998 - (_e1590 * _e1597)), (_e999 - (_e1591 * _e1597)), (_e1000 - (_e1592 * _e1597)));
+                                let _e2143 = phi_2986_;
+                                let _e2144 = (f64(1f) / _e2143);
+                                let _e2145 = (_e2081 * _e2144);
+                                let _e2146 = (_e2082 * _e2144);
+                                let _e2147 = (_e2083 * _e2144);
+                                let _e2156 = ((f64(3f) - (((_e2145 * _e2145) + (_e2146 * _e2146)) + (_e2147 * _e2147))) * f64(0.5f));
+                                phi_3453_ = array<f64, 3>((_e2145 * _e2156), (_e2146 * _e2156), (_e2147 * _e2156));
                             } else {
-                                phi_2699_ = array<f64, 3>(_e998, _e999, _e1000);
-                            }
-                            let _e1606 = phi_2699_;
-                            if (_e1606[0] < 0.0lf) {
-                                phi_2706_ = -(_e1606[0]);
-                            } else {
-                                phi_2706_ = _e1606[0];
-                            }
-                            let _e1611 = phi_2706_;
-                            if (_e1606[1] < 0.0lf) {
-                                phi_2713_ = -(_e1606[1]);
-                            } else {
-                                phi_2713_ = _e1606[1];
-                            }
-                            let _e1616 = phi_2713_;
-                            if (_e1606[2] < 0.0lf) {
-                                phi_2721_ = -(_e1606[2]);
-                            } else {
-                                phi_2721_ = _e1606[2];
-                            }
-                            let _e1622 = phi_2721_;
-                            if (((_e1611 + _e1616) + _e1622) > _e1211) {
-                                let _e1625 = -(_e1003);
-                                let _e1627 = (_e1606[0] * _e1625);
-                                let _e1629 = (_e1606[1] * _e1625);
-                                let _e1631 = (_e1606[2] * _e1625);
-                                if (_e1627 < 0.0lf) {
-                                    phi_2739_ = -(_e1627);
-                                } else {
-                                    phi_2739_ = _e1627;
-                                }
-                                let _e1635 = phi_2739_;
-                                if (_e1629 < 0.0lf) {
-                                    phi_2745_ = -(_e1629);
-                                } else {
-                                    phi_2745_ = _e1629;
-                                }
-                                let _e1639 = phi_2745_;
-                                if (_e1635 > _e1639) {
-                                    phi_2750_ = _e1635;
-                                } else {
-                                    phi_2750_ = _e1639;
-                                }
-                                let _e1642 = phi_2750_;
-                                if (_e1631 < 0.0lf) {
-                                    phi_2756_ = -(_e1631);
-                                } else {
-                                    phi_2756_ = _e1631;
-                                }
-                                let _e1646 = phi_2756_;
-                                if (_e1642 > _e1646) {
-                                    phi_2761_ = _e1642;
-                                } else {
-                                    phi_2761_ = _e1646;
-                                }
-                                let _e1649 = phi_2761_;
-                                let _e1650 = function_9(_e1649);
-                                let _e1651 = (_e1627 * _e1650);
-                                let _e1652 = (_e1629 * _e1650);
-                                let _e1653 = (_e1631 * _e1650);
-                                let _e1659 = (((_e1651 * _e1651) + (_e1652 * _e1652)) + (_e1653 * _e1653));
-                                if (_e1659 <= 2.2250738585072014e-308lf) {
-                                    if (_e1659 > 0.0lf) {
-                                        phi_2785_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2785_ = 0.0lf;
-                                    }
-                                    let _e1711 = phi_2785_;
-                                    phi_2849_ = _e1711;
-                                } else {
-                                    phi_2792_ = type_16(0i, 5i);
-                                    phi_2795_ = bitcast<f64>(((bitcast<u64>(_e1659) / 2lu) + 2303426169912950784lu));
-                                    loop {
-                                        let _e1666 = phi_2792_;
-                                        let _e1668 = phi_2795_;
-                                        local_7 = _e1668;
-                                        if (_e1666.member < _e1666.member_1) {
-                                            let _e1675 = (_e1666.member + 1i);
-                                            if ((false == (_e1675 > _e1666.member)) != false) {
-                                                phi_2816_ = true;
-                                            } else {
-                                                phi_2816_ = false;
-                                            }
-                                            let _e1680 = phi_2816_;
-                                            if _e1680 {
-                                                phi_2822_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_2822_ = type_17(1u, _e1675);
-                                            }
-                                            let _e1685 = phi_2822_;
-                                            phi_2793_ = type_16(_e1685.member_1, _e1666.member_1);
-                                            phi_2836_ = type_17(1u, _e1666.member);
-                                        } else {
-                                            phi_2793_ = _e1666;
-                                            phi_2836_ = type_17(0u, type_17().member_1);
-                                        }
-                                        let _e1691 = phi_2793_;
-                                        let _e1693 = phi_2836_;
-                                        let _e1696 = (bitcast<i32>(_e1693.member) != 0i);
-                                        if _e1696 {
-                                            phi_2796_ = (0.5lf * (_e1668 + (_e1659 / _e1668)));
-                                        } else {
-                                            phi_2796_ = f64();
-                                        }
-                                        let _e1701 = phi_2796_;
-                                        continue;
-                                        continuing {
-                                            phi_2792_ = _e1691;
-                                            phi_2795_ = _e1701;
-                                            break if !(_e1696);
-                                        }
-                                    }
-                                    let _e1706 = local_7;
-                                    phi_2849_ = (_e1706 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                }
-                                let _e1713 = phi_2849_;
-                                let _e1714 = (f64(1f) / _e1713);
-                                let _e1715 = (_e1651 * _e1714);
-                                let _e1716 = (_e1652 * _e1714);
-                                let _e1717 = (_e1653 * _e1714);
-                                let _e1726 = ((f64(3f) - (((_e1715 * _e1715) + (_e1716 * _e1716)) + (_e1717 * _e1717))) * f64(0.5f));
-                                phi_2867_ = array<f64, 3>((_e1715 * _e1726), (_e1716 * _e1726), (_e1717 * _e1726));
-                                phi_2868_ = false;
-                            } else {
-                                phi_2867_ = array<f64, 3>();
-                                phi_2868_ = true;
-                            }
-                            let _e1732 = phi_2867_;
-                            let _e1734 = phi_2868_;
-                            phi_2869_ = _e1732;
-                            phi_2870_ = _e1734;
-                        } else {
-                            phi_2869_ = array<f64, 3>();
-                            phi_2870_ = true;
-                        }
-                        let _e1736 = phi_2869_;
-                        let _e1738 = phi_2870_;
-                        if _e1738 {
-                            if _e1034 {
-                                if (_e1040 < 0.0lf) {
-                                    phi_2882_ = -(_e1040);
-                                } else {
-                                    phi_2882_ = _e1040;
-                                }
-                                let _e2071 = phi_2882_;
-                                if (_e1041 < 0.0lf) {
-                                    phi_2888_ = -(_e1041);
-                                } else {
-                                    phi_2888_ = _e1041;
-                                }
-                                let _e2075 = phi_2888_;
-                                if (_e2071 > _e2075) {
-                                    phi_2893_ = _e2071;
-                                } else {
-                                    phi_2893_ = _e2075;
-                                }
-                                let _e2078 = phi_2893_;
-                                if (_e1042 < 0.0lf) {
-                                    phi_2899_ = -(_e1042);
-                                } else {
-                                    phi_2899_ = _e1042;
-                                }
-                                let _e2082 = phi_2899_;
-                                if (_e2078 > _e2082) {
-                                    phi_2904_ = _e2078;
-                                } else {
-                                    phi_2904_ = _e2082;
-                                }
-                                let _e2085 = phi_2904_;
-                                let _e2086 = function_9(_e2085);
-                                let _e2087 = (_e1040 * _e2086);
-                                let _e2088 = (_e1041 * _e2086);
-                                let _e2089 = (_e1042 * _e2086);
-                                let _e2095 = (((_e2087 * _e2087) + (_e2088 * _e2088)) + (_e2089 * _e2089));
-                                if (_e2095 <= 2.2250738585072014e-308lf) {
-                                    if (_e2095 > 0.0lf) {
-                                        phi_2928_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2928_ = 0.0lf;
-                                    }
-                                    let _e2147 = phi_2928_;
-                                    phi_2992_ = _e2147;
-                                } else {
-                                    phi_2935_ = type_16(0i, 5i);
-                                    phi_2938_ = bitcast<f64>(((bitcast<u64>(_e2095) / 2lu) + 2303426169912950784lu));
-                                    loop {
-                                        let _e2102 = phi_2935_;
-                                        let _e2104 = phi_2938_;
-                                        local_10 = _e2104;
-                                        if (_e2102.member < _e2102.member_1) {
-                                            let _e2111 = (_e2102.member + 1i);
-                                            if ((false == (_e2111 > _e2102.member)) != false) {
-                                                phi_2959_ = true;
-                                            } else {
-                                                phi_2959_ = false;
-                                            }
-                                            let _e2116 = phi_2959_;
-                                            if _e2116 {
-                                                phi_2965_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_2965_ = type_17(1u, _e2111);
-                                            }
-                                            let _e2121 = phi_2965_;
-                                            phi_2936_ = type_16(_e2121.member_1, _e2102.member_1);
-                                            phi_2979_ = type_17(1u, _e2102.member);
-                                        } else {
-                                            phi_2936_ = _e2102;
-                                            phi_2979_ = type_17(0u, type_17().member_1);
-                                        }
-                                        let _e2127 = phi_2936_;
-                                        let _e2129 = phi_2979_;
-                                        let _e2132 = (bitcast<i32>(_e2129.member) != 0i);
-                                        if _e2132 {
-                                            phi_2939_ = (0.5lf * (_e2104 + (_e2095 / _e2104)));
-                                        } else {
-                                            phi_2939_ = f64();
-                                        }
-                                        let _e2137 = phi_2939_;
-                                        continue;
-                                        continuing {
-                                            phi_2935_ = _e2127;
-                                            phi_2938_ = _e2137;
-                                            break if !(_e2132);
-                                        }
-                                    }
-                                    let _e2142 = local_10;
-                                    phi_2992_ = (_e2142 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                }
-                                let _e2149 = phi_2992_;
-                                let _e2150 = (f64(1f) / _e2149);
-                                let _e2151 = (_e2087 * _e2150);
-                                let _e2152 = (_e2088 * _e2150);
-                                let _e2153 = (_e2089 * _e2150);
-                                let _e2162 = ((f64(3f) - (((_e2151 * _e2151) + (_e2152 * _e2152)) + (_e2153 * _e2153))) * f64(0.5f));
-                                phi_3459_ = array<f64, 3>((_e2151 * _e2162), (_e2152 * _e2162), (_e2153 * _e2162));
-                            } else {
-                                let _e1740 = local.member_1;
-                                let _e1746 = local.member_2;
-                                let _e1751 = f64(0f);
-                                let _e1752 = f64(1f);
-                                if (_e1746[0] < 0.0lf) {
-                                    phi_3030_ = -(_e1746[0]);
-                                } else {
-                                    phi_3030_ = _e1746[0];
-                                }
-                                let _e1756 = phi_3030_;
-                                if (_e1746[1] < 0.0lf) {
-                                    phi_3037_ = -(_e1746[1]);
-                                } else {
-                                    phi_3037_ = _e1746[1];
-                                }
-                                let _e1760 = phi_3037_;
-                                if (_e1756 > _e1760) {
-                                    phi_3042_ = _e1756;
-                                } else {
-                                    phi_3042_ = _e1760;
-                                }
-                                let _e1763 = phi_3042_;
-                                if (_e1746[2] < 0.0lf) {
-                                    phi_3049_ = -(_e1746[2]);
-                                } else {
-                                    phi_3049_ = _e1746[2];
-                                }
-                                let _e1767 = phi_3049_;
-                                if (_e1763 > _e1767) {
-                                    phi_3054_ = _e1763;
-                                } else {
-                                    phi_3054_ = _e1767;
-                                }
-                                let _e1770 = phi_3054_;
+                                let _e1734 = local.member_1;
+                                let _e1740 = local.member_2;
+                                let _e1745 = f64(0f);
+                                let _e1746 = f64(1f);
                                 if (_e1740[0] < 0.0lf) {
-                                    phi_3061_ = -(_e1740[0]);
+                                    phi_3024_ = -(_e1740[0]);
                                 } else {
-                                    phi_3061_ = _e1740[0];
+                                    phi_3024_ = _e1740[0];
                                 }
-                                let _e1774 = phi_3061_;
+                                let _e1750 = phi_3024_;
                                 if (_e1740[1] < 0.0lf) {
-                                    phi_3068_ = -(_e1740[1]);
+                                    phi_3031_ = -(_e1740[1]);
                                 } else {
-                                    phi_3068_ = _e1740[1];
+                                    phi_3031_ = _e1740[1];
                                 }
-                                let _e1778 = phi_3068_;
-                                if (_e1774 > _e1778) {
-                                    phi_3073_ = _e1774;
+                                let _e1754 = phi_3031_;
+                                if (_e1750 > _e1754) {
+                                    phi_3036_ = _e1750;
                                 } else {
-                                    phi_3073_ = _e1778;
+                                    phi_3036_ = _e1754;
                                 }
-                                let _e1781 = phi_3073_;
+                                let _e1757 = phi_3036_;
                                 if (_e1740[2] < 0.0lf) {
-                                    phi_3080_ = -(_e1740[2]);
+                                    phi_3043_ = -(_e1740[2]);
                                 } else {
-                                    phi_3080_ = _e1740[2];
+                                    phi_3043_ = _e1740[2];
                                 }
-                                let _e1785 = phi_3080_;
-                                if (_e1781 > _e1785) {
-                                    phi_3085_ = _e1781;
+                                let _e1761 = phi_3043_;
+                                if (_e1757 > _e1761) {
+                                    phi_3048_ = _e1757;
                                 } else {
-                                    phi_3085_ = _e1785;
+                                    phi_3048_ = _e1761;
                                 }
-                                let _e1788 = phi_3085_;
-                                if (_e1770 > _e1788) {
-                                    phi_3090_ = array<f64, 3>(_e1746[0], _e1746[1], _e1746[2]);
+                                let _e1764 = phi_3048_;
+                                if (_e1734[0] < 0.0lf) {
+                                    phi_3055_ = -(_e1734[0]);
                                 } else {
-                                    phi_3090_ = array<f64, 3>(_e1740[0], _e1740[1], _e1740[2]);
+                                    phi_3055_ = _e1734[0];
                                 }
-                                let _e1791 = phi_3090_;
-                                if (_e1791[0] < 0.0lf) {
-                                    phi_3097_ = -(_e1791[0]);
+                                let _e1768 = phi_3055_;
+                                if (_e1734[1] < 0.0lf) {
+                                    phi_3062_ = -(_e1734[1]);
                                 } else {
-                                    phi_3097_ = _e1791[0];
+                                    phi_3062_ = _e1734[1];
                                 }
-                                let _e1796 = phi_3097_;
-                                if (_e1791[1] < 0.0lf) {
-                                    phi_3104_ = -(_e1791[1]);
+                                let _e1772 = phi_3062_;
+                                if (_e1768 > _e1772) {
+                                    phi_3067_ = _e1768;
                                 } else {
-                                    phi_3104_ = _e1791[1];
+                                    phi_3067_ = _e1772;
                                 }
-                                let _e1801 = phi_3104_;
-                                if (_e1796 > _e1801) {
-                                    phi_3109_ = _e1796;
+                                let _e1775 = phi_3067_;
+                                if (_e1734[2] < 0.0lf) {
+                                    phi_3074_ = -(_e1734[2]);
                                 } else {
-                                    phi_3109_ = _e1801;
+                                    phi_3074_ = _e1734[2];
                                 }
-                                let _e1804 = phi_3109_;
-                                if (_e1791[2] < 0.0lf) {
-                                    phi_3116_ = -(_e1791[2]);
+                                let _e1779 = phi_3074_;
+                                if (_e1775 > _e1779) {
+                                    phi_3079_ = _e1775;
                                 } else {
-                                    phi_3116_ = _e1791[2];
+                                    phi_3079_ = _e1779;
                                 }
-                                let _e1809 = phi_3116_;
-                                if (_e1804 > _e1809) {
-                                    phi_3121_ = _e1804;
+                                let _e1782 = phi_3079_;
+                                if (_e1764 > _e1782) {
+                                    phi_3084_ = array<f64, 3>(_e1740[0], _e1740[1], _e1740[2]);
                                 } else {
-                                    phi_3121_ = _e1809;
+                                    phi_3084_ = array<f64, 3>(_e1734[0], _e1734[1], _e1734[2]);
                                 }
-                                let _e1812 = phi_3121_;
-                                if (_e1812 > _e1751) {
-                                    if (_e1791[0] < 0.0lf) {
-                                        phi_3132_ = -(_e1791[0]);
+                                let _e1785 = phi_3084_;
+                                if (_e1785[0] < 0.0lf) {
+                                    phi_3091_ = -(_e1785[0]);
+                                } else {
+                                    phi_3091_ = _e1785[0];
+                                }
+                                let _e1790 = phi_3091_;
+                                if (_e1785[1] < 0.0lf) {
+                                    phi_3098_ = -(_e1785[1]);
+                                } else {
+                                    phi_3098_ = _e1785[1];
+                                }
+                                let _e1795 = phi_3098_;
+                                if (_e1790 > _e1795) {
+                                    phi_3103_ = _e1790;
+                                } else {
+                                    phi_3103_ = _e1795;
+                                }
+                                let _e1798 = phi_3103_;
+                                if (_e1785[2] < 0.0lf) {
+                                    phi_3110_ = -(_e1785[2]);
+                                } else {
+                                    phi_3110_ = _e1785[2];
+                                }
+                                let _e1803 = phi_3110_;
+                                if (_e1798 > _e1803) {
+                                    phi_3115_ = _e1798;
+                                } else {
+                                    phi_3115_ = _e1803;
+                                }
+                                let _e1806 = phi_3115_;
+                                if (_e1806 > _e1745) {
+                                    if (_e1785[0] < 0.0lf) {
+                                        phi_3126_ = -(_e1785[0]);
                                     } else {
-                                        phi_3132_ = _e1791[0];
+                                        phi_3126_ = _e1785[0];
                                     }
-                                    let _e1819 = phi_3132_;
-                                    if (_e1791[1] < 0.0lf) {
-                                        phi_3139_ = -(_e1791[1]);
+                                    let _e1813 = phi_3126_;
+                                    if (_e1785[1] < 0.0lf) {
+                                        phi_3133_ = -(_e1785[1]);
                                     } else {
-                                        phi_3139_ = _e1791[1];
+                                        phi_3133_ = _e1785[1];
                                     }
-                                    let _e1824 = phi_3139_;
-                                    if (_e1791[2] < 0.0lf) {
-                                        phi_3146_ = -(_e1791[2]);
+                                    let _e1818 = phi_3133_;
+                                    if (_e1785[2] < 0.0lf) {
+                                        phi_3140_ = -(_e1785[2]);
                                     } else {
-                                        phi_3146_ = _e1791[2];
+                                        phi_3140_ = _e1785[2];
                                     }
-                                    let _e1829 = phi_3146_;
-                                    if (_e1819 <= _e1824) {
-                                        if (_e1819 <= _e1829) {
-                                            phi_3156_ = array<f64, 3>(_e1752, _e1751, _e1751);
-                                            phi_3157_ = false;
+                                    let _e1823 = phi_3140_;
+                                    if (_e1813 <= _e1818) {
+                                        if (_e1813 <= _e1823) {
+                                            phi_3150_ = array<f64, 3>(_e1746, _e1745, _e1745);
+                                            phi_3151_ = false;
                                         } else {
-                                            phi_3156_ = array<f64, 3>();
-                                            phi_3157_ = true;
+                                            phi_3150_ = array<f64, 3>();
+                                            phi_3151_ = true;
                                         }
-                                        let _e1834 = phi_3156_;
-                                        let _e1836 = phi_3157_;
-                                        phi_3158_ = _e1834;
-                                        phi_3159_ = _e1836;
+                                        let _e1828 = phi_3150_;
+                                        let _e1830 = phi_3151_;
+                                        phi_3152_ = _e1828;
+                                        phi_3153_ = _e1830;
                                     } else {
-                                        phi_3158_ = array<f64, 3>();
-                                        phi_3159_ = true;
+                                        phi_3152_ = array<f64, 3>();
+                                        phi_3153_ = true;
                                     }
-                                    let _e1838 = phi_3158_;
-                                    let _e1840 = phi_3159_;
-                                    if _e1840 {
-                                        if (_e1824 <= _e1829) {
-                                            phi_3169_ = array<f64, 3>(_e1751, _e1752, _e1751);
+                                    let _e1832 = phi_3152_;
+                                    let _e1834 = phi_3153_;
+                                    if _e1834 {
+                                        if (_e1818 <= _e1823) {
+                                            phi_3163_ = array<f64, 3>(_e1745, _e1746, _e1745);
                                         } else {
-                                            phi_3169_ = array<f64, 3>(_e1751, _e1751, _e1752);
+                                            phi_3163_ = array<f64, 3>(_e1745, _e1745, _e1746);
                                         }
-                                        let _e1845 = phi_3169_;
-                                        phi_3170_ = _e1845;
+                                        let _e1839 = phi_3163_;
+                                        phi_3164_ = _e1839;
                                     } else {
-                                        phi_3170_ = _e1838;
+                                        phi_3164_ = _e1832;
                                     }
-                                    let _e1847 = phi_3170_;
-                                    if (_e1791[0] < 0.0lf) {
-                                        phi_3177_ = -(_e1791[0]);
+                                    let _e1841 = phi_3164_;
+                                    if (_e1785[0] < 0.0lf) {
+                                        phi_3171_ = -(_e1785[0]);
                                     } else {
-                                        phi_3177_ = _e1791[0];
+                                        phi_3171_ = _e1785[0];
                                     }
-                                    let _e1852 = phi_3177_;
-                                    if (_e1791[1] < 0.0lf) {
-                                        phi_3184_ = -(_e1791[1]);
+                                    let _e1846 = phi_3171_;
+                                    if (_e1785[1] < 0.0lf) {
+                                        phi_3178_ = -(_e1785[1]);
                                     } else {
-                                        phi_3184_ = _e1791[1];
+                                        phi_3178_ = _e1785[1];
                                     }
-                                    let _e1857 = phi_3184_;
-                                    if (_e1852 > _e1857) {
-                                        phi_3189_ = _e1852;
+                                    let _e1851 = phi_3178_;
+                                    if (_e1846 > _e1851) {
+                                        phi_3183_ = _e1846;
                                     } else {
-                                        phi_3189_ = _e1857;
+                                        phi_3183_ = _e1851;
                                     }
-                                    let _e1860 = phi_3189_;
-                                    if (_e1791[2] < 0.0lf) {
-                                        phi_3196_ = -(_e1791[2]);
+                                    let _e1854 = phi_3183_;
+                                    if (_e1785[2] < 0.0lf) {
+                                        phi_3190_ = -(_e1785[2]);
                                     } else {
-                                        phi_3196_ = _e1791[2];
+                                        phi_3190_ = _e1785[2];
                                     }
-                                    let _e1865 = phi_3196_;
-                                    if (_e1860 > _e1865) {
-                                        phi_3201_ = _e1860;
+                                    let _e1859 = phi_3190_;
+                                    if (_e1854 > _e1859) {
+                                        phi_3195_ = _e1854;
                                     } else {
-                                        phi_3201_ = _e1865;
+                                        phi_3195_ = _e1859;
                                     }
-                                    let _e1868 = phi_3201_;
-                                    let _e1869 = function_9(_e1868);
-                                    let _e1871 = (_e1791[0] * _e1869);
-                                    let _e1873 = (_e1791[1] * _e1869);
-                                    let _e1875 = (_e1791[2] * _e1869);
-                                    let _e1881 = (((_e1871 * _e1871) + (_e1873 * _e1873)) + (_e1875 * _e1875));
-                                    if (_e1881 <= 2.2250738585072014e-308lf) {
-                                        if (_e1881 > 0.0lf) {
-                                            phi_3228_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e1862 = phi_3195_;
+                                    let _e1863 = function_9(_e1862);
+                                    let _e1865 = (_e1785[0] * _e1863);
+                                    let _e1867 = (_e1785[1] * _e1863);
+                                    let _e1869 = (_e1785[2] * _e1863);
+                                    let _e1875 = (((_e1865 * _e1865) + (_e1867 * _e1867)) + (_e1869 * _e1869));
+                                    if (_e1875 <= 2.2250738585072014e-308lf) {
+                                        if (_e1875 > 0.0lf) {
+                                            phi_3222_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3228_ = 0.0lf;
+                                            phi_3222_ = 0.0lf;
                                         }
-                                        let _e1933 = phi_3228_;
-                                        phi_3292_ = _e1933;
+                                        let _e1927 = phi_3222_;
+                                        phi_3286_ = _e1927;
                                     } else {
-                                        phi_3235_ = type_16(0i, 5i);
-                                        phi_3238_ = bitcast<f64>(((bitcast<u64>(_e1881) / 2lu) + 2303426169912950784lu));
+                                        phi_3229_ = type_16(0i, 5i);
+                                        phi_3232_ = bitcast<f64>(((bitcast<u64>(_e1875) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1888 = phi_3235_;
-                                            let _e1890 = phi_3238_;
-                                            local_8 = _e1890;
-                                            if (_e1888.member < _e1888.member_1) {
-                                                let _e1897 = (_e1888.member + 1i);
-                                                if ((false == (_e1897 > _e1888.member)) != false) {
-                                                    phi_3259_ = true;
+                                            let _e1882 = phi_3229_;
+                                            let _e1884 = phi_3232_;
+                                            local_8 = _e1884;
+                                            if (_e1882.member < _e1882.member_1) {
+                                                let _e1891 = (_e1882.member + 1i);
+                                                if ((false == (_e1891 > _e1882.member)) != false) {
+                                                    phi_3253_ = true;
                                                 } else {
-                                                    phi_3259_ = false;
+                                                    phi_3253_ = false;
                                                 }
-                                                let _e1902 = phi_3259_;
-                                                if _e1902 {
-                                                    phi_3265_ = type_17(0u, type_17().member_1);
+                                                let _e1896 = phi_3253_;
+                                                if _e1896 {
+                                                    phi_3259_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3265_ = type_17(1u, _e1897);
+                                                    phi_3259_ = type_17(1u, _e1891);
                                                 }
-                                                let _e1907 = phi_3265_;
-                                                phi_3236_ = type_16(_e1907.member_1, _e1888.member_1);
-                                                phi_3279_ = type_17(1u, _e1888.member);
+                                                let _e1901 = phi_3259_;
+                                                phi_3230_ = type_16(_e1901.member_1, _e1882.member_1);
+                                                phi_3273_ = type_17(1u, _e1882.member);
                                             } else {
-                                                phi_3236_ = _e1888;
-                                                phi_3279_ = type_17(0u, type_17().member_1);
+                                                phi_3230_ = _e1882;
+                                                phi_3273_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e1913 = phi_3236_;
-                                            let _e1915 = phi_3279_;
-                                            let _e1918 = (bitcast<i32>(_e1915.member) != 0i);
-                                            if _e1918 {
-                                                phi_3239_ = (0.5lf * (_e1890 + (_e1881 / _e1890)));
+                                            let _e1907 = phi_3230_;
+                                            let _e1909 = phi_3273_;
+                                            let _e1912 = (bitcast<i32>(_e1909.member) != 0i);
+                                            if _e1912 {
+                                                phi_3233_ = (0.5lf * (_e1884 + (_e1875 / _e1884)));
                                             } else {
-                                                phi_3239_ = f64();
+                                                phi_3233_ = f64();
                                             }
-                                            let _e1923 = phi_3239_;
+                                            let _e1917 = phi_3233_;
                                             continue;
                                             continuing {
-                                                phi_3235_ = _e1913;
-                                                phi_3238_ = _e1923;
-                                                break if !(_e1918);
+                                                phi_3229_ = _e1907;
+                                                phi_3232_ = _e1917;
+                                                break if !(_e1912);
                                             }
                                         }
-                                        let _e1928 = local_8;
-                                        phi_3292_ = (_e1928 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e1922 = local_8;
+                                        phi_3286_ = (_e1922 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e1935 = phi_3292_;
-                                    let _e1936 = (f64(1f) / _e1935);
-                                    let _e1937 = (_e1871 * _e1936);
-                                    let _e1938 = (_e1873 * _e1936);
-                                    let _e1939 = (_e1875 * _e1936);
-                                    let _e1948 = ((f64(3f) - (((_e1937 * _e1937) + (_e1938 * _e1938)) + (_e1939 * _e1939))) * f64(0.5f));
-                                    let _e1949 = (_e1937 * _e1948);
-                                    let _e1950 = (_e1938 * _e1948);
-                                    let _e1951 = (_e1939 * _e1948);
-                                    let _e1956 = ((_e1950 * _e1847[2]) - (_e1951 * _e1847[1]));
-                                    let _e1961 = ((_e1951 * _e1847[0]) - (_e1949 * _e1847[2]));
-                                    let _e1966 = ((_e1949 * _e1847[1]) - (_e1950 * _e1847[0]));
-                                    if (_e1956 < 0.0lf) {
-                                        phi_3329_ = -(_e1956);
+                                    let _e1929 = phi_3286_;
+                                    let _e1930 = (f64(1f) / _e1929);
+                                    let _e1931 = (_e1865 * _e1930);
+                                    let _e1932 = (_e1867 * _e1930);
+                                    let _e1933 = (_e1869 * _e1930);
+                                    let _e1942 = ((f64(3f) - (((_e1931 * _e1931) + (_e1932 * _e1932)) + (_e1933 * _e1933))) * f64(0.5f));
+                                    let _e1943 = (_e1931 * _e1942);
+                                    let _e1944 = (_e1932 * _e1942);
+                                    let _e1945 = (_e1933 * _e1942);
+                                    let _e1950 = ((_e1944 * _e1841[2]) - (_e1945 * _e1841[1]));
+                                    let _e1955 = ((_e1945 * _e1841[0]) - (_e1943 * _e1841[2]));
+                                    let _e1960 = ((_e1943 * _e1841[1]) - (_e1944 * _e1841[0]));
+                                    if (_e1950 < 0.0lf) {
+                                        phi_3323_ = -(_e1950);
                                     } else {
-                                        phi_3329_ = _e1956;
+                                        phi_3323_ = _e1950;
                                     }
-                                    let _e1970 = phi_3329_;
-                                    if (_e1961 < 0.0lf) {
-                                        phi_3335_ = -(_e1961);
+                                    let _e1964 = phi_3323_;
+                                    if (_e1955 < 0.0lf) {
+                                        phi_3329_ = -(_e1955);
                                     } else {
-                                        phi_3335_ = _e1961;
+                                        phi_3329_ = _e1955;
                                     }
-                                    let _e1974 = phi_3335_;
-                                    if (_e1970 > _e1974) {
-                                        phi_3340_ = _e1970;
+                                    let _e1968 = phi_3329_;
+                                    if (_e1964 > _e1968) {
+                                        phi_3334_ = _e1964;
                                     } else {
-                                        phi_3340_ = _e1974;
+                                        phi_3334_ = _e1968;
                                     }
-                                    let _e1977 = phi_3340_;
-                                    if (_e1966 < 0.0lf) {
-                                        phi_3346_ = -(_e1966);
+                                    let _e1971 = phi_3334_;
+                                    if (_e1960 < 0.0lf) {
+                                        phi_3340_ = -(_e1960);
                                     } else {
-                                        phi_3346_ = _e1966;
+                                        phi_3340_ = _e1960;
                                     }
-                                    let _e1981 = phi_3346_;
-                                    if (_e1977 > _e1981) {
-                                        phi_3351_ = _e1977;
+                                    let _e1975 = phi_3340_;
+                                    if (_e1971 > _e1975) {
+                                        phi_3345_ = _e1971;
                                     } else {
-                                        phi_3351_ = _e1981;
+                                        phi_3345_ = _e1975;
                                     }
-                                    let _e1984 = phi_3351_;
-                                    let _e1985 = function_9(_e1984);
-                                    let _e1986 = (_e1956 * _e1985);
-                                    let _e1987 = (_e1961 * _e1985);
-                                    let _e1988 = (_e1966 * _e1985);
-                                    let _e1994 = (((_e1986 * _e1986) + (_e1987 * _e1987)) + (_e1988 * _e1988));
-                                    if (_e1994 <= 2.2250738585072014e-308lf) {
-                                        if (_e1994 > 0.0lf) {
-                                            phi_3375_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e1978 = phi_3345_;
+                                    let _e1979 = function_9(_e1978);
+                                    let _e1980 = (_e1950 * _e1979);
+                                    let _e1981 = (_e1955 * _e1979);
+                                    let _e1982 = (_e1960 * _e1979);
+                                    let _e1988 = (((_e1980 * _e1980) + (_e1981 * _e1981)) + (_e1982 * _e1982));
+                                    if (_e1988 <= 2.2250738585072014e-308lf) {
+                                        if (_e1988 > 0.0lf) {
+                                            phi_3369_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3375_ = 0.0lf;
+                                            phi_3369_ = 0.0lf;
                                         }
-                                        let _e2046 = phi_3375_;
-                                        phi_3439_ = _e2046;
+                                        let _e2040 = phi_3369_;
+                                        phi_3433_ = _e2040;
                                     } else {
-                                        phi_3382_ = type_16(0i, 5i);
-                                        phi_3385_ = bitcast<f64>(((bitcast<u64>(_e1994) / 2lu) + 2303426169912950784lu));
+                                        phi_3376_ = type_16(0i, 5i);
+                                        phi_3379_ = bitcast<f64>(((bitcast<u64>(_e1988) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e2001 = phi_3382_;
-                                            let _e2003 = phi_3385_;
-                                            local_9 = _e2003;
-                                            if (_e2001.member < _e2001.member_1) {
-                                                let _e2010 = (_e2001.member + 1i);
-                                                if ((false == (_e2010 > _e2001.member)) != false) {
-                                                    phi_3406_ = true;
+                                            let _e1995 = phi_3376_;
+                                            let _e1997 = phi_3379_;
+                                            local_9 = _e1997;
+                                            if (_e1995.member < _e1995.member_1) {
+                                                let _e2004 = (_e1995.member + 1i);
+                                                if ((false == (_e2004 > _e1995.member)) != false) {
+                                                    phi_3400_ = true;
                                                 } else {
-                                                    phi_3406_ = false;
+                                                    phi_3400_ = false;
                                                 }
-                                                let _e2015 = phi_3406_;
-                                                if _e2015 {
-                                                    phi_3412_ = type_17(0u, type_17().member_1);
+                                                let _e2009 = phi_3400_;
+                                                if _e2009 {
+                                                    phi_3406_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3412_ = type_17(1u, _e2010);
+                                                    phi_3406_ = type_17(1u, _e2004);
                                                 }
-                                                let _e2020 = phi_3412_;
-                                                phi_3383_ = type_16(_e2020.member_1, _e2001.member_1);
-                                                phi_3426_ = type_17(1u, _e2001.member);
+                                                let _e2014 = phi_3406_;
+                                                phi_3377_ = type_16(_e2014.member_1, _e1995.member_1);
+                                                phi_3420_ = type_17(1u, _e1995.member);
                                             } else {
-                                                phi_3383_ = _e2001;
-                                                phi_3426_ = type_17(0u, type_17().member_1);
+                                                phi_3377_ = _e1995;
+                                                phi_3420_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e2026 = phi_3383_;
-                                            let _e2028 = phi_3426_;
-                                            let _e2031 = (bitcast<i32>(_e2028.member) != 0i);
-                                            if _e2031 {
-                                                phi_3386_ = (0.5lf * (_e2003 + (_e1994 / _e2003)));
+                                            let _e2020 = phi_3377_;
+                                            let _e2022 = phi_3420_;
+                                            let _e2025 = (bitcast<i32>(_e2022.member) != 0i);
+                                            if _e2025 {
+                                                phi_3380_ = (0.5lf * (_e1997 + (_e1988 / _e1997)));
                                             } else {
-                                                phi_3386_ = f64();
+                                                phi_3380_ = f64();
                                             }
-                                            let _e2036 = phi_3386_;
+                                            let _e2030 = phi_3380_;
                                             continue;
                                             continuing {
-                                                phi_3382_ = _e2026;
-                                                phi_3385_ = _e2036;
-                                                break if !(_e2031);
+                                                phi_3376_ = _e2020;
+                                                phi_3379_ = _e2030;
+                                                break if !(_e2025);
                                             }
                                         }
-                                        let _e2041 = local_9;
-                                        phi_3439_ = (_e2041 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e2035 = local_9;
+                                        phi_3433_ = (_e2035 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e2048 = phi_3439_;
-                                    let _e2049 = (f64(1f) / _e2048);
-                                    let _e2050 = (_e1986 * _e2049);
-                                    let _e2051 = (_e1987 * _e2049);
-                                    let _e2052 = (_e1988 * _e2049);
-                                    let _e2061 = ((f64(3f) - (((_e2050 * _e2050) + (_e2051 * _e2051)) + (_e2052 * _e2052))) * f64(0.5f));
-                                    phi_3458_ = array<f64, 3>((_e2050 * _e2061), (_e2051 * _e2061), (_e2052 * _e2061));
+                                    let _e2042 = phi_3433_;
+                                    let _e2043 = (f64(1f) / _e2042);
+                                    let _e2044 = (_e1980 * _e2043);
+                                    let _e2045 = (_e1981 * _e2043);
+                                    let _e2046 = (_e1982 * _e2043);
+                                    let _e2055 = ((f64(3f) - (((_e2044 * _e2044) + (_e2045 * _e2045)) + (_e2046 * _e2046))) * f64(0.5f));
+                                    phi_3452_ = array<f64, 3>((_e2044 * _e2055), (_e2045 * _e2055), (_e2046 * _e2055));
                                 } else {
-                                    phi_3458_ = array<f64, 3>(_e1752, _e1751, _e1751);
+                                    phi_3452_ = array<f64, 3>(_e1746, _e1745, _e1745);
                                 }
-                                let _e2067 = phi_3458_;
-                                phi_3459_ = _e2067;
+                                let _e2061 = phi_3452_;
+                                phi_3453_ = _e2061;
                             }
-                            let _e2168 = phi_3459_;
-                            phi_3460_ = _e2168;
-                            phi_3461_ = false;
+                            let _e2162 = phi_3453_;
+                            phi_3454_ = _e2162;
+                            phi_3455_ = false;
                         } else {
-                            phi_3460_ = array<f64, 3>();
-                            phi_3461_ = true;
+                            phi_3454_ = array<f64, 3>();
+                            phi_3455_ = true;
                         }
-                        let _e2170 = phi_3460_;
-                        let _e2172 = phi_3461_;
-                        phi_3462_ = _e2170;
-                        phi_3463_ = _e1736;
-                        phi_3464_ = _e2172;
+                        let _e2164 = phi_3454_;
+                        let _e2166 = phi_3455_;
+                        phi_3456_ = _e2164;
+                        phi_3457_ = _e1730;
+                        phi_3458_ = _e2166;
                     } else {
-                        phi_3462_ = array<f64, 3>();
-                        phi_3463_ = _e1355;
-                        phi_3464_ = true;
+                        phi_3456_ = array<f64, 3>();
+                        phi_3457_ = _e1349;
+                        phi_3458_ = true;
                     }
-                    let _e2174 = phi_3462_;
-                    let _e2176 = phi_3463_;
-                    let _e2178 = phi_3464_;
-                    phi_3468_ = _e2176;
-                    phi_3469_ = _e2174;
-                    phi_3470_ = _e2178;
+                    let _e2168 = phi_3456_;
+                    let _e2170 = phi_3457_;
+                    let _e2172 = phi_3458_;
+                    phi_3462_ = _e2170;
+                    phi_3463_ = _e2168;
+                    phi_3464_ = _e2172;
+                }
+                let _e2421 = phi_3462_;
+                let _e2423 = phi_3463_;
+                let _e2425 = phi_3464_;
+                if _e2425 {
+                    phi_3468_ = _e2421;
+                } else {
+                    phi_3468_ = _e2423;
                 }
                 let _e2427 = phi_3468_;
-                let _e2429 = phi_3469_;
-                let _e2431 = phi_3470_;
-                if _e2431 {
-                    phi_3474_ = _e2427;
+                if ((((_e2427[0] * _e2427[0]) + (_e2427[1] * _e2427[1])) + (_e2427[2] * _e2427[2])) > f64(0.5f)) {
+                    phi_3488_ = _e2427;
                 } else {
-                    phi_3474_ = _e2429;
+                    phi_3488_ = array<f64, 3>(_e337, f64(0f), f64(0f));
                 }
-                let _e2433 = phi_3474_;
-                if ((((_e2433[0] * _e2433[0]) + (_e2433[1] * _e2433[1])) + (_e2433[2] * _e2433[2])) > f64(0.5f)) {
-                    phi_3494_ = _e2433;
-                } else {
-                    phi_3494_ = array<f64, 3>(_e337, f64(0f), f64(0f));
-                }
-                let _e2451 = phi_3494_;
-                let _e2454 = function_10(_e343[0], _e344[0], _e338);
-                let _e2457 = function_10(_e343[1], _e344[1], _e338);
-                let _e2460 = function_10(_e343[2], _e344[2], _e338);
-                let _e2463 = function_10(_e343[3], _e344[3], _e338);
+                let _e2445 = phi_3488_;
+                let _e2448 = function_10(_e343[0], _e344[0], _e338);
+                let _e2451 = function_10(_e343[1], _e344[1], _e338);
+                let _e2454 = function_10(_e343[2], _e344[2], _e338);
+                let _e2457 = function_10(_e343[3], _e344[3], _e338);
                 if (_e176.member != 0u) {
-                    let _e2501 = function_10(_e2454, _e2457, _e901.member);
-                    let _e2502 = function_10(_e2460, _e2463, _e901.member_1);
-                    phi_3551_ = _e2502;
-                    phi_3552_ = _e2501;
-                    phi_3553_ = array<f64, 4>((_e337 - _e901.member), _e901.member, (_e337 - _e901.member_1), _e901.member_1);
+                    let _e2495 = function_10(_e2448, _e2451, _e898.member);
+                    let _e2496 = function_10(_e2454, _e2457, _e898.member_1);
+                    phi_3545_ = _e2496;
+                    phi_3546_ = _e2495;
+                    phi_3547_ = array<f64, 4>((_e337 - _e898.member), _e898.member, (_e337 - _e898.member_1), _e898.member_1);
                 } else {
-                    let _e2466 = ((_e337 - _e901.member) - _e901.member_1);
-                    let _e2467 = f64(0f);
-                    if (_e2466 > _e2467) {
-                        phi_3523_ = _e2466;
+                    let _e2460 = ((_e337 - _e898.member) - _e898.member_1);
+                    let _e2461 = f64(0f);
+                    if (_e2460 > _e2461) {
+                        phi_3517_ = _e2460;
                     } else {
-                        phi_3523_ = _e2467;
+                        phi_3517_ = _e2461;
                     }
-                    let _e2470 = phi_3523_;
-                    let _e2497 = function_1(array<f64, 4>(_e337, _e2470, _e901.member, _e901.member_1), _e342);
-                    phi_3551_ = array<f64, 3>((((_e2457[0] * _e2470) + (_e2460[0] * _e901.member)) + (_e2463[0] * _e901.member_1)), (((_e2457[1] * _e2470) + (_e2460[1] * _e901.member)) + (_e2463[1] * _e901.member_1)), (((_e2457[2] * _e2470) + (_e2460[2] * _e901.member)) + (_e2463[2] * _e901.member_1)));
-                    phi_3552_ = _e2454;
-                    phi_3553_ = _e2497;
+                    let _e2464 = phi_3517_;
+                    let _e2491 = function_1(array<f64, 4>(_e337, _e2464, _e898.member, _e898.member_1), _e342);
+                    phi_3545_ = array<f64, 3>((((_e2451[0] * _e2464) + (_e2454[0] * _e898.member)) + (_e2457[0] * _e898.member_1)), (((_e2451[1] * _e2464) + (_e2454[1] * _e898.member)) + (_e2457[1] * _e898.member_1)), (((_e2451[2] * _e2464) + (_e2454[2] * _e898.member)) + (_e2457[2] * _e898.member_1)));
+                    phi_3546_ = _e2448;
+                    phi_3547_ = _e2491;
                 }
-                let _e2504 = phi_3551_;
-                let _e2506 = phi_3552_;
-                let _e2508 = phi_3553_;
-                let _e2510 = function_10(_e2506, _e2504, f64(0.5f));
-                let _e2512 = function_(_e2510);
-                let _e2514 = function_(_e2451);
-                geometry.member[_e137] = type_30(_e2512, f32((_e966 / _e586)), _e2514, _e144, array<f32, 4>(f32(_e2508[0]), f32(_e2508[1]), f32(_e2508[2]), f32(_e2508[3])), _e176.member_1);
+                let _e2498 = phi_3545_;
+                let _e2500 = phi_3546_;
+                let _e2502 = phi_3547_;
+                let _e2504 = function_10(_e2500, _e2498, f64(0.5f));
+                let _e2506 = function_(_e2504);
+                let _e2508 = function_(_e2445);
+                geometry.member[_e137] = type_30(_e2506, f32((_e963 / _e586)), _e2508, _e144, array<f32, 4>(f32(_e2502[0]), f32(_e2502[1]), f32(_e2502[2]), f32(_e2502[3])), _e176.member_1);
             }
         }
         continue;

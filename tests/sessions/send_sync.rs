@@ -22,6 +22,7 @@ are!(
     ccd::Contact,
     ccd::ContactGeometry,
     ccd::Descent,
+    ccd::CancelToken,
     ccd::DescentTimes,
     ccd::Digest,
     ccd::Distance,

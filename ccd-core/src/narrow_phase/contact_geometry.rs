@@ -141,7 +141,7 @@ impl<R: Real> Spread<R> {
     fn new(m: &Motion<R>, [a, b, c]: [[R; 3]; 3], unit: R) -> Self {
         let [ma, mb, mc] = m.magnitudes();
         let sixteen = R::UNIT * R::splat(16.0);
-        let input = m.difference_error() * R::splat(4.0);
+        let input = m.error * R::splat(4.0);
         let noise = ((ma + mb + mc) * sixteen + input) * unit;
         let n = cross(b, c);
         let (b_error, c_error) = (mb * sixteen + input, mc * sixteen + input);
@@ -234,8 +234,7 @@ impl<R: Real> Spread<R> {
         }
         // A difference of two ends, of three vectors: twice the magnitudes, as many roundings.
         let [ma, mb, mc] = m.magnitudes();
-        let still =
-            (ma + mb + mc) * (R::UNIT * R::splat(32.0)) + m.difference_error() * R::splat(8.0);
+        let still = (ma + mb + mc) * (R::UNIT * R::splat(32.0)) + m.error * R::splat(8.0);
         if flat {
             let direction = unit_vector(across);
             let speed = dot(velocity, direction);

@@ -75,13 +75,16 @@ impl Session {
         options.check(&mesh)?;
         let Selection { rules, .. } = Selection::new(&options)?;
         let of_mesh = memory::for_mesh(&mesh, &options, self.threads()).max(self.of_mesh);
-        let stop = memory::stop(self.threads.stop.token().cloned(), &options, of_mesh)?;
+        let token = || self.threads.stop.token().cloned();
+        let limited = options.max_memory.map(|_| memory::stop(token(), &options, of_mesh));
+        let limited = limited.transpose()?;
         let codimensional = self.threads.enter(|| Codimensional::new(&mesh, &options))?;
-        if stop.is_limited() {
+        if let Some(stop) = limited {
             self.method = Method::new(options.broad_phase, options.scheduling)?;
             self.drop_lists();
+            self.threads.stop = stop;
         }
-        (self.of_mesh, self.threads.stop) = (of_mesh, stop);
+        self.of_mesh = of_mesh;
         (self.mesh, self.options) = (mesh, options);
         (self.selection.rules, self.codimensional) = (rules, codimensional);
         self.prepared.set_mesh(&self.mesh, &self.options);

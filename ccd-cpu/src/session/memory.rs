@@ -13,12 +13,12 @@ use std::sync::Arc;
 /// Bytes of an element of the mesh, for all that any method has of it but trees: its box in two
 /// orders, boxes at both ends, vertices, the keys of a sort, bodies; of a vertex also its row of
 /// the table, and positions where they are gathered.
-const ELEMENT: u64 = 256;
+const ELEMENT: u64 = 192;
 /// The same for the nodes of a binary tree, and for their oriented boxes.
 const TREE: u64 = 256;
-const ORIENTED: u64 = 384;
+const ORIENTED: u64 = 192;
 /// Of a face, for all that pairs of triangles are expanded by.
-const TRIANGLE: u64 = 1536;
+const TRIANGLE: u64 = 512;
 /// Of a worker: its stacks, deques and queues, and tables of a sort.
 const WORKER: u64 = 1 << 20;
 
