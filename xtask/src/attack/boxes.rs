@@ -125,6 +125,12 @@ pub fn case(
     }
 }
 
+/// Boxes with zero for bounds below the smallest normal number.
+fn flushed(boxes: &[Aabb<f32>]) -> Vec<Aabb<f32>> {
+    let flush = |x: f32| if x.is_subnormal() { 0.0 } else { x };
+    boxes.iter().map(|b| Aabb { min: b.min.map(flush), max: b.max.map(flush) }).collect()
+}
+
 impl Run<'_> {
     /// The number of pairs.
     fn check(&self, calls: &[Sets]) -> Result<u64, String> {
@@ -156,7 +162,15 @@ impl Run<'_> {
             if let Some(pair) = without(&found, &want) {
                 return Err(format!("a pair is missing: {pair:?}"));
             }
-            if let Some(pair) = without(&want, &found) {
+            // A device may take bounds below the smallest normal number as zero, as is documented.
+            let most = match place.choice.device() {
+                None => want,
+                Some(_) => b.as_ref().map_or_else(
+                    || brute::self_pairs(&flushed(a)),
+                    |b| brute::pairs(&flushed(a), &flushed(b)),
+                ),
+            };
+            if let Some(pair) = without(&most, &found) {
                 return Err(format!("a pair too much: {pair:?}"));
             }
         }
