@@ -93,7 +93,7 @@ pub fn widen(x: f32) -> [u32; 2] {
     if size < 0x0080_0000 {
         return [0; 2];
     }
-    [bits << 29, bits ^ size | (size >> 3) + ((1023 - 127) << 20)]
+    [bits << 29, (bits ^ size) | ((size >> 3) + ((1023 - 127) << 20))]
 }
 
 /// An `f32` as an `f64`, exactly: by its bits, because a device may take a denormal as zero where

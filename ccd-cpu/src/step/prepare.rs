@@ -249,8 +249,7 @@ impl Prepared {
     /// What workers read of a step whose boxes and trees are there, to find contacts in `window`.
     pub fn scene<'a>(
         &'a self,
-        mesh: &'a Mesh,
-        options: &'a Options,
+        (mesh, options): (&'a Mesh, &'a Options),
         selection: &'a Selection,
         x: &Positions<'a>,
         window: [f64; 2],
