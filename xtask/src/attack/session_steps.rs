@@ -19,7 +19,7 @@ pub struct State<'a> {
     pub place: &'a Place,
     pub step: Step,
     /// Coordinates are multiplied by this.
-    unit: f64,
+    pub unit: f64,
     /// Where connected elements are of one body.
     body_of: Vec<u32>,
     pub session: Session,
