@@ -1,5 +1,8 @@
-//! The device: opening it, its buffers, its kernels compiled on first use, and what happens when it
-//! fails.
+//! The device: opening it, its buffers, and what happens when it fails.
+
+mod compilation;
+
+pub use compilation::Compilation;
 
 use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::Error;
@@ -7,14 +10,9 @@ use crate::harness::Faults;
 use crate::kernel_cache::Cache;
 use crate::memory::Memory;
 use crate::pipeline::{Checked, Pipeline};
-use crate::shaders::module;
-use ccd_core::kernel::{Id, TABLE};
-use std::cmp::Reverse;
+use ccd_core::kernel::TABLE;
 use std::fmt;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
-use std::thread;
-use std::time::{Duration, Instant};
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
 ///
@@ -42,30 +40,6 @@ struct Inner {
     compilation: Mutex<Compilation>,
     faults: Mutex<Faults>,
     checked: Option<Checked>,
-}
-
-/// What the kernels that a device has used so far took to compile.
-///
-/// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions};
-///
-/// // A folder that nobody else may write.
-/// let kernel_folder = Some("/home/me/.cache/my-game".into());
-/// let device = Device::open(&DeviceOptions { kernel_folder, ..DeviceOptions::default() })?;
-/// // .. after the first step:
-/// let done = device.compilation();
-/// println!("{} kernels in {:?}, kept: {}", done.kernels, done.time, done.kept);
-/// # Ok::<(), ccd_gpu::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Compilation {
-    /// How many.
-    pub kernels: usize,
-    /// How long callers waited for them.
-    pub time: Duration,
-    /// Whether there was a file of kernels that an earlier process had compiled.
-    pub kept: bool,
 }
 
 /// Keeps what was compiled for the next process.
@@ -210,12 +184,6 @@ impl Device {
             checked: None,
         };
         Ok(Self { inner: Arc::new(inner), memory: None })
-    }
-
-    /// What compiling kernels took so far; each is compiled when it is first used, side by side
-    /// with others that a call uses for the first time.
-    pub fn compilation(&self) -> Compilation {
-        *self.compiled()
     }
 
     /// What the device is and how it is used.
@@ -372,55 +340,6 @@ impl Device {
         }
     }
 
-    /// Compiles those of these kernels that are not compiled yet, by all threads of the host.
-    ///
-    /// # Errors
-    /// What the device refuses.
-    pub(crate) fn compile(&self, ids: impl Iterator<Item = Id>) -> Result<(), Error> {
-        let mut missing: Vec<Id> =
-            ids.filter(|&id| self.inner.pipelines[id as usize].get().is_none()).collect();
-        if missing.is_empty() {
-            return Ok(());
-        }
-        // Those that take longest first.
-        missing.sort_unstable_by_key(|&id| (Reverse(module(id).spirv.len()), id as usize));
-        missing.dedup();
-        let start = Instant::now();
-        let next = AtomicUsize::new(0);
-        let work = || -> Result<(), Error> {
-            while let Some(&id) = missing.get(next.fetch_add(1, Ordering::Relaxed)) {
-                // What a device says of a kernel, it says to the thread that asked. One that it
-                // refuses is not kept.
-                let compiled = self.guarded("a kernel", 0, || self.compiled_kernel(id))?;
-                _ = self.inner.pipelines[id as usize].set(compiled);
-            }
-            Ok(())
-        };
-        let n_threads = thread::available_parallelism().map_or(1, |n| n.get()).min(missing.len());
-        thread::scope(|scope| {
-            let others: Vec<_> = (1..n_threads).map(|_| scope.spawn(work)).collect();
-            let own = work();
-            let join = |other: thread::ScopedJoinHandle<'_, _>| {
-                other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            others.into_iter().map(join).fold(own, Result::and)
-        })?;
-        self.compiled().time += start.elapsed();
-        Ok(())
-    }
-
-    /// The pipeline of a kernel, compiled if [`Device::compile`] was not asked to.
-    pub(crate) fn pipeline(&self, id: Id) -> &Pipeline {
-        self.inner.pipelines[id as usize].get_or_init(|| self.compiled_kernel(id))
-    }
-
-    fn compiled_kernel(&self, id: Id) -> Pipeline {
-        let Inner { device, info, cache, checked, .. } = &*self.inner;
-        self.compiled().kernels += 1;
-        let cache = cache.as_ref().map(|cache| &cache.kernels);
-        Pipeline::compile(device, info.path, id, cache, checked.as_ref())
-    }
-
     /// What tests make fail.
     pub(crate) fn faults(&self) -> MutexGuard<'_, Faults> {
         self.inner.faults.lock().unwrap_or_else(|e| e.into_inner())
@@ -436,9 +355,5 @@ impl Device {
         if let Some(inner) = Arc::get_mut(&mut self.inner) {
             inner.checked = Some(checked);
         }
-    }
-
-    fn compiled(&self) -> MutexGuard<'_, Compilation> {
-        self.inner.compilation.lock().unwrap_or_else(|e| e.into_inner())
     }
 }

@@ -171,10 +171,12 @@ impl List {
         device: &Device,
         lists: impl IntoIterator<Item = (&'a mut Self, u32)>,
     ) -> Result<bool, Error> {
-        lists.into_iter().fold(Ok(false), |all, (list, wanted)| {
+        let mut any = Ok(false);
+        for (list, wanted) in lists {
             let grown = list.grow(device, wanted);
-            Ok(all? | grown?)
-        })
+            any = any.and_then(|any| Ok(any | grown?));
+        }
+        any
     }
 
     /// If more than there is room for was `wanted`, replaces the list by a larger one, if it has

@@ -9,7 +9,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `session.rs`, `broad_phase/mod.rs` | what callers have: a mesh over many steps; boxes alone |
-//! | `adapter.rs`, `device.rs`, `error.rs` | which GPU and how it is used, failures |
+//! | `adapter.rs`, `device.rs`, `device/`, `error.rs` | which GPU and how it is used, failures |
 //! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
 //! | `kernel_cache.rs` | compiled kernels on disk |
 //! | `flushing.rs` | which numbers a device takes as zero |

@@ -8,6 +8,7 @@ mod boxes;
 mod queries;
 mod query_families;
 mod session_check;
+mod session_faults;
 mod session_steps;
 mod sessions;
 

@@ -100,7 +100,10 @@ impl State<'_> {
             "assert_eq!(found.contacts, want.contacts);\n".to_owned()
         };
         same(&found, want, on_gpu.then_some(tolerance))?;
-        if !cones {
+        // A device sweeps the boxes of a window itself, in `f32`, and those of a tiny scene in a
+        // unit of its own: there it may take up other candidates.
+        let other_boxes = on_gpu && (window != [0.0, 1.0] || self.unit < 1e-30);
+        if !cones && !other_boxes {
             *text += "assert_eq!(found.candidates, want.candidates);\n";
             if found.candidates != want.candidates {
                 return Err(format!("candidates {:?}, {:?}", found.candidates, want.candidates));

@@ -2,6 +2,7 @@
 //! is written down as Rust while it is made.
 
 use super::session_check::filter_text;
+use super::session_faults::break_device;
 use super::{Counts, Place};
 use ccd::any::{Error, Session};
 use ccd::scenes::{Step, crumpled_sheet, particles_and_rods, triangle_soup};
@@ -18,7 +19,7 @@ pub struct State<'a> {
     pub place: &'a Place,
     pub step: Step,
     /// Coordinates are multiplied by this.
-    unit: f64,
+    pub unit: f64,
     /// Where connected elements are of one body.
     body_of: Vec<u32>,
     pub session: Session,
@@ -281,7 +282,11 @@ impl<'a> State<'a> {
                 ("bad bodies", self.session.set_bodies(bodies).is_err())
             }
             _ => match self.session.gpu() {
-                Some(on) => (break_device(on, random, [&x0, &x1], text), true),
+                Some(on) => {
+                    let broken = break_device(self.place, on, random, [&x0, &x1], text)?;
+                    counts.add("short rounds", broken.short_rounds as u64);
+                    (broken.what, broken.as_it_should)
+                }
                 None => self.panic_in_filter(random, [&x0, &x1], text)?,
             },
         };
@@ -377,24 +382,4 @@ fn options(place: &Place, random: &mut Random, before: &Options, text: &mut Stri
         .with_scheduling(scheduling)
         .with_pipeline(pipeline)
         .with_tolerance(tolerance)
-}
-
-/// The failures that only a device has: all of them are provoked here.
-fn break_device(
-    session: &mut gpu::Session,
-    random: &mut Random,
-    [_x0, _x1]: [&[[f64; 3]]; 2],
-    text: &mut String,
-) -> &'static str {
-    if random.below(3) == 0 {
-        *text += "assert!(session.set_filter(|_, _, _| true).is_err());\n";
-        return if session.set_filter(|_, _, _| true).is_err() {
-            "filter on a GPU"
-        } else {
-            "accepted"
-        };
-    }
-    let entries = 1 + random.below(64) as u32;
-    *text += &format!("session.gpu().unwrap().reserve({entries}).unwrap();\n");
-    if session.reserve(entries).is_ok() { "short lists" } else { "short lists refused" }
 }

@@ -6,6 +6,7 @@
 
 use super::session_steps::State;
 use super::{Counts, Found, Place, caught, fewest};
+use ccd::gpu::harness::{Faults, set_faults};
 use ccd_testkit::grazing::random::Random;
 
 /// Changes of a session, each with a step after it.
@@ -38,6 +39,8 @@ fn run(
     counts: &mut Counts,
 ) -> Result<(), (String, String)> {
     let mut text = String::new();
+    // Those of a run that ended in the middle.
+    place.choice.device().map(|device| set_faults(device, Faults::default()));
     let done = caught(|| {
         let mut state = State::new(place, first, &mut text)?;
         counts.add("sessions", 1);
