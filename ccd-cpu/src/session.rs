@@ -296,7 +296,7 @@ impl Session {
             prepared.boxes(threads, mesh, options, &x)?;
             stop.check()?;
             prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
-            let scene = prepared.scene(mesh, options, selection, &x, WHOLE, false, stop);
+            let scene = prepared.scene(mesh, options, selection, &x, (WHOLE, false), stop);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
@@ -348,7 +348,7 @@ impl Session {
                     threads,
                     method,
                     prepared,
-                    &prepared.scene(mesh, options, selection, &x, window, false, stop),
+                    &prepared.scene(mesh, options, selection, &x, (window, false), stop),
                     SAMPLE,
                     workers,
                     report,
@@ -367,7 +367,7 @@ impl Session {
                 threads,
                 method,
                 prepared,
-                &prepared.scene(mesh, options, selection, &x, window, !earliest, stop),
+                &prepared.scene(mesh, options, selection, &x, (window, !earliest), stop),
                 1,
                 workers,
                 report,

@@ -41,7 +41,7 @@ fn check(step: &Step, options: &Options, unwinds: bool) {
                 }
                 token.lock().unwrap().cancel();
             }
-            a.wrapping_add(b) % 5 != 0
+            !a.wrapping_add(b).is_multiple_of(5)
         }
     };
     let new = || {
