@@ -252,8 +252,7 @@ impl Prepared {
         (mesh, options): (&'a Mesh, &'a Options),
         selection: &'a Selection,
         x: &Positions<'a>,
-        window: [f64; 2],
-        keep_contacts: bool,
+        (window, keep_contacts): ([f64; 2], bool),
         stop: &'a Stop,
     ) -> Scene<'a> {
         let rounds_boxes = match x.given {
