@@ -379,6 +379,26 @@ impl Prepared {
         Ok(loose)
     }
 
+    /// The same for edges and faces alone, in whichever order there is; without pairs of triangles.
+    pub fn edges_and_faces(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        mesh: &Mesh,
+        rules: Option<&Rules>,
+        x: &Positions,
+    ) -> Result<(), Error> {
+        if !self.built || !method.order().outlasts_motion() {
+            return self.leaves(threads, method, mesh, rules, x).map(|_| ());
+        }
+        self.edges.refit(threads, method, false);
+        self.faces.refit(threads, method, false);
+        // Nothing else is of these positions.
+        self.still.forget();
+        self.whole = true;
+        Ok(())
+    }
+
     /// The same for triangles.
     fn triangle_leaves(
         &mut self,
