@@ -6,7 +6,6 @@ use crate::mesh::Mesh;
 use crate::report::{Columns, Report};
 use ccd::any::{self, Backend};
 use ccd::{Bodies, Coordinate, Options};
-use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Mutex;

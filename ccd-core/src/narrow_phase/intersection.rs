@@ -7,10 +7,10 @@
 //! Before that, in lanes: most edges lie outside one of four [`slabs`] around the face. Any
 //! direction `w` will do, so its own rounding does not matter. Let `R` bound the coordinates, `e`
 //! their input error, `|w|` be the sum of absolute components of `w`. A product `w . x` is off by
-//! `e |w|` and three roundings, `3 u R |w|`; there are two, of a corner and of an end, and the bound
-//! is added with one more: `2 e + 7 u R`. `2.01` and `16` have the roundings of the bound. Flushing:
-//! a product by `R + |w| + 1` smallest normal numbers, six of them, and less than 10 in sums. Where
-//! a product overflows, so does `R |w|`, and nothing is outside.
+//! `e |w|` and three roundings, `3 u R |w|`; there are two, of a corner and of an end, and the
+//! bound is added with one more: `2 e + 7 u R`. `2.01` and `16` have the roundings of the bound.
+//! Flushing: a product by `R + |w| + 1` smallest normal numbers, six of them, and less than 10 in
+//! sums. Where a product overflows, so does `R |w|`, and nothing is outside.
 
 use crate::math::expansion::{Expansion, is_safe};
 use crate::math::real::Num;
