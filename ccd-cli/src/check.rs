@@ -69,8 +69,8 @@ impl Check {
             list_candidates(&mut session, self.options.precision, &t0, &t1, file)?;
         }
         let precision = self.options.precision;
-        let start = look_at_start(&session, precision, &self.t0, &t0)?;
         step(&mut session, precision, (&self.t0, &t0), (&self.t1, &t1))?;
+        let start = look_at_start(&mut session, precision, &self.t0, &t0)?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         if let Some(mut file) = file {
@@ -182,7 +182,7 @@ fn print(
 
 /// Looks at the frame that steps start from, alone.
 pub fn look_at_start(
-    session: &Session,
+    session: &mut Session,
     precision: Precision,
     path: &Path,
     frame: &Frame,

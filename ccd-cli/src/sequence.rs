@@ -68,8 +68,8 @@ impl Sequence {
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
         let precision = self.options.precision;
         let is_first = self.part.is_none_or(|part| part.index == 1);
-        let start =
-            is_first.then(|| check::look_at_start(&session, precision, &frames.name(0), &before));
+        let start = is_first
+            .then(|| check::look_at_start(&mut session, precision, &frames.name(0), &before));
         let start = start.transpose()?;
         let bar = output::progress(todo.len(), "steps");
         let mut steps: Vec<Step> = Vec::new();

@@ -2,8 +2,8 @@
 //! for what is through stays through without a contact.
 
 use super::output;
+use ccd::State;
 use ccd::any::Session;
-use ccd::{BroadPhaseMethod, Scheduling, State};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -29,12 +29,10 @@ struct Example {
 
 impl Intersections {
     /// Of the mesh of a session, where its bodies want pairs; by the same threads, on the CPU.
-    pub fn of(session: &Session, x: &[[f64; 3]]) -> Result<Self, ccd::Error> {
+    pub fn of(session: &mut Session, x: &[[f64; 3]]) -> Result<Self, ccd::Error> {
         let start = Instant::now();
+        let found = session.intersections(x)?;
         let mesh = session.mesh();
-        let options = session.options().clone().with_broad_phase(BroadPhaseMethod::default());
-        let options = options.with_scheduling(Scheduling::default());
-        let found = ccd::intersections(mesh, x, &options)?;
         let example = |i: &ccd::Intersection| Example {
             edge: mesh.edges()[i.edge as usize],
             face: mesh.faces()[i.face as usize],

@@ -3,7 +3,6 @@
 //! | room | idea |
 //! |---|---|
 //! | `session.rs` | a mesh stepped frame by frame |
-//! | `intersections.rs` | a mesh at one moment: edges through faces |
 //! | `step/` | boxes and tables, candidates, the narrow phase |
 //! | `broad_phase/` | sources of pairs: blocks, the binary tree; boxes alone |
 //! | `simd/` | lanes of each instruction set |
@@ -14,7 +13,6 @@
 mod broad_phase;
 mod clock;
 mod exclusions;
-mod intersections;
 mod session;
 #[allow(unsafe_code, reason = "intrinsics, after asking the processor; a write within capacity")]
 mod simd;
@@ -28,6 +26,5 @@ pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::tree::TreeStatistics;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use exclusions::near_at_rest;
-pub use intersections::{Intersection, intersections};
-pub use session::{Candidates, Session, earliest_toi, step};
+pub use session::{Candidates, Intersection, Session, earliest_toi, intersections, step};
 pub use step::prepare::MAX_LOOSENESS;

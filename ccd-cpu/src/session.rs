@@ -25,10 +25,12 @@ use passes::{collect, detect, least_toi, prepare};
 use std::sync::Arc;
 
 mod changes;
+mod intersections;
 mod memory;
 mod once;
 mod passes;
 
+pub use intersections::{Intersection, intersections};
 pub use once::{Candidates, earliest_toi, step};
 
 /// Continuous collision detection of one mesh over many steps.

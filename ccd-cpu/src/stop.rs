@@ -68,6 +68,11 @@ impl Stop {
         self.held.load(Relaxed)
     }
 
+    /// So many bytes are held, and no more.
+    pub fn hold(&self, bytes: u64) {
+        self.held.store(bytes, Relaxed);
+    }
+
     /// Bytes that may still be allocated.
     pub fn left(&self) -> u64 {
         self.limit.map_or(u64::MAX, |limit| limit.saturating_sub(self.held.load(Relaxed)))

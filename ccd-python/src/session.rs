@@ -6,7 +6,6 @@ use crate::mesh::Mesh;
 use crate::report::{Columns, Report};
 use ccd::any::{self, Backend};
 use ccd::{Bodies, Coordinate, Options};
-use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Mutex;
@@ -37,6 +36,9 @@ use std::sync::Mutex;
 /// device : str, optional
 ///     None or "cpu"; "gpu", an error if there is none; or "auto", a GPU if there is one and work
 ///     enough for it.
+/// max_memory : int, optional
+///     Bytes that the session may hold; by default there is no limit. What would go beyond is
+///     refused before it is allocated, and the session stays usable.
 ///
 /// Raises
 /// ------
@@ -57,7 +59,7 @@ impl Session {
     #[new]
     #[pyo3(signature = (
         mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, self_contact=None,
-        device=None
+        device=None, max_memory=None
     ))]
     #[allow(clippy::too_many_arguments, reason = "Python's, by name")]
     fn new(
@@ -69,6 +71,7 @@ impl Session {
         fixed: Option<Vec<bool>>,
         self_contact: Option<bool>,
         device: Option<&str>,
+        max_memory: Option<u64>,
     ) -> PyResult<Self> {
         if bodies.is_none() && (fixed.is_some() || self_contact.is_some()) {
             return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
@@ -80,7 +83,8 @@ impl Session {
         let options = Options::default()
             .with_min_distance(min_distance)
             .with_threads(threads)
-            .with_bodies(bodies);
+            .with_bodies(bodies)
+            .with_max_memory(max_memory);
         let backend = backend(device)?;
         let topology = &mesh.get().inner;
         let inner = py.detach(|| {

@@ -191,6 +191,15 @@ def test_a_session_survives_bad_input():
     assert np.array_equal(session.step(X0, X1).contacts, want)
 
 
+def test_memory_is_limited():
+    faces, x0, x1 = soup(400)
+    with pytest.raises(ValueError, match="the limit of memory is 1000"):
+        Session(Mesh(faces), max_memory=1000)
+    want = Session(Mesh(faces), threads=1).step(x0, x1).contacts
+    roomy = Session(Mesh(faces), threads=1, max_memory=2**31)
+    assert np.array_equal(roomy.step(x0, x1).contacts, want)
+
+
 def test_a_gpu_is_there_or_said_not_to_be():
     try:
         session = Session(Mesh(FACES), device="gpu")

@@ -184,6 +184,21 @@ impl Session {
         self.candidates_of(ends(x0, x1))
     }
 
+    /// Where the mesh goes through itself at positions `x`, on the CPU: see
+    /// [`crate::Session::intersections`].
+    ///
+    /// # Errors
+    /// Those of [`crate::Session::intersections`].
+    pub fn intersections<A>(&mut self, x: &A) -> Result<Vec<crate::Intersection>, crate::Error>
+    where
+        A: AsPositions + ?Sized,
+    {
+        match &mut self.0 {
+            Either::Cpu(on) => on.intersections(x),
+            Either::Gpu { on, .. } => crate::intersections(on.mesh(), x, on.options()),
+        }
+    }
+
     #[inline(never)]
     fn candidates_of(&mut self, ends: Ends) -> Result<Candidates<'_>, Error> {
         match ends {

@@ -3,12 +3,65 @@
 //!
 //! Both are closed: touching counts, also of an edge in the plane of the face, and of a face
 //! without an area.
+//!
+//! Before that, in lanes: most edges lie outside one of four [`slabs`] around the face. Any
+//! direction `w` will do, so its own rounding does not matter. Let `R` bound the coordinates, `e`
+//! their input error, `|w|` be the sum of absolute components of `w`. A product `w . x` is off by
+//! `e |w|` and three roundings, `3 u R |w|`; there are two, of a corner and of an end, and the
+//! bound is added with one more: `2 e + 7 u R`. `2.01` and `16` have the roundings of the bound.
+//! Flushing: a product by `R + |w| + 1` smallest normal numbers, six of them, and less than 10 in
+//! sums. Where a product overflows, so does `R |w|`, and nothing is outside.
 
 use crate::math::expansion::{Expansion, is_safe};
-use crate::math::vec3::{cross, dot, max_abs, sub};
+use crate::math::real::Num;
+use crate::math::vec3::{cross, dot, max_abs, sub, sum_abs};
 use core::cmp::Ordering::{self, Equal, Greater, Less};
 
 type Point = [f64; 3];
+
+/// The space between two planes.
+#[derive(Clone, Copy, Debug)]
+pub struct Slab<N> {
+    /// Perpendicular to both.
+    pub direction: [N; 3],
+    /// Of what lies between them, the least product with that.
+    pub low: N,
+    /// The greatest.
+    pub high: N,
+}
+
+/// Slabs that hold a triangle: of its plane, and of the planes on its sides, perpendicular to it.
+/// `reach`: the greatest coordinate of anything, of which each may be off by `error`.
+#[inline(always)]
+pub fn slabs<N: Num>([a, b, c]: &[[N; 3]; 3], reach: N, error: N) -> [Slab<N>; 4] {
+    let (v, w) = (sub(*b, *a), sub(*c, *a));
+    let n = cross(v, w);
+    let of = [a, b, c];
+    [
+        slab(n, of, reach, error),
+        slab(cross(n, v), of, reach, error),
+        slab(cross(n, w), of, reach, error),
+        slab(cross(n, sub(*c, *b)), of, reach, error),
+    ]
+}
+
+#[inline(always)]
+fn slab<N: Num>(direction: [N; 3], [a, b, c]: [&[N; 3]; 3], reach: N, error: N) -> Slab<N> {
+    let size = sum_abs(direction);
+    let one = N::splat(1.0);
+    let bound = size * reach * (N::UNIT * N::splat(16.0))
+        + size * (error * N::splat(2.01))
+        + (one + reach) * (one + size) * (N::MIN_NORMAL * N::splat(64.0));
+    let (a, b, c) = (dot(direction, *a), dot(direction, *b), dot(direction, *c));
+    Slab { direction, low: a.min(b).min(c) - bound, high: a.max(b).max(c) + bound }
+}
+
+/// Whether the ends of an edge are on the same side outside: then it does not meet what is within.
+#[inline(always)]
+pub fn are_outside<N: Num>(slab: &Slab<N>, [p, q]: &[[N; 3]; 2]) -> N::Mask {
+    let (p, q) = (dot(slab.direction, *p), dot(slab.direction, *q));
+    (p.gt(slab.high) & q.gt(slab.high)) | (slab.low.gt(p) & slab.low.gt(q))
+}
 
 /// Whether the segment from `p` to `q` and the triangle have a point in common; `None` if they are
 /// not certainly apart, and exact arithmetic would overflow or underflow: some coordinate is not
@@ -34,7 +87,7 @@ fn certain_sides(segment: [Point; 2], [a, b, c]: [Point; 3]) -> [Option<Ordering
 }
 
 /// The sign of a determinant that was calculated with rounding, if that is certain. `size`: the
-/// product of the greatest elements of its rows.
+/// product of the greatest elements of its rows, of which there are two or three.
 fn certain_sign(value: f64, size: f64) -> Option<Ordering> {
     // Each of six products of three differences is rounded by at most 5 u of what it may be, the
     // sums of them by 4 u more; twice as much, and what vanishes.
@@ -48,7 +101,8 @@ fn meets([p, q]: [Point; 2], [a, b, c]: [Point; 3], known: [Option<Ordering>; 2]
     match (side(known[0], p), side(known[1], q)) {
         (Equal, Equal) => {
             let is_flat = (0..3).all(|axis| turn(axis, a, b, c) == Equal);
-            sides.into_iter().any(|side| segments_meet([p, q], side))
+            let in_plane = |[a, b]: [Point; 2]| !is_flat || orientation(p, q, a, b) == Equal;
+            sides.into_iter().any(|side| in_plane(side) && segments_meet([p, q], side))
                 || !is_flat && lies_in([a, b, c], p)
         }
         (Less, Less) | (Greater, Greater) => false,
@@ -60,11 +114,11 @@ fn meets([p, q]: [Point; 2], [a, b, c]: [Point; 3], known: [Option<Ordering>; 2]
     }
 }
 
-/// Whether two segments meet.
+/// Whether two segments in a plane meet.
 fn segments_meet([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
-    // Of a plane at least one projection along an axis is one to one. Segments that meet do so in
-    // all three, segments in a plane that do not meet, in that one neither.
-    orientation(p, q, a, b) == Equal && (0..3).all(|axis| meet_along(axis, [p, q], [a, b]))
+    // At least one projection along an axis is one to one. Segments that meet do so in all three,
+    // segments that do not meet, in that one neither.
+    (0..3).all(|axis| meet_along(axis, [p, q], [a, b]))
 }
 
 /// The same, projected along an axis.
@@ -95,6 +149,12 @@ fn orientation(a: Point, b: Point, c: Point, d: Point) -> Ordering {
     if let Some(sign) = certain_sign(dot(u, cross(v, w)), size) {
         return sign;
     }
+    // Of points that are the same, or have a coordinate in common. A difference is zero if and only
+    // if it is.
+    let is_zero = |k: usize| u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0;
+    if [a, b, c].contains(&d) || a == b || b == c || c == a || (0..3).any(is_zero) {
+        return Equal;
+    }
     let rows = [a, b, c].map(|x| [0, 1, 2].map(|k| Expansion::difference(x[k], d[k])));
     let minor =
         |i: usize, j: usize| rows[1][i].times(&rows[2][j]).minus(&rows[1][j].times(&rows[2][i]));
@@ -105,6 +165,11 @@ fn orientation(a: Point, b: Point, c: Point, d: Point) -> Ordering {
 /// How `a b c` turn where they are projected along an axis.
 fn turn(axis: usize, a: Point, b: Point, c: Point) -> Ordering {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (v, w) = ([a[i] - c[i], a[j] - c[j]], [b[i] - c[i], b[j] - c[j]]);
+    let size = v[0].abs().max(v[1].abs()) * w[0].abs().max(w[1].abs());
+    if let Some(sign) = certain_sign(v[0] * w[1] - v[1] * w[0], size) {
+        return sign;
+    }
     let d = |x: Point, k: usize| Expansion::difference(x[k], c[k]);
     d(a, i).times(&d(b, j)).minus(&d(a, j).times(&d(b, i))).sign()
 }
@@ -193,6 +258,43 @@ mod tests {
             flat += (0..3).all(|axis| turn(axis, a, b, c) == Equal) as u32;
         }
         assert!(met > 200 && apart > 200 && flat > 50, "{met} {apart} {flat}");
+    }
+
+    /// An edge from the middle of a side of a triangle, far from the origin, where all of the
+    /// directions are rounded.
+    #[test]
+    fn no_edge_that_touches_is_outside() {
+        let mut seed = 7u32;
+        let mut random = || {
+            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (seed >> 16) as f32 / 65536.0
+        };
+        let (mut outside, reach) = (0, 102.0);
+        for _ in 0..20_000 {
+            let mut point = || -> [f32; 3] { [0; 3].map(|_| 100.0 + random()) };
+            let (t, far) = ([point(), point(), point()], point());
+            let middle: [f32; 3] = core::array::from_fn(|k| 0.5 * t[0][k] + 0.5 * t[1][k]);
+            let exact = |x: [f32; 3]| x.map(f64::from);
+            let halves = (0..3).all(|k| {
+                f64::from(middle[k]) == 0.5 * f64::from(t[0][k]) + 0.5 * f64::from(t[1][k])
+            });
+            let within = slabs(&t, reach, 0.0);
+            let is_outside =
+                |ends: [[f32; 3]; 2]| within.iter().any(|slab| are_outside(slab, &ends));
+            assert!(!halves || !is_outside([middle, far]), "{t:?} {far:?}");
+            // All of them off by an eighth: what touches in truth may look apart by a quarter.
+            let moved = |x: [f32; 3], by: f32| x.map(|c| c + by);
+            let loose = slabs(&t.map(|x| moved(x, -0.125)), reach, 0.125);
+            let ends = [moved(middle, 0.125), moved(far, 0.125)];
+            assert!(!halves || !loose.iter().any(|slab| are_outside(slab, &ends)));
+            let other = point();
+            if is_outside([far, other]) {
+                let met = segment_meets_triangle([far, other].map(exact), t.map(exact));
+                assert_eq!(met, Some(false), "{t:?} {far:?} {other:?}");
+                outside += 1;
+            }
+        }
+        assert!(outside > 10_000, "{outside}");
     }
 
     #[test]

@@ -291,9 +291,9 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
 
 /// Ids of a row, compared by an instruction set.
 #[derive(Clone, Copy)]
-struct Row<'a, S> {
-    simd: S,
-    ids: &'a [u32; WIDTH],
+pub struct Row<'a, S> {
+    pub simd: S,
+    pub ids: &'a [u32; WIDTH],
 }
 
 impl<S: RowSimd> Ids for Row<'_, S> {

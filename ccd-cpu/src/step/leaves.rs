@@ -2,11 +2,56 @@
 //! all that the filters read of a pair of leaves.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::method::Method;
+use crate::broad_phase::pair_source::{Marks, PairSource};
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
-use ccd_core::Num;
 use ccd_core::model::rules::Rules;
+use ccd_core::{Aabb, Num};
+
+/// Boxes and leaves of one kind of feature with `N` vertices.
+#[derive(Debug)]
+pub struct Feature<const N: usize> {
+    pub boxes: Vec<Aabb<f32>>,
+    pub leaves: Leaves<N>,
+}
+
+impl<const N: usize> Feature<N> {
+    /// No features yet.
+    pub fn new(index: usize, searched: bool) -> Self {
+        Self { boxes: Vec::new(), leaves: Leaves::new(Set { index, searched }) }
+    }
+
+    /// Puts boxes in a new order; `keep`: but for those that stand still.
+    pub fn build(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        rules: Option<&Rules>,
+        keep: bool,
+        features: impl Fn(u32) -> [u32; N] + Sync,
+    ) {
+        let still = |i: usize| rules.is_some_and(|rules| rules.is_still(features(i as u32)[0]));
+        let world = |i: usize| rules.map_or(0, |rules| rules.world(features(i as u32)[0]));
+        let mut marks = Marks::default();
+        if let Some(rules) = rules {
+            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
+            if let Some(n) = rules.worlds() {
+                marks.world = Some(&world);
+                marks.world_bits = (n - 1).ilog2() + 1;
+            }
+        }
+        marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
+        self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
+        self.leaves.order(threads, rules, &features);
+    }
+
+    /// Takes boxes in the order that there is, see [`LeafBoxes::refit`].
+    pub fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {
+        self.leaves.boxes.refit(threads, method.order(), &self.boxes, still)
+    }
+}
 
 /// The features of one set, `N` vertices each, in leaf order, eight side by side.
 #[derive(Debug)]

@@ -1,12 +1,11 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
-use crate::broad_phase::leaf_boxes::Set;
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Marks, PairSource};
+use crate::broad_phase::pair_source::PairSource;
 use crate::simd::WIDTH;
 use crate::step::candidates::{Given, Scene};
-use crate::step::leaves::Leaves;
+use crate::step::leaves::Feature;
 use crate::step::selection::Selection;
 use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
@@ -96,46 +95,6 @@ pub struct Prepared {
     /// If pairs of triangles are looked for.
     pub triangles: Option<TriangleLeaves>,
     still: Still,
-}
-
-/// Boxes and leaves of one kind of feature with `N` vertices.
-#[derive(Debug)]
-pub struct Feature<const N: usize> {
-    boxes: Vec<Aabb<f32>>,
-    pub leaves: Leaves<N>,
-}
-
-impl<const N: usize> Feature<N> {
-    fn new(index: usize, searched: bool) -> Self {
-        Self { boxes: Vec::new(), leaves: Leaves::new(Set { index, searched }) }
-    }
-
-    fn build(
-        &mut self,
-        threads: &Threads,
-        method: &mut Method,
-        rules: Option<&Rules>,
-        keep: bool,
-        features: impl Fn(u32) -> [u32; N] + Sync,
-    ) {
-        let still = |i: usize| rules.is_some_and(|rules| rules.is_still(features(i as u32)[0]));
-        let world = |i: usize| rules.map_or(0, |rules| rules.world(features(i as u32)[0]));
-        let mut marks = Marks::default();
-        if let Some(rules) = rules {
-            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
-            if let Some(n) = rules.worlds() {
-                marks.world = Some(&world);
-                marks.world_bits = (n - 1).ilog2() + 1;
-            }
-        }
-        marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
-        self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
-        self.leaves.order(threads, rules, &features);
-    }
-
-    fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {
-        self.leaves.boxes.refit(threads, method.order(), &self.boxes, still)
-    }
 }
 
 impl Prepared {
@@ -375,6 +334,26 @@ impl Prepared {
         faces.leaves.place(threads, table, holds);
         *whole = true;
         Ok(loose)
+    }
+
+    /// The same for edges and faces alone, in whichever order there is; without pairs of triangles.
+    pub fn edges_and_faces(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        mesh: &Mesh,
+        rules: Option<&Rules>,
+        x: &Positions,
+    ) -> Result<(), Error> {
+        if !self.built || !method.order().outlasts_motion() {
+            return self.leaves(threads, method, mesh, rules, x).map(|_| ());
+        }
+        self.edges.refit(threads, method, false);
+        self.faces.refit(threads, method, false);
+        // Nothing else is of these positions.
+        self.still.forget();
+        self.whole = true;
+        Ok(())
     }
 
     /// The same for triangles.

@@ -44,6 +44,7 @@ class Session:
         fixed: Sequence[bool] | NDArray[np.bool_] | None = None,
         self_contact: bool | None = None,
         device: str | None = None,
+        max_memory: int | None = None,
     ) -> Session: ...
     @property
     def mesh(self) -> Mesh: ...
