@@ -211,7 +211,8 @@ impl Prepared {
         (mesh, options): (&'a Mesh, &'a Options),
         selection: &'a Selection,
         x: &Positions<'a>,
-        (window, keep_contacts): ([f64; 2], bool),
+        window: [f64; 2],
+        keep_contacts: bool,
         stop: &'a Stop,
     ) -> Scene<'a> {
         let rounds_boxes = match x.given {
