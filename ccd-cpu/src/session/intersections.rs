@@ -117,7 +117,7 @@ impl Session {
             stop.check()?;
             prepared.edges_and_faces(threads, method, mesh, selection.rules.as_ref(), &x)?;
             stop.check()?;
-            let scene = &prepared.scene(mesh, options, selection, &x, WHOLE, true, stop);
+            let scene = &prepared.scene((mesh, options), selection, &x, WHOLE, true, stop);
             let (edges, faces) = (&prepared.edges.leaves, &prepared.faces.leaves);
             let mut sink = Through { scene, edges, faces, slabs: Vec::new() };
             sink.fill(threads);
