@@ -8,8 +8,8 @@ use std::process::Command;
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
 /// What this crate is built with for one task each, and by default without: clippy sees all of it.
-const XTASK_FEATURES: [&str; 6] =
-    ["report", "gpu-report", "algorithms", "attack", "shaders", "loom"];
+const XTASK_FEATURES: [&str; 7] =
+    ["report", "gpu-report", "algorithms", "attack", "shaders", "loom", "soak"];
 
 pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
