@@ -149,7 +149,8 @@ impl Session {
         x1: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyTuple>> {
         let all = self.with(py, x0, x1, Candidates)?;
-        let arrays: Vec<_> = all.into_iter().map(|of| pair_array(py, of)).collect::<PyResult<_>>()?;
+        let arrays: Vec<_> =
+            all.into_iter().map(|of| pair_array(py, of)).collect::<PyResult<_>>()?;
         PyTuple::new(py, arrays)
     }
 

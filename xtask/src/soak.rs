@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// MiB by which memory may grow after the warm-up: what the allocator keeps varies by some.
-const SLACK: f64 = 64.0;
+const SLACK: f64 = 16.0;
 /// Cycles before memory is looked at: the first one compiles kernels and grows every buffer.
 const WARM_UP: u64 = 2;
 
