@@ -65,6 +65,6 @@ impl Intersections {
         output::line("start", text);
         let ([a, b], [c, d, e]) = (edge, face);
         output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));
-        output::line("", "what is through stays through without contact, what is apart apart");
+        output::line("", "a step without contacts keeps it so: they cross at its end as well");
     }
 }
