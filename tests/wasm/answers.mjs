@@ -1,4 +1,4 @@
-// Prints the answers of every scene by every way of finding pairs, as `src/main.rs` does, from the
+// Prints the answers of every scene by every way of finding pairs, as `tests/answers.rs` does, from the
 // module that is named; and checks what is different on WebAssembly: threads and times.
 import { readFileSync } from "node:fs";
 

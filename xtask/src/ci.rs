@@ -3,6 +3,8 @@
 use crate::optional::{has_target, skipped};
 use std::path::Path;
 use std::process::Command;
+use std::sync::Mutex;
+use std::time::Instant;
 
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
@@ -11,32 +13,58 @@ const BARE_METAL: &str = "thumbv7em-none-eabihf";
 const XTASK_FEATURES: [&str; 7] =
     ["report", "gpu-report", "algorithms", "attack", "shaders", "loom", "soak"];
 
-pub fn run(root: &Path) -> Result<(), String> {
+/// Runs the gate, or `whole`: that without what it leaves out, and with the searches that take long.
+/// Prints at the end how long each command took.
+pub fn run(root: &Path, whole: bool) -> Result<(), String> {
+    let result = gate(root).and_then(|()| if whole { long(root) } else { Ok(()) });
+    let times = std::mem::take(&mut *TIMES.lock().map_err(|e| e.to_string())?);
+    let total: f64 = times.iter().map(|(_, seconds)| seconds).sum();
+    println!("{total:7.0} s in all, of which");
+    for (words, seconds) in times.iter().filter(|(_, seconds)| *seconds >= 1.0) {
+        println!("{seconds:7.0} s {words}");
+    }
+    result
+}
+
+fn gate(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
     crate::tidy::run(root)?;
-    crate::python::check_lock(root)?;
     let features = XTASK_FEATURES.map(|feature| format!("xtask/{feature}")).join(",");
     // As the tests are built, so that procedural macros are compiled once.
     let clippy =
         ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--features", &features];
     command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
     bare_metal(root)?;
-    command(root, &["cargo", "xtask", "loom"])?;
-    command(root, &["cargo", "xtask", "shaders", "--check"])?;
     let test = readme_test_command(root)?;
-    command(root, &test.split_whitespace().collect::<Vec<_>>())?;
+    let test: Vec<&str> = test.split_whitespace().collect();
+    command(root, &[&test[..], &["--no-run"]].concat())?;
+    command(root, &test)?;
+    command(root, &["cargo", "xtask", "shaders", "--check"])?;
+    command(root, &["cargo", "xtask", "loom"])?;
     // The first cases of a seed: two minutes together, with those that are begun last.
     for (backend, minutes) in [("cpu", "0.5"), ("gpu", "0.9")] {
         command(root, &["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend])?;
     }
-    // After the tests, which compile most of what they need.
+    // After the tests, which compile what they need.
     crate::wasm::run(root)?;
-    crate::python::run(root)?;
+    crate::python::run(root, false)?;
     command_with(
         root,
         &["cargo", "doc", "--release", "--workspace", "--no-deps"],
         &[("RUSTDOCFLAGS", "-D warnings")],
     )
+}
+
+/// What the gate has no time for.
+fn long(root: &Path) -> Result<(), String> {
+    crate::python::run(root, true)?;
+    for backend in ["cpu", "gpu"] {
+        for kind in ["boxes", "queries", "sessions"] {
+            let attack = ["cargo", "xtask", "attack", "--backend", backend, "--kind", kind];
+            command(root, &attack)?;
+        }
+    }
+    command(root, &["cargo", "xtask", "mutants"])
 }
 
 /// Builds `ccd-core` where there is no standard library: a use of one would not compile.
@@ -71,17 +99,24 @@ pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
     command_with(root, words, &[])
 }
 
+/// Commands that ran, and their seconds.
+static TIMES: Mutex<Vec<(String, f64)>> = Mutex::new(Vec::new());
+
 pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
-    println!("$ {}", words.join(" "));
+    let shown = words.join(" ");
+    println!("$ {shown}");
+    let begun = Instant::now();
     let status = Command::new(words[0])
         .args(&words[1..])
         .envs(env.iter().copied())
         .current_dir(root)
         .status();
+    let seconds = begun.elapsed().as_secs_f64();
+    TIMES.lock().map_err(|e| e.to_string())?.push((shown.clone(), seconds));
     match status {
         Ok(s) if s.success() => Ok(()),
-        Ok(s) => Err(format!("`{}` failed: {s}", words.join(" "))),
-        Err(e) => Err(format!("`{}`: {e}", words.join(" "))),
+        Ok(s) => Err(format!("`{shown}` failed: {s}")),
+        Err(e) => Err(format!("`{shown}`: {e}")),
     }
 }
 

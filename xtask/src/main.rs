@@ -39,7 +39,11 @@ use std::process::ExitCode;
 #[command(name = "cargo xtask")]
 enum Task {
     /// Everything that must pass: formatting, lints, no_std, tests, docs, tidy
-    Ci,
+    Ci {
+        /// Leave nothing out (with CCD_WHOLE=1), and search for long: some hours
+        #[arg(long)]
+        whole: bool,
+    },
     /// Rules of the repository that no compiler checks
     Tidy,
     /// Mutations of ccd-core that its tests must notice, one at a time
@@ -78,8 +82,12 @@ enum Task {
     Tint,
     /// Build for WebAssembly and compare answers under Node with those of this machine
     Wasm,
-    /// Build the Python wheel and test it against ipctk, in an environment below target
-    Python,
+    /// Test the Python module against ipctk, in an environment below target
+    Python {
+        /// Build a wheel with maturin and test that
+        #[arg(long)]
+        wheel: bool,
+    },
     /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and
     /// pip or an installed ipctk)
     Report {
@@ -226,7 +234,7 @@ impl std::fmt::Display for Part {
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     let result = match Task::parse() {
-        Task::Ci => ci::run(root),
+        Task::Ci { whole } => ci::run(root, whole),
         Task::Tidy => tidy::run(root),
         Task::Mutants { names } => mutants::run(root, &names),
         Task::Loom { name, here } => loom_task(root, &name, here),
@@ -235,7 +243,7 @@ fn main() -> ExitCode {
         Task::Shaders { check, .. } => shaders_task(root, check),
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
-        Task::Python => python::run(root),
+        Task::Python { wheel } => python::run(root, wheel),
         Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),
         Task::Report { schedulers: true, of_schedulers, .. } => {
             schedulers_task(root, &of_schedulers)

@@ -1,9 +1,10 @@
-//! `cargo xtask python`: the wheel of ccd-python, built into an environment below target, and what
-//! a user meets there: tests against ipctk, stubs against the module, the example.
+//! `cargo xtask python`: the module of ccd-python as a user meets it: tests against ipctk, stubs
+//! against the module, the example.
 //!
-//! Packages are the versions of `ccd-python/requirements.txt`. The crate is outside of the
-//! workspace, but built into its target folder: a dependency that has the same features there is
-//! not compiled again.
+//! The tests of the workspace have compiled the module already (`ccd-python/tests/module.rs`); it is
+//! put beside the Python sources in a folder below target. `--wheel` builds, installs and tests a
+//! wheel with maturin instead, which compiles much again. Packages are the versions of
+//! `ccd-python/requirements.txt`.
 
 use crate::ci::{command, command_with};
 use crate::optional::{output, skipped};
@@ -13,38 +14,65 @@ use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
 
-/// The lock file of the wheel is of the manifests that there are.
-pub fn check_lock(root: &Path) -> Result<(), String> {
-    command(&root.join(FOLDER), &["cargo", "fetch", "--quiet", "--locked"])
-}
-
-pub fn run(root: &Path) -> Result<(), String> {
+pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let target = target_folder(root);
     let python = match environment(root, &target.join("python")) {
         Ok(python) => python,
         Err(why) => {
-            skipped(&format!("the Python wheel was neither built nor tested: {why}"));
+            skipped(&format!("the Python module was not tested: {why}"));
             return Ok(());
         }
     };
     let (python, folder) = (text(&python)?, root.join(FOLDER));
+    let site = if wheel { install_wheel(&folder, &target, python)? } else { assemble(root)? };
+    let cache = target.join("python/mypy");
+    let (site, cache) = (text(&site)?, text(&cache)?);
+    let env = [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache)];
+    for words in [
+        &["-m", "pytest", "--quiet", "-p", "no:cacheprovider"][..],
+        &["-m", "mypy.stubtest", "meshccd"],
+        &["examples/line_search.py"],
+    ] {
+        command_with(&folder, &[&[python][..], words].concat(), &env)?;
+    }
+    Ok(())
+}
+
+/// A folder with the package: the Python sources, and the module that the tests were built with.
+fn assemble(root: &Path) -> Result<PathBuf, String> {
+    // All packages are named, so that dependencies have the features that the tests gave them.
+    let build = ["cargo", "test", "--release", "--workspace", "--test", "module", "--no-run"];
+    command(root, &build)?;
+    let target = target_folder(root);
+    let site = target.join("python/site");
+    let package = site.join("meshccd");
+    std::fs::create_dir_all(&package).map_err(|e| format!("{}: {e}", package.display()))?;
+    let copy = |from: PathBuf, name: &str| match std::fs::copy(&from, package.join(name)) {
+        Ok(_) => Ok(()),
+        Err(e) => Err(format!("{}: {e}", from.display())),
+    };
+    for name in ["__init__.py", "_native.pyi", "py.typed"] {
+        copy(root.join(FOLDER).join("python/meshccd").join(name), name)?;
+    }
+    let library =
+        format!("{}_native{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+    let name = if cfg!(windows) { "_native.pyd" } else { "_native.abi3.so" };
+    copy(target.join("release").join(library), name)?;
+    Ok(site)
+}
+
+/// Builds a wheel and installs it into the environment; a folder without a package of that name.
+fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, String> {
     let wheels = target.join("python/wheels");
     let _ = std::fs::remove_dir_all(&wheels);
-    let env = [("CARGO_TARGET_DIR", text(&target)?), ("PYO3_PYTHON", python)];
-    command(&folder, &["cargo", "fmt", "--check"])?;
-    let build = ["-m", "maturin", "build", "--release", "--locked", "--interpreter", python];
-    let out = ["--out", text(&wheels)?];
-    command_with(&folder, &[&[python][..], &build, &out].concat(), &env)?;
-    let clippy = ["cargo", "clippy", "--locked", "--", "-D", "warnings"];
-    command_with(&folder, &clippy, &env)?;
+    let env = [("CARGO_TARGET_DIR", text(target)?)];
+    let build =
+        [python, "-m", "maturin", "build", "--release", "--locked", "--out", text(&wheels)?];
+    command_with(folder, &build, &env)?;
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];
-    command(&folder, &[&[python][..], &install, &[text(&wheel)?]].concat())?;
-    command(&folder, &[python, "-m", "pytest", "--quiet", "-p", "no:cacheprovider"])?;
-    let cache = target.join("python/mypy");
-    let stubs = [python, "-m", "mypy.stubtest", "meshccd"];
-    command_with(&folder, &stubs, &[("MYPY_CACHE_DIR", text(&cache)?)])?;
-    command(&folder, &[python, "examples/line_search.py"])
+    command(folder, &[&[python][..], &install, &[text(&wheel)?]].concat())?;
+    Ok(wheels)
 }
 
 /// The interpreter of an environment with all packages; why there is none otherwise.

@@ -1,5 +1,5 @@
-//! Steps of generated scenes, and their answers as numbers: a native program prints them
-//! (`main.rs`), and so does a script from the same functions compiled for WebAssembly
+//! Steps of generated scenes, and their answers as numbers: a native test writes them
+//! (`tests/answers.rs`), and a script prints them from the same functions compiled for WebAssembly
 //! (`answers.mjs`). `cargo xtask wasm` compares the two. Exported functions take and return plain
 //! numbers, so that no memory is shared with the script.
 
