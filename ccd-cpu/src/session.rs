@@ -169,7 +169,6 @@ impl session::Engine for Engine {
     fn change(&mut self, change: Change) -> Result<(), Error> {
         match change {
             Change::Mesh(mesh, options) => self.set_mesh(mesh, options),
-            Change::Options(options) => self.set_options(options),
             Change::Bodies(bodies) => self.set_bodies(bodies),
             Change::MinDistance(distance) => self.set_min_distance(distance),
             Change::Filter(filter) => {
@@ -216,7 +215,7 @@ impl Engine {
 
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
-        let x = Positions::new(&self.state.mesh, given, WHOLE)?;
+        let x = Positions::new(given, WHOLE);
         let Self { state, threads, prepared, selection, method, listers, runs, .. } = self;
         let (State { mesh, options, .. }, codimensional) = (state, &mut self.codimensional);
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
@@ -250,7 +249,7 @@ impl Engine {
 
     #[inline(never)]
     fn run(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
-        let mut x = Positions::new(&self.state.mesh, given, window)?;
+        let mut x = Positions::new(given, window);
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
         let State { mesh, options, report } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);

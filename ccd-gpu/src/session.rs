@@ -111,10 +111,6 @@ impl session::Engine for Engine {
     fn change(&mut self, change: Change) -> Result<(), Error> {
         match change {
             Change::Mesh(mesh, options) => self.take_mesh(mesh, options),
-            Change::Options(options) => {
-                options.check_backend("gpu")?;
-                self.take_mesh(self.state.mesh.clone(), options)
-            }
             Change::Bodies(bodies) => self.take_bodies(bodies),
             Change::MinDistance(distance) => self.take_min_distance(distance),
             Change::Filter(None) => Ok(()),
@@ -202,10 +198,6 @@ impl Engine {
     #[inline(never)]
     fn run(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
         let State { mesh, options, .. } = &self.state;
-        match given {
-            Precision::F32([x0, x1]) => mesh.check_positions(x0, x1),
-            Precision::F64([x0, x1]) => mesh.check_positions(x0, x1),
-        }?;
         if let Some(rules) = &self.frames.buffers.rules {
             match given {
                 Precision::F32([x0, x1]) => rules.check_still(x0, x1),

@@ -9,10 +9,11 @@ pub use candidates::{Candidates, Intersection};
 pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
 
 use super::cancel::CancelToken;
-use super::error::Error;
+use super::error::{Error, check_window};
 use super::mesh::Mesh;
 use super::options::Options;
 use super::positions::{AsPositions, Ends, Gathered, ends};
+use super::precision::{Given, Precision};
 use super::report::Report;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -195,7 +196,7 @@ impl<E: Engine, P> Session<E, P> {
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
         let Self { engine, gathered, .. } = self;
-        match gathered.slices(ends(x0, x1)) {
+        match given(&engine.state().mesh, gathered, ends(x0, x1)) {
             Ok(given) => engine.candidates(given),
             Err(why) => {
                 engine.clear();
@@ -218,19 +219,39 @@ impl<E: Engine, P> Session<E, P> {
         E: Intersects,
     {
         let Self { engine, gathered, .. } = self;
-        engine.intersections(gathered.slices(ends(x, x))?)
+        let given = given(&engine.state().mesh, gathered, ends(x, x))?;
+        engine.intersections(given)
     }
 
     /// Asks something of a step.
     fn ask(&mut self, ends: Ends, ask: Ask) -> Result<(), E::Error> {
         let Self { engine, gathered, .. } = self;
-        let given = ask.check().and_then(|()| gathered.slices(ends));
+        let checked = check_window(ask.window());
+        let given = checked.and_then(|()| given(&engine.state().mesh, gathered, ends));
         let done = given.map_err(E::Error::from).and_then(|given| engine.find(given, ask));
         if done.is_err() {
             engine.clear();
         }
         done
     }
+}
+
+/// Positions as slices, one position for every vertex at both ends of a step.
+///
+/// # Errors
+/// What [`Gathered::slices`] and [`Mesh::check_positions`] say.
+#[inline(never)]
+pub fn given<'a>(
+    mesh: &Mesh,
+    gathered: &'a mut Gathered,
+    ends: Ends<'a>,
+) -> Result<Given<'a>, Error> {
+    let given = gathered.slices(ends)?;
+    match given {
+        Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
+        Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
+    }
+    Ok(given)
 }
 
 impl<E, P> Deref for Session<E, P> {

@@ -16,22 +16,48 @@ use std::sync::Arc;
 impl Engine {
     #[inline(never)]
     pub(super) fn set_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
+        options.check_backend("cpu")?;
+        let old = &self.state.options;
+        let other_mesh = !Arc::ptr_eq(&mesh, &self.state.mesh);
+        let source = |of: &Options| (of.broad_phase, of.scheduling, of.pipeline);
+        let other_threads = options.threads != old.threads;
+        let other_source = source(&options) != source(old);
+        // Lists are counted as they grow, so that those that are there go.
+        let recounts = options.max_memory.or(old.max_memory).is_some();
+        let method = if other_source || recounts {
+            Some(Method::new(options.broad_phase, options.scheduling)?)
+        } else {
+            None
+        };
+        let other_rules = other_mesh || options.bodies != old.bodies;
         let Selection { rules, .. } = Selection::new(&options)?;
-        let of_mesh = memory::for_mesh(&mesh, &options, self.threads()).max(self.of_mesh);
-        let token = || self.threads.stop.token().cloned();
-        let limited = options.max_memory.map(|_| memory::stop(token(), &options, of_mesh));
-        let limited = limited.transpose()?;
-        let codimensional = self.threads.enter(|| Codimensional::new(&mesh, &options))?;
-        if let Some(stop) = limited {
-            self.method = Method::new(options.broad_phase, options.scheduling)?;
-            self.drop_lists();
-            self.threads.stop = stop;
+        let threads = if other_threads { Some(Threads::new(options.threads)?) } else { None };
+        let n_threads = threads.as_ref().unwrap_or(&self.threads).count();
+        let of_mesh = memory::for_mesh(&mesh, &options, n_threads).max(self.of_mesh);
+        let stop = memory::stop(self.threads.stop.token().cloned(), &options, of_mesh)?;
+        if other_mesh || method.is_some() || other_threads {
+            let threads = threads.as_ref().unwrap_or(&self.threads);
+            self.codimensional = threads.enter(|| Codimensional::new(&mesh, &options))?;
         }
-        self.of_mesh = of_mesh;
-        self.prepared.set_mesh(&mesh, &options);
-        self.prepared.set_rules(&mesh, rules.as_ref());
+        if let Some(threads) = threads {
+            self.threads = threads;
+        }
+        (self.of_mesh, self.threads.stop) = (of_mesh, stop);
+        if recounts {
+            self.drop_lists();
+        }
+        if other_rules || method.is_some() {
+            self.prepared.set_mesh(&mesh, &options);
+        }
+        if other_rules {
+            self.prepared.set_rules(&mesh, rules.as_ref());
+            self.selection.rules = rules;
+        }
+        if let Some(method) = method {
+            self.method = method;
+        }
+        self.prepared.set_min_distance(&mesh, &options);
         (self.state.mesh, self.state.options) = (mesh, options);
-        (self.selection.rules, self.codimensional) = (rules, codimensional);
         Ok(())
     }
 
@@ -46,52 +72,6 @@ impl Engine {
         self.prepared.set_rules(&self.state.mesh, rules.as_ref());
         self.selection.rules = rules;
         self.state.options.bodies = bodies;
-        Ok(())
-    }
-
-    #[inline(never)]
-    pub(super) fn set_options(&mut self, options: Options) -> Result<(), Error> {
-        options.check_backend("cpu")?;
-        let (mesh, old) = (&self.state.mesh.clone(), &self.state.options);
-        let source = |of: &Options| (of.broad_phase, of.scheduling, of.pipeline);
-        let other_threads = options.threads != old.threads;
-        let other_source = source(&options) != source(old);
-        // Lists are counted as they grow, so that those that are there go.
-        let recounts = options.max_memory.or(old.max_memory).is_some();
-        let method = if other_source || recounts {
-            Some(Method::new(options.broad_phase, options.scheduling)?)
-        } else {
-            None
-        };
-        let other_bodies = options.bodies != old.bodies;
-        let Selection { rules, .. } = Selection::new(&options)?;
-        let threads = if other_threads { Some(Threads::new(options.threads)?) } else { None };
-        let n_threads = threads.as_ref().unwrap_or(&self.threads).count();
-        let of_mesh = memory::for_mesh(mesh, &options, n_threads).max(self.of_mesh);
-        let stop = memory::stop(self.threads.stop.token().cloned(), &options, of_mesh)?;
-        if method.is_some() || other_threads {
-            let threads = threads.as_ref().unwrap_or(&self.threads);
-            self.codimensional = threads.enter(|| Codimensional::new(mesh, &options))?;
-        }
-        if let Some(threads) = threads {
-            self.threads = threads;
-        }
-        (self.of_mesh, self.threads.stop) = (of_mesh, stop);
-        if recounts {
-            self.drop_lists();
-        }
-        self.state.options = options;
-        if method.is_some() || other_bodies {
-            self.prepared.set_mesh(mesh, &self.state.options);
-        }
-        if other_bodies {
-            self.prepared.set_rules(mesh, rules.as_ref());
-            self.selection.rules = rules;
-        }
-        if let Some(method) = method {
-            self.method = method;
-        }
-        self.prepared.set_min_distance(mesh, &self.state.options);
         Ok(())
     }
 

@@ -74,7 +74,7 @@ impl Engine {
     }
 
     fn intersections_given(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
-        let x = Positions::new(&self.state.mesh, given, WHOLE)?;
+        let x = Positions::new(given, WHOLE);
         let Self { state, threads, prepared, selection, method, .. } = self;
         let Stepped { mesh, options, .. } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);

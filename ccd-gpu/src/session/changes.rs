@@ -14,6 +14,7 @@ impl Engine {
     /// Methods other than blocks, and triangles, keep their lists alone. The next step sorts anew.
     #[inline(never)]
     pub(super) fn take_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
+        options.check_backend("gpu")?;
         let device = self.device.limited(options.max_memory);
         let codimensional = Codimensional::new(&device, &mesh, &options)?;
         self.frames.change(&device, &mesh, &options)?;

@@ -60,8 +60,7 @@ impl<E: Engine, P> Session<E, P> {
     /// # Errors
     /// Those of [`Session::new`].
     pub fn set_options(&mut self, options: Options) -> Result<(), E::Error> {
-        options.check(self.mesh())?;
-        self.engine.change(Change::Options(options))
+        self.change_mesh(self.mesh().clone(), options)
     }
 
     /// From now on these bodies, or none. Buffers are kept; the next step sorts boxes again. With

@@ -4,7 +4,7 @@ use super::Intersection;
 use crate::model::bodies::Bodies;
 use crate::model::cancel::CancelToken;
 use crate::model::contact::Kind;
-use crate::model::error::{Error, check_window};
+use crate::model::error::Error;
 use crate::model::mesh::Mesh;
 use crate::model::options::Options;
 use crate::model::precision::Given;
@@ -35,7 +35,7 @@ pub trait Engine: Sized {
     /// Empties the report, after a call has failed.
     fn clear(&mut self);
 
-    /// Finds what is asked for, and leaves it in the report.
+    /// Finds what is asked for, and leaves it in the report. `given`: a position for every vertex.
     ///
     /// # Errors
     /// Those of [`Session::step`](super::Session::step).
@@ -107,11 +107,6 @@ impl Ask {
             Self::Earliest => [0.0, 1.0],
         }
     }
-
-    /// Checks these times.
-    pub(super) fn check(self) -> Result<(), Error> {
-        check_window(self.window())
-    }
 }
 
 /// Whether a pair of features is wanted: by its kind and ids, of edges the lesser first.
@@ -120,10 +115,8 @@ pub type Filter = dyn Fn(Kind, u32, u32) -> bool + Send + Sync;
 /// What changes between steps, checked as far as a mesh and options say.
 #[derive(Clone)]
 pub enum Change {
-    /// The mesh, and with it the bodies of the options at most.
+    /// The mesh and the options, of which what differs counts.
     Mesh(Arc<Mesh>, Options),
-    /// The options, of which those count that differ.
-    Options(Options),
     /// The bodies of the options, which are others.
     Bodies(Option<Bodies>),
     /// The minimum distance of the options.
