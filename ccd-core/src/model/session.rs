@@ -26,10 +26,10 @@ use core::ops::{Deref, DerefMut};
 /// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
 /// functions change what a session was made with; the next step finds what a new session would.
 ///
-/// `E` is the [`Engine`] of a backend, and `P` what a session is opened on: nothing for a CPU, [`On`]
-/// a device for a GPU. Backends name their sessions: `ccd_cpu::Session`, `ccd_gpu::Session`,
-/// `ccd::any::Session`. A session dereferences to its engine, which has the calls that only one
-/// backend has.
+/// `E` is the [`Engine`] of a backend, and `P` says what a session is opened on: nothing for a CPU,
+/// a device for a GPU ([`On`]). Backends name their sessions: `ccd_cpu::Session`,
+/// `ccd_gpu::Session`, `ccd::any::Session`. A session dereferences to its engine, which has the
+/// calls that only one backend has.
 ///
 /// Errors are [`Error`] on a CPU, and the variant `Input` of a GPU's error, which has others for
 /// what a device refuses. After an error a session stays usable; after the loss of a device, on

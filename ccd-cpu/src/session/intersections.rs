@@ -28,7 +28,7 @@ use ccd_core::{Error, Num};
 /// costs less.
 ///
 /// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_core::model::{contact::State, mesh::Mesh, options::Options};
 /// use ccd_cpu::intersections;
 ///
 /// let mesh = Mesh::new(6, &[[0, 1, 2], [3, 4, 5]])?;
@@ -39,6 +39,13 @@ use ccd_core::{Error, Num};
 /// let found = intersections(&mesh, &x, &Options::default())?;
 /// let edges: Vec<_> = found.iter().map(|i| mesh.edges()[i.edge as usize]).collect();
 /// assert_eq!(edges, [[1, 2], [3, 4]]);
+///
+/// // An edge whose end is in a face: touching counts.
+/// let mesh = Mesh::with_edges(5, &[[0, 1, 2]], &[[3, 4]])?;
+/// let end = [[0.25, 0.0, 0.25], [0.25, 1.0, 0.25]];
+/// let found = intersections(&mesh, &[&x[..3], &end].concat(), &Options::default())?;
+/// assert_eq!((found[0].face, found[0].state), (0, State::Hit));
+/// assert_eq!(mesh.edges()[found[0].edge as usize], [3, 4]);
 /// # Ok::<(), ccd_core::Error>(())
 /// ```
 ///

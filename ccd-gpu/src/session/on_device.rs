@@ -70,8 +70,8 @@ pub struct GeometryOnDevice<'a> {
 }
 
 impl Engine {
-    /// As [`Session::candidates`](session::Session::candidates), but leaves the pairs on the device:
-    /// vertex-face and edge-edge, until the next call. All of them fit.
+    /// As [`Session::candidates`](session::Session::candidates), but leaves the pairs on the
+    /// device: vertex-face and edge-edge, until the next call. All of them fit.
     ///
     /// # Errors
     /// Those of [`Session::step`](session::Session::step).
@@ -122,12 +122,13 @@ impl Engine {
     }
 
     /// Records what writes point, normal, weights and vertices of every contact on the device that
-    /// the last [`Engine::record`] or [`Session::step`](session::Session::step) has listed there, in
-    /// the order of that list; nothing is read back. See
+    /// the last [`Engine::record`] or [`Session::step`](session::Session::step) has listed there,
+    /// in the order of that list; nothing is read back. See
     /// [`contact_geometry`](ccd_core::narrow_phase::contact_geometry) for the rules.
     ///
-    /// Into the encoder of [`Engine::record`] after it, or, after a step, into any. Submit the encoder before the session's next call. Computed in `f64` where the device has it
-    /// and else in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
+    /// Into the encoder of [`Engine::record`] after it, or, after a step, into any. Submit the
+    /// encoder before the session's next call. Computed in `f64` where the device has it and else
+    /// in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
     /// time and so no geometry.
     ///
     /// # Errors
