@@ -34,7 +34,11 @@ impl Engine {
         let threads = if other_threads { Some(Threads::new(options.threads)?) } else { None };
         let n_threads = threads.as_ref().unwrap_or(&self.threads).count();
         let of_mesh = memory::for_mesh(&mesh, &options, n_threads).max(self.of_mesh);
-        let stop = memory::stop(self.threads.stop.token().cloned(), &options, of_mesh)?;
+        let stop = if recounts || other_threads {
+            Some(memory::stop(self.threads.stop.token().cloned(), &options, of_mesh)?)
+        } else {
+            None
+        };
         if other_mesh || method.is_some() || other_threads {
             let threads = threads.as_ref().unwrap_or(&self.threads);
             self.codimensional = threads.enter(|| Codimensional::new(&mesh, &options))?;
@@ -42,7 +46,10 @@ impl Engine {
         if let Some(threads) = threads {
             self.threads = threads;
         }
-        (self.of_mesh, self.threads.stop) = (of_mesh, stop);
+        self.of_mesh = of_mesh;
+        if let Some(stop) = stop {
+            self.threads.stop = stop;
+        }
         if recounts {
             self.drop_lists();
         }
