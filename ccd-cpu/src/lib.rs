@@ -25,6 +25,7 @@ pub use broad_phase::descent_times::DescentTimes;
 pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::tree::TreeStatistics;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};
+pub use ccd_core::model::session::Intersection;
 pub use exclusions::near_at_rest;
-pub use session::{Candidates, Intersection, Session, earliest_toi, intersections, step};
+pub use session::{Candidates, Engine, Session, earliest_toi, intersections, step};
 pub use step::prepare::MAX_LOOSENESS;

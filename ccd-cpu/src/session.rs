@@ -1,8 +1,7 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
-mod rules;
-
+use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::{Instant, milliseconds};
@@ -13,14 +12,13 @@ use crate::step::find::{expand, find};
 use crate::step::narrow_phase::{CONTACTS, Worker};
 use crate::step::prepare::{Positions, Prepared};
 use crate::step::selection::Selection;
+use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
+use ccd_core::layout::Pair;
+use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
-use ccd_core::model::mesh::Mesh;
-use ccd_core::model::options::Options;
-use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
-use ccd_core::model::report::Report;
-use changes::check_pipeline;
+use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, State};
 use passes::{collect, detect, least_toi, prepare};
 use std::sync::Arc;
 
@@ -30,14 +28,11 @@ mod memory;
 mod once;
 mod passes;
 
-pub use intersections::{Intersection, intersections};
-pub use once::{Candidates, earliest_toi, step};
+pub use intersections::intersections;
+pub use once::{earliest_toi, step};
 
-/// Continuous collision detection of one mesh over many steps.
-///
-/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
-/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
-/// functions change what a session was made with; the next step finds what a new session would.
+/// Continuous collision detection of one mesh over many steps, on threads of this machine. All
+/// calls but those of [`Engine`] are [those of every backend](session::Session).
 ///
 /// ```
 /// use ccd_core::model::mesh::Mesh;
@@ -62,10 +57,50 @@ pub use once::{Candidates, earliest_toi, step};
 /// }
 /// # Ok::<(), ccd_core::Error>(())
 /// ```
+///
+/// Between steps a session may go on with another mesh or other options, and have its calls ended
+/// by another thread.
+///
+/// ```
+/// use ccd_core::{Error, model::{cancel::CancelToken, mesh::Mesh, options::Options}};
+/// use ccd_cpu::Session;
+///
+/// let mut session = Session::new(Mesh::new(3, &[[0, 1, 2]])?, Options::default())?;
+/// session.set_mesh(Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?)?;
+/// let x = [[0.0; 3]; 4];
+/// assert_eq!(session.step(&x, &x)?.mesh().n_vertices(), 4);
+///
+/// session.set_options(session.options().clone().with_threads(1))?;
+/// assert_eq!(session.threads(), 1);
+///
+/// let token = CancelToken::new();
+/// session.set_cancel_token(token.clone());
+/// std::thread::spawn(move || token.cancel()).join().unwrap();
+/// assert_eq!(session.step(&x, &x).err(), Some(Error::Cancelled));
+/// session.set_cancel_token(None);
+/// assert!(session.step(&x, &x)?.contacts.is_empty());
+/// # Ok::<(), Error>(())
+/// ```
+pub type Session = session::Session<Engine>;
+
+/// Candidates of a step, lent by the session, in an order that no thread changes.
+///
+/// ```
+/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_cpu::Session;
+///
+/// let mut session = Session::new(Mesh::new(4, &[[0, 1, 2]])?, Options::default())?;
+/// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 0.0, 0.2]];
+/// let candidates = session.candidates(&x, &x)?;
+/// assert_eq!((candidates.vf.len(), candidates.ee.len()), (1, 0));
+/// # Ok::<(), ccd_core::Error>(())
+/// ```
+pub type Candidates<'a> = session::Candidates<Pairs<'a>, &'a [Pair]>;
+
+/// What a [`Session`] has on a CPU.
 #[derive(Debug)]
-pub struct Session {
-    mesh: Arc<Mesh>,
-    options: Options,
+pub struct Engine {
+    state: State,
     threads: Threads,
     /// Bytes held for the mesh, from above.
     of_mesh: u64,
@@ -77,38 +112,28 @@ pub struct Session {
     runs: [Vec<Run>; 2],
     order: ContactOrder,
     codimensional: Option<Box<Codimensional>>,
-    report: Report,
-    gathered: Gathered,
 }
 
-impl Session {
-    /// A session for `mesh`: a [`Mesh`], a reference to one, which is copied, or an `Arc` of one,
-    /// which is shared.
-    ///
-    /// # Errors
-    /// What [`Options::check`] refuses; [`Error::Method`] for what a CPU does not have;
-    /// [`Error::Threads`]; [`Error::Memory`].
-    pub fn new(mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, Error> {
-        Self::of(mesh.into(), options)
-    }
+impl session::Engine for Engine {
+    type On = ();
+    type Error = Error;
+    type Candidates<'a> = Candidates<'a>;
 
-    #[inline(never)]
-    fn of(mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
-        options.check(&mesh)?;
+    fn new((): &(), state: State) -> Result<Self, Error> {
+        let State { mesh, options, .. } = &state;
+        options.check_backend("cpu")?;
         let method = Method::new(options.broad_phase, options.scheduling)?;
-        check_pipeline(&options)?;
         let mut threads = Threads::new(options.threads)?;
-        let of_mesh = memory::for_mesh(&mesh, &options, threads.count());
-        threads.stop = memory::stop(None, &options, of_mesh)?;
-        let selection = Selection::new(&options)?;
-        let mut prepared = Prepared::new(&mesh, &options);
-        prepared.set_rules(&mesh, selection.rules.as_ref());
+        let of_mesh = memory::for_mesh(mesh, options, threads.count());
+        threads.stop = memory::stop(None, options, of_mesh)?;
+        let selection = Selection::new(options)?;
+        let mut prepared = Prepared::new(mesh, options);
+        prepared.set_rules(mesh, selection.rules.as_ref());
         Ok(Self {
-            codimensional: threads.enter(|| Codimensional::new(&mesh, &options))?,
+            codimensional: threads.enter(|| Codimensional::new(mesh, options))?,
             prepared,
             selection,
-            mesh,
-            options,
+            state,
             threads,
             of_mesh,
             method,
@@ -116,182 +141,83 @@ impl Session {
             listers: Default::default(),
             runs: Default::default(),
             order: ContactOrder::default(),
-            report: Report::default(),
-            gathered: Gathered::default(),
         })
     }
 
-    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
-    pub fn mesh(&self) -> &Arc<Mesh> {
-        &self.mesh
+    fn state(&self) -> &State {
+        &self.state
     }
 
-    /// The options.
-    pub fn options(&self) -> &Options {
-        &self.options
+    fn clear(&mut self) {
+        self.state.report.clear();
     }
 
+    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Error> {
+        self.clear();
+        self.threads.stop.begin()?;
+        self.run(given, ask.window(), ask == Ask::Earliest)
+    }
+
+    fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
+        self.threads.stop.begin()?;
+        self.list(given)?;
+        let lists = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
+        let of = self.codimensional.as_ref().map(|of| of.pairs.each_ref().map(Vec::as_slice));
+        Ok(Candidates::new(lists, of.unwrap_or_default()))
+    }
+
+    fn change(&mut self, change: Change) -> Result<(), Error> {
+        match change {
+            Change::Mesh(mesh, options) => self.set_mesh(mesh, options),
+            Change::Bodies(bodies) => self.set_bodies(bodies),
+            Change::MinDistance(distance) => self.set_min_distance(distance),
+            Change::Filter(filter) => {
+                self.selection.filter = filter;
+                Ok(())
+            }
+        }
+    }
+
+    fn set_cancel_token(&mut self, token: Option<CancelToken>) {
+        let limit = self.state.options.max_memory;
+        self.threads.stop = Arc::new(Stop::new(token, limit, self.threads.stop.held()));
+    }
+
+    fn cancel_token(&self) -> Option<&CancelToken> {
+        self.threads.stop.token()
+    }
+}
+
+impl Intersects for Engine {
+    fn intersections(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
+        self.find_intersections(given)
+    }
+}
+
+impl Engine {
     /// Number of threads that steps use.
     pub fn threads(&self) -> usize {
         self.threads.count()
     }
 
-    /// What the last call found; empty if that ended with an error.
-    pub fn report(&self) -> &Report {
-        &self.report
+    /// From now on, whether the clock is asked where the time of descents goes, which costs time
+    /// itself: two looks for every list of pairs that is expanded.
+    pub fn set_timed(&mut self, timed: bool) {
+        self.method.set_timed(timed);
     }
 
-    /// Takes what the last step found out of the session.
+    /// Where it went since [`Engine::set_timed`]: if a scheduler was chosen, by
+    /// [`Options::scheduling`](ccd_core::model::options::Options::scheduling), that is not the
+    /// default's.
+    pub fn descent_times(&self) -> Option<DescentTimes> {
+        self.method.descent_times()
+    }
+
     #[inline(never)]
-    fn into_report(self) -> Report {
-        self.report
-    }
-
-    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
-    /// vertex of the mesh.
-    ///
-    /// After the first steps, nothing is allocated unless there are more contacts than before.
-    ///
-    /// # Errors
-    /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
-    /// their type says; [`Error::FixedMoves`]; [`Error::CrowdedCells`] and [`Error::TooMany`] where
-    /// a method was chosen that has such limits; [`Error::Memory`] and [`Error::Cancelled`]. The
-    /// session stays usable, and its report is empty.
-    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.run(ends(x0, x1), WHOLE, false)?;
-        Ok(&self.report)
-    }
-
-    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
-    ///
-    /// # Errors
-    /// Those of [`Session::step_window`].
-    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.step_window(x0, x1, [0.0, t_max])
-    }
-
-    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
-    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes are swept
-    /// for the window alone.
-    ///
-    /// # Errors
-    /// [`Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of [`Session::step`].
-    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.run(ends(x0, x1), window, false)?;
-        Ok(&self.report)
-    }
-
-    /// The earliest time of impact of the step, without the list of contacts: cheaper than
-    /// [`Session::step`].
-    ///
-    /// It is not later than the earliest contact. `None`: the whole step is free.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.run(ends(x0, x1), WHOLE, true)?;
-        Ok(self.report.toi)
-    }
-
-    /// How much of the step is certainly free of contact: 1 if all of it is, else
-    /// [`Session::earliest_toi`], which may be 0.
-    ///
-    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
-    /// and separate that they neither come nearer than at the start nor touch again. At the time
-    /// itself there may be contact: what keeps some distance goes by
-    /// [`scaled_toi`](ccd_core::model::toi::scaled_toi) of it.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
-    }
-
-    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
-    /// that share a vertex or that the bodies rule out.
-    ///
-    /// A step does not need this: it never lists them.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates<'_>, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.list(ends(x0, x1))?;
-        let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        let [ve, vv] = match &self.codimensional {
-            Some(of) => of.pairs.each_ref().map(Vec::as_slice),
-            None => [&[][..]; 2],
-        };
-        Ok(Candidates { vf, ee, ve, vv })
-    }
-
-    /// Lists candidates.
-    #[inline(never)]
-    fn list(&mut self, ends: Ends) -> Result<(), Error> {
-        self.gather(ends, |this, given| this.list_given(given))
-    }
-
-    /// Finds contacts in a window of the step, or only the earliest time of impact.
-    #[inline(never)]
-    fn run(&mut self, ends: Ends, window: [f64; 2], earliest: bool) -> Result<(), Error> {
-        clear(&mut self.report);
-        let done = self.gather(ends, |this, given| this.run_given(given, window, earliest));
-        if done.is_err() {
-            clear(&mut self.report);
-        }
-        done
-    }
-
-    /// Works on positions as slices.
-    fn gather(
-        &mut self,
-        ends: Ends,
-        work: impl FnOnce(&mut Self, Given) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        self.threads.stop.begin()?;
-        let mut gathered = std::mem::take(&mut self.gathered);
-        let done = gathered.slices(ends).and_then(|given| work(self, given));
-        self.gathered = gathered;
-        done
-    }
-
-    fn list_given(&mut self, given: Given) -> Result<(), Error> {
-        let x = Positions::new(&self.mesh, given, WHOLE)?;
-        let Self {
-            mesh,
-            options,
-            threads,
-            prepared,
-            selection,
-            method,
-            listers,
-            runs,
-            codimensional,
-            ..
-        } = self;
+    fn list(&mut self, given: Given) -> Result<(), Error> {
+        let x = Positions::new(given, WHOLE);
+        let Self { state, threads, prepared, selection, method, listers, runs, .. } = self;
+        let (State { mesh, options, .. }, codimensional) = (state, &mut self.codimensional);
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             let stop = &*threads.stop;
@@ -321,20 +247,11 @@ impl Session {
         })
     }
 
-    fn run_given(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
-        let mut x = Positions::new(&self.mesh, given, window)?;
-        let Self {
-            mesh,
-            options,
-            threads,
-            prepared,
-            method,
-            workers,
-            order,
-            codimensional,
-            report,
-            ..
-        } = self;
+    #[inline(never)]
+    fn run(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
+        let mut x = Positions::new(given, window);
+        let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
+        let State { mesh, options, report } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
         threads.enter(|| {
             let start = Instant::now();
@@ -400,14 +317,6 @@ impl Session {
             Ok(())
         })
     }
-}
-
-/// Empties a report, which keeps its buffer.
-fn clear(report: &mut Report) {
-    let mut contacts = std::mem::take(&mut report.contacts);
-    contacts.clear();
-    *report = Report::default();
-    report.contacts = contacts;
 }
 
 /// All times of a step.

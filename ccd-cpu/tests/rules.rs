@@ -197,11 +197,13 @@ fn filters_are_asked_of_overlaps() {
     for pipeline in pipelines() {
         let mut session = session(&scene, Options::default().with_pipeline(pipeline));
         let pairs = all.pairs.clone();
-        session.set_filter(move |kind, a, b| {
-            let listed = &pairs[kind as usize];
-            assert!(listed.binary_search(&Pair { a, b }).is_ok(), "{a} and {b} do not overlap");
-            odd(kind, a, b)
-        });
+        session
+            .set_filter(move |kind, a, b| {
+                let listed = &pairs[kind as usize];
+                assert!(listed.binary_search(&Pair { a, b }).is_ok(), "{a} and {b} do not overlap");
+                odd(kind, a, b)
+            })
+            .expect("a filter");
         assert!(Found::of::<f64>(&mut session, &x0, &x1) == want, "{pipeline:?}");
         session.remove_filter();
         assert!(Found::of::<f64>(&mut session, &x0, &x1) == all, "{pipeline:?}");

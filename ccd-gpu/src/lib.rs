@@ -3,7 +3,7 @@
 //!
 //! [`Device`] opens a GPU or takes the device of an application, [`Session`] steps a mesh on it,
 //! [`BroadPhase`] finds overlapping boxes. Every call blocks until the device is done, except
-//! [`Session::record`]. Vulkan, Metal and DX12; OpenGL is refused. No contact is missed on any of
+//! [`Engine::record`]. Vulkan, Metal and DX12; OpenGL is refused. No contact is missed on any of
 //! them: what `f32` on the device cannot decide is decided in `f64`, on the device or on the CPU.
 //!
 //! | file | idea |
@@ -53,6 +53,6 @@ pub use device::{Compilation, Device};
 pub use error::Error;
 pub use growable_list::List;
 pub use recorder::Timing;
-pub use session::{Candidates, GeometryOnDevice, OnDevice, Session};
+pub use session::{Candidates, Engine, GeometryOnDevice, OnDevice, Session};
 pub use sort::Sorter;
 pub use wgpu;

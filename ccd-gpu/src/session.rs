@@ -11,27 +11,19 @@ use crate::step::{Goal, WHOLE, cpu_fallback};
 use ccd_core::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
-use ccd_core::model::error::check_window;
-use ccd_core::model::mesh::Mesh;
-use ccd_core::model::options::Options;
-use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
 use ccd_core::model::precision::{Given, Precision};
-use ccd_core::model::report::Report;
+use ccd_core::model::session::{self, Ask, Change, On, State};
 use ccd_core::narrow_phase::decide;
-use std::sync::Arc;
 use std::time::Instant;
 
 mod changes;
 mod on_device;
-mod rules;
 
 pub use on_device::{GeometryOnDevice, OnDevice};
 
-/// Continuous collision detection of one mesh over many steps, on a GPU.
-///
-/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
-/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
-/// functions change what a session was made with; the next step finds what a new session would.
+/// Continuous collision detection of one mesh over many steps, on a GPU. All calls but those of
+/// [`Engine`] are [those of every backend](session::Session). Of a report's times, `total` is wall
+/// clock; stages are in [`Engine::stages`].
 ///
 /// ```no_run
 /// use ccd_core::model::{mesh::Mesh, options::Options};
@@ -44,16 +36,7 @@ pub use on_device::{GeometryOnDevice, OnDevice};
 /// println!("{} contacts of {:?}", report.contacts.len(), report.mesh());
 /// # Ok::<(), ccd_gpu::Error>(())
 /// ```
-pub struct Session {
-    device: Device,
-    mesh: Arc<Mesh>,
-    options: Options,
-    frames: Frames,
-    codimensional: Option<Codimensional>,
-    report: Report,
-    left_open: PerKind,
-    gathered: Gathered,
-}
+pub type Session = session::Session<Engine, On<Device>>;
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
 ///
@@ -68,94 +51,99 @@ pub struct Session {
 /// }
 /// # let _ = most;
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Candidates {
-    /// Vertex, face.
-    pub vf: Vec<Pair>,
-    /// Two edges, the lesser id first.
-    pub ee: Vec<Pair>,
-    /// A vertex of no edge, an edge of no face.
-    pub ve: Vec<Pair>,
-    /// Two vertices of no edge, the lesser id first.
-    pub vv: Vec<Pair>,
+pub type Candidates = session::Candidates<Vec<Pair>>;
+
+/// What a [`Session`] has on a GPU.
+pub struct Engine {
+    device: Device,
+    state: State,
+    frames: Frames,
+    codimensional: Option<Codimensional>,
+    left_open: PerKind,
 }
 
-impl Session {
-    /// A session for `mesh` on `device`: a [`Mesh`], a reference to one, which is copied, or an
-    /// `Arc` of one, which is shared.
-    ///
-    /// # Errors
-    /// [`Error::Input`] with what [`Options::check`] refuses or a GPU does not have;
-    /// what the device refuses.
-    pub fn new(
-        device: &Device,
-        mesh: impl Into<Arc<Mesh>>,
-        options: Options,
-    ) -> Result<Self, Error> {
-        Self::of(device, mesh.into(), options)
-    }
+impl session::Engine for Engine {
+    type On = Device;
+    type Error = Error;
+    type Candidates<'a> = Candidates;
 
-    #[inline(never)]
-    fn of(device: &Device, mesh: Arc<Mesh>, options: Options) -> Result<Self, Error> {
-        changes::check(&mesh, &options)?;
+    fn new(device: &Device, state: State) -> Result<Self, Error> {
+        let State { mesh, options, .. } = &state;
+        options.check_backend("gpu")?;
         let device = device.limited(options.max_memory);
         Ok(Self {
-            frames: Frames::new(&device, &mesh, &options)?,
-            codimensional: Codimensional::new(&device, &mesh, &options)?,
+            frames: Frames::new(&device, mesh, options)?,
+            codimensional: Codimensional::new(&device, mesh, options)?,
             device,
-            mesh,
-            options,
-            report: Report::default(),
+            state,
             left_open: PerKind::default(),
-            gathered: Gathered::default(),
         })
     }
 
+    fn state(&self) -> &State {
+        &self.state
+    }
+
+    fn clear(&mut self) {
+        self.state.report.clear();
+        self.left_open = PerKind::default();
+        self.frames.geometry.listed = false;
+    }
+
+    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Error> {
+        let every = self.state.options.tolerance < 1e-7;
+        let goal = match ask {
+            Ask::Earliest if !every => self.frames.goal_of_earliest(),
+            _ => Goal::Contacts,
+        };
+        self.run(given, ask.window(), goal)?;
+        if ask == Ask::Earliest {
+            self.state.report.contacts.clear();
+            self.state.report.undecided = 0;
+        }
+        Ok(())
+    }
+
+    fn candidates(&mut self, given: Given) -> Result<Candidates, Error> {
+        self.list(given).inspect_err(|_| self.clear())
+    }
+
+    fn change(&mut self, change: Change) -> Result<(), Error> {
+        match change {
+            Change::Mesh(mesh, options) => self.take_mesh(mesh, options),
+            Change::Bodies(bodies) => self.take_bodies(bodies),
+            Change::MinDistance(distance) => self.take_min_distance(distance),
+            Change::Filter(None) => Ok(()),
+            Change::Filter(Some(_)) => Err(ccd_core::Error::Filter { backend: "gpu" }.into()),
+        }
+    }
+
+    fn set_cancel_token(&mut self, token: Option<CancelToken>) {
+        self.frames.cancel = token;
+    }
+
+    fn cancel_token(&self) -> Option<&CancelToken> {
+        self.frames.cancel.as_ref()
+    }
+}
+
+impl Engine {
     /// Goes on with another device, after the last one was lost.
     ///
     /// # Errors
     /// What the device refuses; then the session stays on the one that it has.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
-        let device = device.limited(self.options.max_memory);
-        let codimensional = Codimensional::new(&device, &self.mesh, &self.options)?;
-        self.frames.move_to(&device, &self.mesh, &self.options)?;
+        let device = device.limited(self.state.options.max_memory);
+        let codimensional = Codimensional::new(&device, &self.state.mesh, &self.state.options)?;
+        self.frames.move_to(&device, &self.state.mesh, &self.state.options)?;
         self.codimensional = codimensional;
         self.device = device;
         Ok(())
     }
 
-    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
-    pub fn mesh(&self) -> &Arc<Mesh> {
-        &self.mesh
-    }
-
-    /// The options.
-    pub fn options(&self) -> &Options {
-        &self.options
-    }
-
     /// The device.
     pub fn device(&self) -> &Device {
         &self.device
-    }
-
-    /// From now on calls end with [`ccd_core::Error::Cancelled`] once this token is cancelled,
-    /// before the next frame is submitted: one that was submitted runs to its end. `None`: none
-    /// does. The session stays usable.
-    pub fn set_cancel_token(&mut self, token: impl Into<Option<CancelToken>>) {
-        self.frames.cancel = token.into();
-    }
-
-    /// The token that ends calls.
-    pub fn cancel_token(&self) -> Option<&CancelToken> {
-        self.frames.cancel.as_ref()
-    }
-
-    /// What the last step found; empty if it failed. Of its times, `total` is wall clock; stages
-    /// are in [`Session::stages`].
-    pub fn report(&self) -> &Report {
-        &self.report
     }
 
     /// What each call times on the device from now on.
@@ -200,141 +188,16 @@ impl Session {
         self.frames.reserve(&self.device, entries)
     }
 
-    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
-    /// vertex of the mesh.
-    ///
-    /// # Errors
-    /// [`Error::Input`] with what is wrong with positions; what the device refuses. The session
-    /// stays usable, after [`Error::Lost`] on another device.
-    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.run(ends(x0, x1), WHOLE, Goal::Contacts)?;
-        Ok(&self.report)
-    }
-
-    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
-    ///
-    /// # Errors
-    /// Those of [`Session::step_window`].
-    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.step_window(x0, x1, [0.0, t_max])
-    }
-
-    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
-    /// impact in units of the whole step: the first such time at or after `t_a`. Paths are cut to
-    /// the window, and boxes swept for it alone.
-    ///
-    /// # Errors
-    /// [`ccd_core::Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of
-    /// [`Session::step`].
-    pub fn step_window<A, B>(&mut self, x0: &A, x1: &B, window: [f64; 2]) -> Result<&Report, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.run(ends(x0, x1), window, Goal::Contacts)?;
-        Ok(&self.report)
-    }
-
-    /// The earliest time of impact of the step, without the list of contacts: cheaper than
-    /// [`Session::step`]. `None`: the whole step is free.
-    ///
-    /// It is not later than the earliest contact, and rounded down to an `f32`; with a tolerance
-    /// below 1e-7, which an `f32` cannot keep, it is not rounded, and costs as much as
-    /// [`Session::step`].
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        let exact = self.options.tolerance < 1e-7;
-        let goal = if exact { Goal::Contacts } else { self.frames.goal_of_earliest() };
-        self.run(ends(x0, x1), WHOLE, goal)?;
-        if exact {
-            self.report.contacts.clear();
-            self.report.undecided = 0;
-        }
-        Ok(self.report.toi)
-    }
-
-    /// How much of the step is certainly free of contact: 1 if all of it is, else
-    /// [`Session::earliest_toi`], which may be 0.
-    ///
-    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
-    /// and separate that they neither come nearer than at the start nor touch again.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
-    }
-
-    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
-    /// that share a vertex or that the bodies rule out.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<Candidates, Error>
-    where
-        A: AsPositions + ?Sized,
-        B: AsPositions<Scalar = A::Scalar> + ?Sized,
-    {
-        self.list(ends(x0, x1))
-    }
-
-    /// Lists candidates.
-    #[inline(never)]
-    fn list(&mut self, ends: Ends) -> Result<Candidates, Error> {
-        self.run(ends, WHOLE, Goal::Candidates)?;
-        let read = self.frames.read_candidates(&self.device, self.report.candidates);
-        let [vf, ee] = read.inspect_err(|_| self.clear_report())?;
-        let [ve, vv] =
-            self.codimensional.as_ref().map_or_else(Default::default, |of| of.pairs.clone());
-        Ok(Candidates { vf, ee, ve, vv })
+    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
+        self.run(given, WHOLE, Goal::Candidates)?;
+        let lists = self.frames.read_candidates(&self.device, self.state.report.candidates)?;
+        let of = self.codimensional.as_ref().map(|of| of.pairs.clone());
+        Ok(Candidates::new(lists, of.unwrap_or_default()))
     }
 
     #[inline(never)]
-    fn run(&mut self, ends: Ends, window: [f64; 2], goal: Goal) -> Result<(), Error> {
-        let mut gathered = std::mem::take(&mut self.gathered);
-        let given = gathered.slices(ends).map_err(Error::from);
-        let done = given.and_then(|given| self.run_given(given, window, goal));
-        self.gathered = gathered;
-        if done.is_err() {
-            self.clear_report();
-            self.frames.geometry.listed = false;
-        }
-        done
-    }
-
-    /// An empty report, with the memory of the contacts of the last one.
-    fn clear_report(&mut self) {
-        let mut contacts = std::mem::take(&mut self.report.contacts);
-        contacts.clear();
-        self.report = Report::default();
-        self.report.contacts = contacts;
-        self.left_open = PerKind::default();
-    }
-
-    fn run_given(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
-        check_window(window)?;
-        match given {
-            Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
-            Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
-        }?;
+    fn run(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+        let State { mesh, options, .. } = &self.state;
         if let Some(rules) = &self.frames.buffers.rules {
             match given {
                 Precision::F32([x0, x1]) => rules.check_still(x0, x1),
@@ -343,23 +206,24 @@ impl Session {
         }
         let start = Instant::now();
         self.device.check_lost()?;
-        self.frames.upload(&self.device, &self.mesh, given, self.options.min_distance)?;
-        self.clear_report();
-        self.report.set_mesh(&self.mesh);
+        self.frames.upload(&self.device, mesh, given, options.min_distance)?;
+        session::Engine::clear(self);
+        let State { mesh, options, report } = &mut self.state;
+        report.set_mesh(mesh);
         let uploaded = start.elapsed();
-        let contacts = &mut self.report.contacts;
-        let found = self.frames.run(&self.device, &self.options, (goal, window), contacts)?;
-        self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
+        let contacts = &mut report.contacts;
+        let found = self.frames.run(&self.device, options, (goal, window), contacts)?;
+        report.times.boxes = uploaded.as_secs_f64() * 1e3;
         self.take(found, (goal, window), given);
         self.take_codimensional((goal, window), given)?;
-        self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
+        self.state.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
 
     /// Decides what the device left open, and makes the report.
     fn take(&mut self, found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
-        let search = &self.options.search(window);
-        let report = &mut self.report;
+        let State { mesh, options, report } = &mut self.state;
+        let search = &options.search(window);
         self.left_open = PerKind::new(found.open[0].len() as u64, found.open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
@@ -368,7 +232,6 @@ impl Session {
         report.front = self.frames.buffers.source.front();
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            let mesh = &self.mesh;
             match given {
                 Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
                 Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
@@ -396,9 +259,8 @@ impl Session {
         (goal, window): (Goal, [f64; 2]),
         given: Given,
     ) -> Result<(), Error> {
-        let Self { mesh, options, codimensional: Some(of), report, frames, .. } = self else {
-            return Ok(());
-        };
+        let Self { state, codimensional: Some(of), frames, .. } = self else { return Ok(()) };
+        let State { mesh, options, report } = state;
         of.list(mesh, (frames.buffers.rules.as_ref(), options.min_distance), given)?;
         let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
         (report.candidates.ve, report.candidates.vv) = (ve, vv);

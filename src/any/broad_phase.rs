@@ -45,7 +45,8 @@ impl BroadPhase {
         method: BroadPhaseMethod,
         scheduling: Scheduling,
     ) -> Result<Self, Error> {
-        let choice = &choice.for_methods(method, crate::Pipeline::default(), scheduling);
+        let options = crate::Options::default().with_broad_phase(method);
+        let choice = &choice.for_options(&options.with_scheduling(scheduling));
         let on_cpu = || crate::BroadPhase::scheduled(threads, method, scheduling);
         let on_gpu = |device: &_| gpu::BroadPhase::scheduled(device, method, scheduling);
         let on = Either::new(choice, on_cpu, on_gpu)?;

@@ -31,7 +31,7 @@ mod no_gpu;
 mod session;
 
 pub use broad_phase::{BroadPhase, Pairs};
-pub use session::{Candidates, Session};
+pub use session::{Candidates, Engine, Session};
 
 #[cfg(feature = "gpu")]
 pub use ccd_gpu::Error;
@@ -157,17 +157,10 @@ impl Choice {
         Self { notice: Some(notice), ..self }
     }
 
-    /// The same, but the CPU at once if the choice was free and a GPU lacks this method, this
-    /// pipeline or this scheduling.
-    fn for_methods(
-        &self,
-        method: crate::BroadPhaseMethod,
-        pipeline: crate::Pipeline,
-        scheduling: crate::Scheduling,
-    ) -> Self {
-        let lacking = method.lacking("gpu").or(pipeline.lacking("gpu"));
-        let lacking = lacking.or(scheduling.lacking("gpu"));
-        if self.free && lacking.is_some() {
+    /// The same, but the CPU at once if the choice was free and a GPU lacks what these options
+    /// choose.
+    fn for_options(&self, options: &crate::Options) -> Self {
+        if self.free && options.lacking("gpu").is_some() {
             Self { notice: self.notice, ..Self::default() }
         } else {
             self.clone()
@@ -295,9 +288,10 @@ impl<C, G> Either<C, G> {
 }
 
 /// Tells why the CPU takes over, or returns it as the error that it is: bad input is that on
-/// either, and a choice that was not free stands.
+/// either, if it is no filter, and a choice that was not free stands.
 fn give_up(why: Error, free: bool, notice: Option<Notice>) -> Result<(), Error> {
-    if !free || matches!(why, Error::Input(_)) {
+    let is_filter = matches!(why, Error::Input(crate::Error::Filter { .. }));
+    if !free || matches!(why, Error::Input(_)) && !is_filter {
         return Err(why);
     }
     if let Some(notice) = notice {

@@ -1,11 +1,9 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{
-    Aabb, AsPositions, Bodies, BroadPhaseMethod, CancelToken, Mesh, Options, Pair, Report,
-    Scheduling,
-};
-use std::sync::Arc;
+use crate::{Aabb, BroadPhaseMethod, CancelToken, Pair, Scheduling};
+use ccd_core::model::precision::Given;
+use ccd_core::model::session::{self, Ask, Change, On, State};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -60,86 +58,50 @@ pub fn is_emulated(device: &Device) -> bool {
     match *device {}
 }
 
-pub enum Session {}
+pub type Session = session::Session<Engine, On<Device>>;
 
-pub struct Candidates {
-    pub vf: Vec<Pair>,
-    pub ee: Vec<Pair>,
-    pub ve: Vec<Pair>,
-    pub vv: Vec<Pair>,
+pub enum Engine {}
+
+impl Engine {
+    pub fn device(&self) -> &Device {
+        match *self {}
+    }
 }
 
-impl Session {
-    pub fn new(device: &Device, _: Arc<Mesh>, _: Options) -> Result<Self, Error> {
+impl session::Engine for Engine {
+    type On = Device;
+    type Error = Error;
+    type Candidates<'a> = session::Candidates<Vec<Pair>>;
+
+    fn new(device: &Device, _: State) -> Result<Self, Error> {
         match *device {}
     }
 
-    pub fn earliest_toi<A: AsPositions>(&mut self, _: &A, _: &A) -> Result<Option<f64>, Error> {
+    fn state(&self) -> &State {
         match *self {}
     }
 
-    pub fn step_window<A: AsPositions>(
-        &mut self,
-        _: &A,
-        _: &A,
-        _: [f64; 2],
-    ) -> Result<&Report, Error> {
+    fn clear(&mut self) {
         match *self {}
     }
 
-    pub fn candidates<A: AsPositions>(&mut self, _: &A, _: &A) -> Result<Candidates, Error> {
+    fn find(&mut self, _: Given, _: Ask) -> Result<(), Error> {
         match *self {}
     }
 
-    pub fn set_mesh_and_bodies(&mut self, _: Arc<Mesh>, _: Option<Bodies>) -> Result<(), Error> {
+    fn candidates(&mut self, _: Given) -> Result<session::Candidates<Vec<Pair>>, Error> {
         match *self {}
     }
 
-    pub fn set_min_distance(&mut self, _: f64) -> Result<(), Error> {
+    fn change(&mut self, _: Change) -> Result<(), Error> {
         match *self {}
     }
 
-    pub fn set_options(&mut self, _: Options) -> Result<(), Error> {
+    fn set_cancel_token(&mut self, _: Option<CancelToken>) {
         match *self {}
     }
 
-    pub fn set_bodies(&mut self, _: Option<Bodies>) -> Result<(), Error> {
-        match *self {}
-    }
-
-    pub fn set_sleeping(&mut self, _: u32, _: bool) -> Result<(), Error> {
-        match *self {}
-    }
-
-    pub fn set_fixed(&mut self, _: u32, _: bool) -> Result<(), Error> {
-        match *self {}
-    }
-
-    pub fn set_fixed_motion(&mut self, _: bool) -> Result<(), Error> {
-        match *self {}
-    }
-
-    pub fn set_cancel_token(&mut self, _: impl Into<Option<CancelToken>>) {
-        match *self {}
-    }
-
-    pub fn cancel_token(&self) -> Option<&CancelToken> {
-        match *self {}
-    }
-
-    pub fn report(&self) -> &Report {
-        match *self {}
-    }
-
-    pub fn mesh(&self) -> &Arc<Mesh> {
-        match *self {}
-    }
-
-    pub fn options(&self) -> &Options {
-        match *self {}
-    }
-
-    pub fn device(&self) -> &Device {
+    fn cancel_token(&self) -> Option<&CancelToken> {
         match *self {}
     }
 }

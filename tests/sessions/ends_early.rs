@@ -46,7 +46,7 @@ fn check(step: &Step, options: &Options, unwinds: bool) {
     };
     let new = || {
         let mut session = Session::new(&step.mesh, options.clone()).unwrap();
-        session.set_filter(filter.clone());
+        session.set_filter(filter.clone()).unwrap();
         session
     };
     let (want, mut session) = (found(&mut new(), step), new());

@@ -31,4 +31,6 @@ pub mod report;
 #[cfg(feature = "alloc")]
 pub mod rules;
 pub mod scheduling;
+#[cfg(feature = "alloc")]
+pub mod session;
 pub mod toi;

@@ -169,4 +169,20 @@ impl Options {
         self.scheduling.check(self.broad_phase)?;
         self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))
     }
+
+    /// The name of what a backend, `"cpu"` or `"gpu"`, lacks of a method, a pipeline or a
+    /// scheduling, if it lacks something.
+    pub fn lacking(&self, backend: &str) -> Option<&'static str> {
+        let Self { broad_phase, pipeline, scheduling, .. } = *self;
+        let lacking = broad_phase.lacking(backend).or_else(|| pipeline.lacking(backend));
+        lacking.or_else(|| scheduling.lacking(backend))
+    }
+
+    /// Checks that a backend has all that the options choose.
+    ///
+    /// # Errors
+    /// [`Error::Method`] with the name of what it lacks.
+    pub fn check_backend(&self, backend: &'static str) -> Result<(), Error> {
+        self.lacking(backend).map_or(Ok(()), |name| Err(Error::Method { name, backend }))
+    }
 }

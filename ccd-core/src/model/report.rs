@@ -188,6 +188,14 @@ impl Report {
         self.mesh = Some(mesh.clone());
     }
 
+    /// Empties the report, which keeps its buffer.
+    #[doc(hidden)]
+    pub fn clear(&mut self) {
+        let mut contacts = core::mem::take(&mut self.contacts);
+        contacts.clear();
+        *self = Self { contacts, ..Self::default() };
+    }
+
     /// Contacts by kind.
     pub fn n_contacts(&self) -> PerKind {
         let mut counts = PerKind::default();

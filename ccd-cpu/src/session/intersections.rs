@@ -1,6 +1,6 @@
 //! Where a mesh goes through itself at one moment: edges through faces, exactly.
 
-use super::{Session, WHOLE};
+use super::{Engine, Session, WHOLE};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
@@ -14,49 +14,21 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
-use ccd_core::model::positions::{AsPositions, ends};
+use ccd_core::model::positions::AsPositions;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::scheduling::Scheduling;
+use ccd_core::model::session::{Intersection, State as Stepped};
 use ccd_core::narrow_phase::intersection::{Slab, are_outside, segment_meets_triangle, slabs};
 use ccd_core::{Error, Num};
-
-/// An edge and a face without a common vertex that have a point in common.
-///
-/// ```
-/// use ccd_core::model::{contact::State, mesh::Mesh, options::Options};
-/// use ccd_cpu::intersections;
-///
-/// // An edge whose end is in a face: touching counts.
-/// let mesh = Mesh::with_edges(5, &[[0, 1, 2]], &[[3, 4]])?;
-/// let x = [
-///     [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0],
-///     [0.25, 0.0, 0.25], [0.25, 1.0, 0.25],
-/// ];
-/// let found = intersections(&mesh, &x, &Options::default())?;
-/// assert_eq!((found[0].face, found[0].state), (0, State::Hit));
-/// assert_eq!(mesh.edges()[found[0].edge as usize], [3, 4]);
-/// # Ok::<(), ccd_core::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Intersection {
-    /// The edge.
-    pub edge: u32,
-    /// The face.
-    pub face: u32,
-    /// [`State::Undecided`]: not certainly apart, with coordinates beyond 2^200, or below 2^-200
-    /// and not zero, for which nothing is calculated exactly.
-    pub state: State,
-}
 
 /// Edges and faces of `mesh` at positions `x` that have a point in common but no vertex, sorted by
 /// edge, then by face. A mesh without any does not intersect itself.
 ///
-/// Both are closed: touching counts. Nothing is rounded. Of the options, bodies, threads, the
-/// memory and what cancels count. A session has [`Session::intersections`], which costs less.
+/// Of the options, bodies, threads and the memory count. [`Session::intersections`] says more, and
+/// costs less.
 ///
 /// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd_core::model::{contact::State, mesh::Mesh, options::Options};
 /// use ccd_cpu::intersections;
 ///
 /// let mesh = Mesh::new(6, &[[0, 1, 2], [3, 4, 5]])?;
@@ -67,6 +39,13 @@ pub struct Intersection {
 /// let found = intersections(&mesh, &x, &Options::default())?;
 /// let edges: Vec<_> = found.iter().map(|i| mesh.edges()[i.edge as usize]).collect();
 /// assert_eq!(edges, [[1, 2], [3, 4]]);
+///
+/// // An edge whose end is in a face: touching counts.
+/// let mesh = Mesh::with_edges(5, &[[0, 1, 2]], &[[3, 4]])?;
+/// let end = [[0.25, 0.0, 0.25], [0.25, 1.0, 0.25]];
+/// let found = intersections(&mesh, &[&x[..3], &end].concat(), &Options::default())?;
+/// assert_eq!((found[0].face, found[0].state), (0, State::Hit));
+/// assert_eq!(mesh.edges()[found[0].edge as usize], [3, 4]);
 /// # Ok::<(), ccd_core::Error>(())
 /// ```
 ///
@@ -83,33 +62,28 @@ pub fn intersections<A: AsPositions + ?Sized>(
     Session::new(mesh, options)?.intersections(x)
 }
 
-impl Session {
-    /// Edges and faces at positions `x` that have a point in common but no vertex: see
-    /// [`intersections`]. The report of the last step stays, and its trees serve again, if they are
-    /// those of the default method and pipeline.
-    ///
-    /// # Errors
-    /// Those of [`Session::step`].
-    pub fn intersections<A>(&mut self, x: &A) -> Result<Vec<Intersection>, Error>
-    where
-        A: AsPositions + ?Sized,
-    {
+impl Engine {
+    pub(super) fn find_intersections(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
         if !matches!(self.method, Method::Blocks(_)) || self.prepared.triangles.is_some() {
-            return intersections(&self.mesh, x, &self.options);
+            let Stepped { mesh, options, .. } = &self.state;
+            return match given {
+                Precision::F32([x, _]) => intersections(mesh, x, options),
+                Precision::F64([x, _]) => intersections(mesh, x, options),
+            };
         }
-        let (mut found, held) = (Vec::new(), self.threads.stop.held());
-        let done = self.gather(ends(x, x), |this, given| {
-            found = this.intersections_given(given)?;
-            Ok(())
-        });
+        let stop = self.threads.stop.clone();
+        stop.begin()?;
+        let held = stop.held();
+        let found = self.intersections_given(given);
         // All lists of it are gone, or the caller's.
-        self.threads.stop.hold(held);
-        done.map(|()| found)
+        stop.hold(held);
+        found
     }
 
     fn intersections_given(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
-        let x = Positions::new(&self.mesh, given, WHOLE)?;
-        let Self { mesh, options, threads, prepared, selection, method, .. } = self;
+        let x = Positions::new(given, WHOLE);
+        let Self { state, threads, prepared, selection, method, .. } = self;
+        let Stepped { mesh, options, .. } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
         threads.enter(|| {
             let stop = &*threads.stop;
@@ -225,7 +199,7 @@ impl PairSink for Through<'_> {
                 && self.scene.stop.reserve(WHAT, found, 1)
             {
                 let edge = self.edges.boxes.order()[a * WIDTH + lane];
-                found.push(Intersection { edge, face: self.faces.boxes.ids(b)[j], state });
+                found.push(Intersection::new(edge, self.faces.boxes.ids(b)[j], state));
             }
         }
     }

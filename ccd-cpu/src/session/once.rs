@@ -1,38 +1,11 @@
-//! One step with no session to keep, and what a session lists of one.
+//! One step with no session to keep.
 
 use super::Session;
-use crate::broad_phase::pair_list::Pairs;
 use ccd_core::Error;
-use ccd_core::layout::Pair;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::positions::AsPositions;
 use ccd_core::model::report::Report;
-
-/// Candidates of a step; see [`Session::candidates`].
-///
-/// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
-/// use ccd_cpu::Session;
-///
-/// let mut session = Session::new(Mesh::new(4, &[[0, 1, 2]])?, Options::default())?;
-/// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 0.0, 0.2]];
-/// let candidates = session.candidates(&x, &x)?;
-/// assert_eq!((candidates.vf.len(), candidates.ee.len()), (1, 0));
-/// # Ok::<(), ccd_core::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub struct Candidates<'a> {
-    /// Vertex, face.
-    pub vf: Pairs<'a>,
-    /// Two edges, the lesser id first.
-    pub ee: Pairs<'a>,
-    /// A vertex of no edge, an edge of no face.
-    pub ve: &'a [Pair],
-    /// Two vertices of no edge, the lesser id first.
-    pub vv: &'a [Pair],
-}
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
 ///
@@ -58,7 +31,7 @@ where
 {
     let mut session = Session::new(mesh, options.clone())?;
     session.step(x0, x1)?;
-    Ok(session.into_report())
+    Ok(std::mem::take(&mut session.state.report))
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].

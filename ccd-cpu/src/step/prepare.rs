@@ -13,7 +13,6 @@ use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::math::vec3::max_abs;
-use ccd_core::model::error::check_window;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
@@ -37,16 +36,9 @@ pub struct Positions<'a> {
 }
 
 impl<'a> Positions<'a> {
-    /// One for every vertex of `mesh` at both ends of the step, of which the times of a window
-    /// matter.
-    pub fn new(mesh: &Mesh, given: Given<'a>, window: [f64; 2]) -> Result<Self, Error> {
-        check_window(window)?;
-        match given {
-            Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
-            Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
-        }
-        let [from, until] = window;
-        Ok(Self { given, from, until, again: false })
+    /// At both ends of the step, of which the times of a window matter.
+    pub fn new(given: Given<'a>, [from, until]: [f64; 2]) -> Self {
+        Self { given, from, until, again: false }
     }
 
     /// Whether the whole step matters.

@@ -9,16 +9,15 @@ use ccd_core::layout::Pair;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::options::Options;
 use ccd_core::model::rules::Rules;
+use ccd_core::model::session::Filter;
 use std::fmt;
-
-/// Whether a pair of features is wanted: by its kind and ids, of edges the lesser first.
-pub type Filter = dyn Fn(Kind, u32, u32) -> bool + Send + Sync;
+use std::sync::Arc;
 
 /// What selects pairs.
 #[derive(Default)]
 pub struct Selection {
     pub rules: Option<Rules>,
-    pub filter: Option<Box<Filter>>,
+    pub filter: Option<Arc<Filter>>,
 }
 
 impl fmt::Debug for Selection {

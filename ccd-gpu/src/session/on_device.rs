@@ -1,18 +1,19 @@
 //! Results that stay where a device has them, for work that goes on there.
 
-use super::Session;
+use super::Engine;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::step::frame::Frames;
 use crate::step::{Goal, WHOLE};
-use ccd_core::model::positions::{AsPositions, ends};
+use ccd_core::model::positions::{AsPositions, Gathered, ends};
+use ccd_core::model::session;
 
 /// Results where a device has them, for work that goes on there. Valid until the session's next
 /// call.
 ///
 /// A list is a header of four words, of which the first is the number of entries, then the entries.
 /// That number may exceed the room of a list in [`OnDevice::lists`]: then results are incomplete,
-/// and [`Session::step`] must be called instead, which makes room.
+/// and [`Session::step`](session::Session::step) must be called instead, which makes room.
 ///
 /// ```no_run
 /// use ccd_gpu::{Error, Session, wgpu};
@@ -68,29 +69,33 @@ pub struct GeometryOnDevice<'a> {
     pub geometry: &'a wgpu::Buffer,
 }
 
-impl Session {
-    /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
-    /// until the next call. All of them fit.
+impl Engine {
+    /// As [`Session::candidates`](session::Session::candidates), but leaves the pairs on the
+    /// device: vertex-face and edge-edge, until the next call. All of them fit.
     ///
     /// # Errors
-    /// Those of [`Session::step`].
+    /// Those of [`Session::step`](session::Session::step).
     pub fn candidates_on_device<A, B>(&mut self, x0: &A, x1: &B) -> Result<[&List; 2], Error>
     where
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        self.run(ends(x0, x1), WHOLE, Goal::Candidates)?;
+        let mut gathered = Gathered::default();
+        let given = session::given(&self.state.mesh, &mut gathered, ends(x0, x1));
+        let done = given.map_err(Error::from);
+        done.and_then(|given| self.run(given, WHOLE, Goal::Candidates))
+            .inspect_err(|_| session::Engine::clear(self))?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
     }
 
-    /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per
+    /// The buffer of positions that [`Engine::record`] reads: one [`ccd_core::layout::Path`] per
     /// vertex. May be written by copies and by kernels. Another mesh may bring another buffer.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.frames.buffers.positions.paths
     }
 
-    /// Records a whole step, from the paths in [`Session::paths`] to the lists of [`OnDevice`],
+    /// Records a whole step, from the paths in [`Engine::paths`] to the lists of [`OnDevice`],
     /// into an encoder of the caller's; nothing is read back.
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
@@ -106,7 +111,8 @@ impl Session {
         if self.codimensional.is_some() {
             return Err(Error::Codimensional);
         }
-        let b = self.frames.record(&self.device, (&self.mesh, &self.options), encoder)?;
+        let b =
+            self.frames.record(&self.device, (&self.state.mesh, &self.state.options), encoder)?;
         Ok(OnDevice {
             contacts: &b.contacts,
             undecided: [&b.undecided[0], &b.undecided[1]],
@@ -116,13 +122,13 @@ impl Session {
     }
 
     /// Records what writes point, normal, weights and vertices of every contact on the device that
-    /// the last [`Session::record`] or [`Session::step`] has listed there, in the order of that
-    /// list; nothing is read back. See
+    /// the last [`Engine::record`] or [`Session::step`](session::Session::step) has listed there,
+    /// in the order of that list; nothing is read back. See
     /// [`contact_geometry`](ccd_core::narrow_phase::contact_geometry) for the rules.
     ///
-    /// Into the encoder of [`Session::record`] after it, or, after [`Session::step`], into any.
-    /// Submit the encoder before the session's next call. Computed in `f64` where the device has it
-    /// and else in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
+    /// Into the encoder of [`Engine::record`] after it, or, after a step, into any. Submit the
+    /// encoder before the session's next call. Computed in `f64` where the device has it and else
+    /// in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
     /// time and so no geometry.
     ///
     /// # Errors
@@ -133,7 +139,7 @@ impl Session {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<GeometryOnDevice<'_>, Error> {
         let Frames { buffers, geometry, .. } = &mut self.frames;
-        let geometry = geometry.record(&self.device, buffers, &self.options, encoder)?;
+        let geometry = geometry.record(&self.device, buffers, &self.state.options, encoder)?;
         Ok(GeometryOnDevice { contacts: &buffers.contacts, geometry })
     }
 }

@@ -26,7 +26,7 @@ impl State<'_> {
             "let mut fresh = ccd::Session::new(scene.mesh.clone(), session.options().clone()\n\
              .with_broad_phase(ccd::BroadPhaseMethod::BruteForce).with_threads(1)\n\
              .with_scheduling(ccd::Scheduling::default()).with_pipeline(ccd::Pipeline::Features))\
-             .unwrap();\nfresh.set_filter(|_, a, b| {});\n",
+             .unwrap();\nfresh.set_filter(|_, a, b| {}).unwrap();\n",
             filter_text(self.filter)
         );
         let plain = options
@@ -38,7 +38,9 @@ impl State<'_> {
         let mut fresh = ccd::Session::new(self.session.mesh().clone(), plain)
             .map_err(|e| format!("a new session: {e}"))?;
         let n = self.filter;
-        fresh.set_filter(move |_, a, b| n == 0 || (a + b) % n != 0);
+        fresh
+            .set_filter(move |_, a, b| n == 0 || (a + b) % n != 0)
+            .map_err(|e| format!("a filter: {e}"))?;
         if narrow {
             *text += "let [x0, x1] = [x0, x1].map(|x| x.iter().map(|p| p.map(|c| c as f32))\
                       .collect::<Vec<_>>());\n";

@@ -1,0 +1,269 @@
+//! A mesh stepped frame by frame: every call of a session, once for all backends. What calls come
+//! down to is done by an [`Engine`], which each backend has.
+
+mod candidates;
+mod changes;
+mod engine;
+
+pub use candidates::{Candidates, Intersection};
+pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
+
+use super::cancel::CancelToken;
+use super::error::{Error, check_window};
+use super::mesh::Mesh;
+use super::options::Options;
+use super::positions::{AsPositions, Ends, Gathered, ends};
+use super::precision::{Given, Precision};
+use super::report::Report;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+use core::marker::PhantomData;
+use core::ops::{Deref, DerefMut};
+
+/// Continuous collision detection of one mesh over many steps.
+///
+/// Positions are whatever is [`AsPositions`]: slices, arrays and vectors of `[f32; 3]` or
+/// `[f64; 3]`, bytes with a stride, posed bodies, vectors of `glam`. Between steps, the `set_`
+/// functions change what a session was made with; the next step finds what a new session would.
+///
+/// `E` is the [`Engine`] of a backend, and `P` says what a session is opened on: nothing for a CPU,
+/// a device for a GPU ([`On`]). Backends name their sessions: `ccd_cpu::Session`,
+/// `ccd_gpu::Session`, `ccd::any::Session`. A session dereferences to its engine, which has the
+/// calls that only one backend has.
+///
+/// Errors are [`Error`] on a CPU, and the variant `Input` of a GPU's error, which has others for
+/// what a device refuses. After an error a session stays usable; after the loss of a device, on
+/// another one.
+#[derive(Debug)]
+pub struct Session<E, P = ()> {
+    engine: E,
+    gathered: Gathered,
+    place: PhantomData<fn() -> P>,
+}
+
+/// Marks sessions that are opened on a `D`.
+#[derive(Debug)]
+pub struct On<D>(PhantomData<D>);
+
+impl<E: Engine<On = ()>> Session<E> {
+    /// A session for `mesh`: a [`Mesh`], a reference to one, which is copied, or an `Arc` of one,
+    /// which is shared.
+    ///
+    /// # Errors
+    /// What [`Options::check`] refuses; [`Error::Method`] for what the backend does not have;
+    /// [`Error::Threads`]; [`Error::Memory`].
+    pub fn new(mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, E::Error> {
+        Self::of(&(), mesh.into(), options)
+    }
+}
+
+impl<E: Engine<On = D>, D> Session<E, On<D>> {
+    /// A session on `on` (a device, or a choice of one) for `mesh`: a [`Mesh`], a reference to one,
+    /// which is copied, or an `Arc` of one, which is shared.
+    ///
+    /// # Errors
+    /// What [`Options::check`] refuses; [`Error::Method`] for what the backend does not have; what
+    /// the device refuses.
+    pub fn new(on: &D, mesh: impl Into<Arc<Mesh>>, options: Options) -> Result<Self, E::Error> {
+        Self::of(on, mesh.into(), options)
+    }
+}
+
+impl<E: Engine, P> Session<E, P> {
+    fn of(on: &E::On, mesh: Arc<Mesh>, options: Options) -> Result<Self, E::Error> {
+        options.check(&mesh)?;
+        let engine = E::new(on, State::new(mesh, options))?;
+        Ok(Self { engine, gathered: Gathered::default(), place: PhantomData })
+    }
+
+    /// The mesh of the next step. [`Report::mesh`] is that of the last one.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.engine.state().mesh
+    }
+
+    /// The options.
+    pub fn options(&self) -> &Options {
+        &self.engine.state().options
+    }
+
+    /// What the last call found; empty if that ended with an error.
+    pub fn report(&self) -> &Report {
+        &self.engine.state().report
+    }
+
+    /// The token that ends calls.
+    pub fn cancel_token(&self) -> Option<&CancelToken> {
+        self.engine.cancel_token()
+    }
+
+    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
+    /// vertex of the mesh.
+    ///
+    /// On a CPU, after the first steps, nothing is allocated unless there are more contacts than
+    /// before.
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
+    /// their type says; [`Error::FixedMoves`]; [`Error::CrowdedCells`] and [`Error::TooMany`] where
+    /// a method was chosen that has such limits; [`Error::Memory`] and [`Error::Cancelled`]; what
+    /// the device refuses. The session stays usable, and its report is empty.
+    pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_window(x0, x1, [0.0, 1.0])
+    }
+
+    /// Every contact of a step up to time `t_max` in `[0, 1]`: as [`Session::step_window`] from 0.
+    ///
+    /// # Errors
+    /// Those of [`Session::step_window`].
+    pub fn step_until<A, B>(&mut self, x0: &A, x1: &B, t_max: f64) -> Result<&Report, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.step_window(x0, x1, [0.0, t_max])
+    }
+
+    /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
+    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes are swept
+    /// for the window alone.
+    ///
+    /// # Errors
+    /// [`Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of [`Session::step`].
+    pub fn step_window<A, B>(
+        &mut self,
+        x0: &A,
+        x1: &B,
+        window: [f64; 2],
+    ) -> Result<&Report, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.ask(ends(x0, x1), Ask::Contacts { window })?;
+        Ok(self.report())
+    }
+
+    /// The earliest time of impact of the step, without the list of contacts: cheaper than
+    /// [`Session::step`]. `None`: the whole step is free.
+    ///
+    /// It is not later than the earliest contact. On a GPU it is rounded down to an `f32`; with a
+    /// tolerance below 1e-7, which an `f32` cannot keep, it is not rounded there, and costs as much
+    /// as [`Session::step`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn earliest_toi<A, B>(&mut self, x0: &A, x1: &B) -> Result<Option<f64>, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        self.ask(ends(x0, x1), Ask::Earliest)?;
+        Ok(self.report().toi)
+    }
+
+    /// How much of the step is certainly free of contact: 1 if all of it is, else
+    /// [`Session::earliest_toi`], which may be 0.
+    ///
+    /// With [`Options::leave_contact`], "free" means for features that are in contact at the start
+    /// and separate that they neither come nearer than at the start nor touch again. At the time
+    /// itself there may be contact: what keeps some distance goes by
+    /// [`scaled_toi`](super::toi::scaled_toi) of it.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn collision_free_step_size<A, B>(&mut self, x0: &A, x1: &B) -> Result<f64, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
+    }
+
+    /// Lists all [`Candidates`] of the step: pairs of features whose swept boxes overlap, without
+    /// those that share a vertex or that the bodies rule out.
+    ///
+    /// A step does not need this: on a CPU it never lists them.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn candidates<A, B>(&mut self, x0: &A, x1: &B) -> Result<E::Candidates<'_>, E::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        let Self { engine, gathered, .. } = self;
+        match given(&engine.state().mesh, gathered, ends(x0, x1)) {
+            Ok(given) => engine.candidates(given),
+            Err(why) => {
+                engine.clear();
+                Err(why.into())
+            }
+        }
+    }
+
+    /// Edges and faces at positions `x` that have a point in common but no vertex, sorted by edge,
+    /// then by face: where the mesh goes through itself. Found on the CPU, wherever steps run.
+    ///
+    /// Both are closed: touching counts. Nothing is rounded. The report of the last step stays, and
+    /// its trees serve again, if they are those of a CPU's default method and pipeline.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn intersections<A>(&mut self, x: &A) -> Result<Vec<Intersection>, Error>
+    where
+        A: AsPositions + ?Sized,
+        E: Intersects,
+    {
+        let Self { engine, gathered, .. } = self;
+        let given = given(&engine.state().mesh, gathered, ends(x, x))?;
+        engine.intersections(given)
+    }
+
+    /// Asks something of a step.
+    fn ask(&mut self, ends: Ends, ask: Ask) -> Result<(), E::Error> {
+        let Self { engine, gathered, .. } = self;
+        let checked = check_window(ask.window());
+        let given = checked.and_then(|()| given(&engine.state().mesh, gathered, ends));
+        let done = given.map_err(E::Error::from).and_then(|given| engine.find(given, ask));
+        if done.is_err() {
+            engine.clear();
+        }
+        done
+    }
+}
+
+/// Positions as slices, one position for every vertex at both ends of a step.
+///
+/// # Errors
+/// What [`Gathered::slices`] and [`Mesh::check_positions`] say.
+#[inline(never)]
+pub fn given<'a>(
+    mesh: &Mesh,
+    gathered: &'a mut Gathered,
+    ends: Ends<'a>,
+) -> Result<Given<'a>, Error> {
+    let given = gathered.slices(ends)?;
+    match given {
+        Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
+        Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
+    }
+    Ok(given)
+}
+
+impl<E, P> Deref for Session<E, P> {
+    type Target = E;
+
+    fn deref(&self) -> &E {
+        &self.engine
+    }
+}
+
+impl<E, P> DerefMut for Session<E, P> {
+    fn deref_mut(&mut self) -> &mut E {
+        &mut self.engine
+    }
+}
