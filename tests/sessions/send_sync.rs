@@ -47,7 +47,6 @@ are!(
     ccd::Scheduler,
     ccd::Scheduling,
     ccd::Session,
-    ccd::Shrink,
     ccd::State,
     ccd::Strided<'static, f64>,
     ccd::Times,

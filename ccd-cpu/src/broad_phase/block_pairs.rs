@@ -105,7 +105,6 @@ impl PairsOfNodes for BlockSource {
         &mut self,
         _threads: &Threads,
         sides: Sides,
-        _lift: bool,
         run: &mut dyn FnMut(Pairs),
     ) {
         let pairs = BlockPairs::new(&mut self.trees, sides);
@@ -200,27 +199,6 @@ impl FrontTree for BlockPairs<'_> {
         }
         let lane = |tree: &BlockBvh, i: usize| get_lane(&tree.level(level)[i / WIDTH], i % WIDTH);
         lane(self.a, a).overlaps(&lane(self.b, b))
-    }
-
-    #[inline(always)]
-    fn lifts(self) -> bool {
-        !self.a.worlds().are_known()
-    }
-
-    /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too; of
-    /// worlds that is not so.
-    #[inline(always)]
-    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)> {
-        let BlockPair { level, a, b } = BlockPair::unpacked(pair);
-        let width = WIDTH as u32;
-        let parent = BlockPair { level: level + 1, a: a / width, b: b / width };
-        let is_root = level as usize + 1 >= self.a.height();
-        (!is_root).then_some((parent.packed(), a % width == 0 && b % width == 0))
-    }
-
-    #[inline(always)]
-    fn boxes_apart(self, pair: NodePair) -> bool {
-        !self.meets(pair)
     }
 
     #[inline(always)]

@@ -31,12 +31,8 @@ pub trait Descend: Sync {
     fn expand(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces);
 
     /// Begins at pairs of a front: those that are apart stay in it, those at its deepest stay and
-    /// are looked into, all others that meet go to `out`, to be expanded. `lift`: those that are
-    /// apart are lifted, if the tree [lifts](FrontTree::lifts) fronts.
-    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces, lift: bool);
-
-    /// [`FrontTree::lifts`].
-    fn lifts(&self) -> bool;
+    /// are looked into, all others that meet go to `out`, to be expanded.
+    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces);
 }
 
 impl<T: FrontTree> Descend for T {
@@ -64,19 +60,15 @@ impl<T: FrontTree> Descend for T {
     fn expand(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces) {
         let Traces { rows, front, n_expanded } = traces;
         let tree = *self;
-        let work = Whole::<_, false> { tree, pairs, out, rows, front, lift: false };
+        let work = Whole::<_, false> { tree, pairs, out, rows, front };
         *n_expanded += crate::simd::run_rows!(work);
     }
 
-    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces, lift: bool) {
+    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces) {
         let Traces { rows, front, n_expanded } = traces;
         let tree = *self;
-        let work = Whole::<_, true> { tree, pairs, out, rows, front, lift };
+        let work = Whole::<_, true> { tree, pairs, out, rows, front };
         *n_expanded += crate::simd::run_rows!(work);
-    }
-
-    fn lifts(&self) -> bool {
-        FrontTree::lifts(*self)
     }
 }
 
@@ -136,7 +128,6 @@ struct Whole<'w, 'r, 'a, 'f, T, const OF_FRONT: bool> {
     out: &'w mut Vec<NodePair>,
     rows: &'w mut Gathered<'r, 'a>,
     front: &'w mut Option<Writer<'f>>,
-    lift: bool,
 }
 
 impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
@@ -146,16 +137,14 @@ impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
 
     #[inline(always)]
     fn call(self, simd: S) -> u64 {
-        let Self { tree, pairs, out, rows, front, lift } = self;
+        let Self { tree, pairs, out, rows, front } = self;
         let mut n_expanded = 0;
         for &pair in pairs {
             let first = out.len();
             if OF_FRONT {
                 let (stays, meets) = (tree.place(pair) == Place::At, tree.meets(pair));
                 if !meets {
-                    if let Some(pair) = if lift { lifted(tree, pair) } else { Some(pair) } {
-                        keep(front, pair);
-                    }
+                    keep(front, pair);
                     continue;
                 }
                 if !stays {
@@ -192,21 +181,6 @@ impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
         }
         n_expanded
     }
-}
-
-/// What stands in a front for a pair that is apart, if this pair is the one to write it: the
-/// highest pair above it whose boxes are apart. All pairs of the front that are below that one come
-/// to it, and one of them by first children alone.
-#[inline(always)]
-fn lifted<T: FrontTree>(tree: T, pair: NodePair) -> Option<NodePair> {
-    let (mut top, mut is_first) = (pair, true);
-    while let Some((parent, first)) = tree.parent(top)
-        && tree.boxes_apart(parent)
-    {
-        top = parent;
-        is_first &= first;
-    }
-    is_first.then_some(top)
 }
 
 #[inline(always)]

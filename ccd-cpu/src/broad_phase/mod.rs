@@ -21,8 +21,6 @@ mod descend;
 pub mod descent_times;
 mod front;
 pub mod leaf_boxes;
-#[cfg(test)]
-mod lift_tests;
 pub mod method;
 mod morton_order;
 pub mod pair_list;

@@ -143,9 +143,8 @@ pub struct Scratch {
 
 /// A source of pairs of nodes, which any scheduler shares out among workers.
 pub trait PairsOfNodes: Order {
-    /// Calls `run` with the pairs of nodes of these sides. `lift`: a front is to be lifted, if
-    /// that is possible.
-    fn descend(&mut self, threads: &Threads, sides: Sides, lift: bool, run: &mut dyn FnMut(Pairs));
+    /// Calls `run` with the pairs of nodes of these sides.
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs));
 }
 
 /// Pairs of nodes of two trees, or of one with itself.

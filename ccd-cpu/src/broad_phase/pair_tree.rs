@@ -47,15 +47,6 @@ pub trait FrontTree: PairTree {
     fn place(self, pair: NodePair) -> Place;
     /// Whether the volumes of both nodes overlap, and there is anything below the pair.
     fn meets(self, pair: NodePair) -> bool;
-    /// Whether the parent of a pair depends on nothing but the builds of the trees, so that fronts
-    /// can be lifted.
-    fn lifts(self) -> bool;
-    /// The pair below which this one is found, and whether it is the first child there; `None` of
-    /// a pair at which descents begin. If [`FrontTree::lifts`].
-    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)>;
-    /// Whether the boxes along the axes of both nodes are apart. Then those of all pairs below are,
-    /// because a box contains the boxes below it.
-    fn boxes_apart(self, pair: NodePair) -> bool;
     /// As [`PairTree::expand`] of a pair above all fronts; children that are apart are written to
     /// the front. Those that can have no pair of leaves, whatever the boxes are, are in neither.
     fn expand_all<S: RowSimd>(

@@ -104,18 +104,6 @@ impl Scheduled {
         self.descent.fronts.as_ref().map(Fronts::counts)
     }
 
-    /// The pairs of the only front, sorted, and whether the next step lifts it.
-    #[cfg(test)]
-    pub fn kept(&self) -> (Vec<NodePair>, bool) {
-        let front = self.descent.fronts.as_ref().expect("fronts").at(0);
-        let mut all = Vec::new();
-        if let Some(list) = front.kept() {
-            (0..list.n_pieces()).for_each(|k| list.piece(k, &mut all));
-        }
-        all.sort_unstable();
-        (all, front.is_lifted())
-    }
-
     /// The source itself.
     pub fn source(&self) -> &dyn PairsOfNodes {
         &*self.source
@@ -143,8 +131,7 @@ impl PairSource for Scheduled {
         }
         let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
         let timed = times.is_some();
-        let lift = descent.fronts.as_ref().is_some_and(|fronts| part == 1 && fronts.lifts(sets));
-        source.descend(threads, sides, lift, &mut |pairs| {
+        source.descend(threads, sides, &mut |pairs| {
             descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
                 threads.each_with(workers, buffers, &|worker, Own(own)| {
                     let mut hand_on =
@@ -202,8 +189,7 @@ impl Descent {
         if let Some(kept) = front.and_then(|front| front.kept()) {
             pieces.prepare(n_workers);
             resumed.prepare(n_workers);
-            let lift = front.is_some_and(|front| front.is_lifted());
-            resume(tree, kept, written, lift, [pieces, resumed], stop, launch);
+            resume(tree, kept, written, [pieces, resumed], stop, launch);
             resumed.gather(tasks, stop);
             watch.lap(|times| &mut times.shared_out);
         } else {
@@ -246,7 +232,7 @@ impl Descent {
         watch.lap(|times| &mut times.shared_out);
         // Of a search that is not complete no front is kept; that of the one before still holds.
         if let Some((fronts, at)) = of.filter(|_| !stop.is_stopped()) {
-            fronts.end(at, tree.lifts(), stop);
+            fronts.end(at, stop);
         }
         watch.lap(|times| &mut times.keep);
     }
@@ -274,7 +260,6 @@ fn resume(
     tree: &dyn Descend,
     kept: &List,
     written: Option<&List>,
-    lift: bool,
     [pieces, resumed]: [&Lists; 2],
     stop: &Stop,
     launch: &mut dyn FnMut(Work),
@@ -294,7 +279,7 @@ fn resume(
             if stop.is_stopped() || !stop.reserve(PAIRS_OF_NODES, &mut out, piece.len()) {
                 break;
             }
-            let mut resume = || tree.resume(&piece, &mut out, &mut traces, lift);
+            let mut resume = || tree.resume(&piece, &mut out, &mut traces);
             match outlet.times {
                 Some(times) => times.front(resume),
                 None => resume(),

@@ -21,7 +21,7 @@ use ccd_core::layout::{Branch, Node};
 use ccd_core::math::obb::Obb;
 use ccd_core::model::method::Volume;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::sync::atomic::AtomicU32;
 
 /// A tree over boxes and what its refit needs; fewer than two boxes give a tree without internal
 /// nodes.
@@ -50,12 +50,6 @@ impl BinaryTree {
     /// The number of its build: each has another.
     pub fn build(&self) -> u64 {
         self.build
-    }
-
-    /// The parent of a node that is not the root.
-    #[inline]
-    pub fn parent(&self, node: u32) -> u32 {
-        self.parents[node as usize].load(Relaxed)
     }
 
     /// All nodes, with the boxes of the last fit.

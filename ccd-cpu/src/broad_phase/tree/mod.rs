@@ -111,13 +111,13 @@ impl RowSource for TreeSource {
 }
 
 impl PairsOfNodes for TreeSource {
-    fn descend(&mut self, threads: &Threads, sides: Sides, lift: bool, run: &mut dyn FnMut(Pairs)) {
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
         let Self { traversal, trees, .. } = self;
         let trees = trees_of(trees, traversal.descends_both(), sides);
         traversal.begin(threads, trees, sides);
         let builds = [trees.a.unwrap_or(trees.b), trees.b].map(BinaryTree::build);
         traversal
-            .descend(trees, sides, lift, &mut |tree, roots| run(Pairs { tree, roots, builds }));
+            .descend(trees, sides, &mut |tree, roots| run(Pairs { tree, roots, builds }));
     }
 }
 

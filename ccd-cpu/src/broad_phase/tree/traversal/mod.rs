@@ -12,7 +12,6 @@
 
 mod binary_pairs;
 mod cut;
-mod depths;
 mod half;
 mod iterative;
 mod leaf_order;
@@ -60,12 +59,11 @@ pub trait Traverse: Debug + Send + Sync {
     fn task(&self, k: usize, trees: Trees, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
 
     /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent
-    /// begins, if it descends pairs; after [`Traverse::begin`]. `lift`: a front is to be lifted.
+    /// begins, if it descends pairs; after [`Traverse::begin`].
     fn descend(
         &mut self,
         _trees: Trees,
         _sides: Sides,
-        _lift: bool,
         _run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
     }
