@@ -23,7 +23,6 @@ are!(
     ccd::ContactGeometry,
     ccd::Descent,
     ccd::CancelToken,
-    ccd::DescentTimes,
     ccd::Digest,
     ccd::Distance,
     ccd::EdgeEdge<f64>,

@@ -3,6 +3,7 @@
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
 use super::pipeline::Pipeline;
+use super::scheduling::{Front, Scheduler};
 use core::mem::discriminant;
 
 /// What there is to say about a choice.
@@ -39,6 +40,8 @@ pub struct Row<T> {
 pub trait Catalogued: Copy + PartialEq + 'static {
     /// Every value, in the order of the enum.
     const ROWS: &'static [Row<Self>];
+    /// Names of those that every build has; others are there by the feature `catalogue`.
+    const ALWAYS: &'static [&'static str];
 
     /// What there is to say about a value, whatever its settings.
     fn row(self) -> &'static Row<Self> {
@@ -57,6 +60,7 @@ const CPU: &[&str] = &["cpu"];
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for BroadPhaseMethod {
+    const ALWAYS: &'static [&'static str] = &["blocks", "tree"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::BruteForce,
@@ -104,6 +108,7 @@ impl Catalogued for BroadPhaseMethod {
 }
 
 impl Catalogued for Builder {
+    const ALWAYS: &'static [&'static str] = &["lbvh"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Lbvh,
@@ -137,6 +142,7 @@ impl Catalogued for Builder {
 }
 
 impl Catalogued for Traversal {
+    const ALWAYS: &'static [&'static str] = &["leaf-order", "half"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Recursive,
@@ -184,6 +190,7 @@ impl Catalogued for Traversal {
 }
 
 impl Catalogued for Volume {
+    const ALWAYS: &'static [&'static str] = &["aabb"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Aabb,
@@ -203,6 +210,7 @@ impl Catalogued for Volume {
 }
 
 impl Catalogued for Pipeline {
+    const ALWAYS: &'static [&'static str] = &["features", "triangles"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Features,
@@ -219,6 +227,19 @@ impl Catalogued for Pipeline {
             backends: BOTH,
         },
     ];
+}
+
+/// Whether a choice of that name is one that a backend has, if the feature `catalogue` is on.
+pub(super) fn is_of_backend(name: &str, backend: &str) -> bool {
+    fn has<T: Catalogued>(name: &str, backend: &str) -> bool {
+        T::ROWS.iter().any(|row| row.name == name && row.backends.contains(&backend))
+    }
+    has::<BroadPhaseMethod>(name, backend)
+        || has::<Builder>(name, backend)
+        || has::<Traversal>(name, backend)
+        || has::<Volume>(name, backend)
+        || has::<Scheduler>(name, backend)
+        || name == "front" && has::<Front>("on", backend)
 }
 
 impl Pipeline {
@@ -276,7 +297,6 @@ impl core::fmt::Display for BroadPhaseMethod {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scheduling::{Front, Scheduler};
 
     fn check_rows<T: Catalogued + core::fmt::Debug + Default>() {
         for row in T::ROWS {
@@ -287,6 +307,8 @@ mod tests {
         }
         assert_eq!(T::named("by hand"), None);
         assert!(T::ROWS.iter().any(|row| row.value == T::default()));
+        assert!(T::ALWAYS.iter().all(|name| T::named(name).is_some()));
+        assert!(T::ALWAYS.contains(&T::default().row().name));
     }
 
     #[test]
@@ -304,5 +326,14 @@ mod tests {
     fn a_method_is_there_if_all_its_parts_are() {
         assert_eq!(BroadPhaseMethod::Blocks.lacking("cpu"), None);
         assert_eq!(BroadPhaseMethod::BruteForce.lacking("abacus"), Some("brute-force"));
+    }
+
+    #[test]
+    fn a_method_that_is_left_out_of_a_build_is_refused_with_that_reason() {
+        let text = |name, backend| std::format!("{}", crate::Error::Method { name, backend });
+        for name in ["ploc", "static", "obb", "cut", "uniform-grid", "front"] {
+            assert!(text(name, "cpu").contains("feature `catalogue`"), "{name}");
+        }
+        assert_eq!(text("sweep-in-strips", "gpu"), "the gpu has no method `sweep-in-strips`");
     }
 }

@@ -7,6 +7,7 @@ pub use checks::{
     check_window,
 };
 
+use super::catalogue::is_of_backend;
 use crate::narrow_phase::query::LEAST_TOLERANCE;
 
 /// Why there is no answer: input was refused, and nothing was computed from it; or a limit that
@@ -330,6 +331,10 @@ impl core::fmt::Display for Error {
                      use the CPU"
                 )
             }
+            Error::Method { name, backend } if is_of_backend(name, backend) => write!(
+                f,
+                "the {backend}'s `{name}` is not compiled in: build with the feature `catalogue`"
+            ),
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
             Error::NoPairsOfNodes { method } => {
                 write!(

@@ -32,3 +32,4 @@ pub mod report;
 pub mod rules;
 pub mod scheduling;
 pub mod toi;
+pub mod tree_statistics;

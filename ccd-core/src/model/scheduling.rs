@@ -135,8 +135,7 @@ pub struct FrontOptions {
 }
 
 impl FrontOptions {
-    const DEFAULT: Self =
-        Self { period: 16, threshold: 0, growth: 150, memory: 512 };
+    const DEFAULT: Self = Self { period: 16, threshold: 0, growth: 150, memory: 512 };
     /// Most MiB of a front: 64 GiB.
     pub const MAX_MEMORY: u32 = 1 << 16;
 
@@ -239,6 +238,7 @@ impl core::fmt::Display for Scheduling {
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for Scheduler {
+    const ALWAYS: &'static [&'static str] = &["self-scheduling"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::SelfScheduling,
@@ -286,6 +286,7 @@ impl Catalogued for Scheduler {
 }
 
 impl Catalogued for Front {
+    const ALWAYS: &'static [&'static str] = &["off"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Off,

@@ -1,10 +1,12 @@
 //! What is done with a list of pairs of any tree of pairs, compiled once for each tree: split into
-//! tasks, expanded down to rows of leaves, begun at a front.
+//! tasks, expanded down to rows of leaves, begun at a front; and what has such trees.
 
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::{Gathered, IntoRows};
-use crate::broad_phase::pair_tree::{FrontTree, Place};
+use crate::broad_phase::leaf_boxes::{Order, Sides};
+use crate::broad_phase::pair_tree::PairTree;
+use crate::broad_phase::rows::{Gathered, IntoRows};
 use crate::simd::{RowSimd, Work};
+use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
 
 /// What expansions leave behind, beside pairs that are to be expanded.
@@ -15,6 +17,37 @@ pub struct Traces<'t, 'r, 'a, 'f> {
     pub front: Option<Writer<'f>>,
     /// Pairs that were expanded.
     pub n_expanded: u64,
+}
+
+/// Where a pair is, seen from the deepest front that there can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Its children may be in a front.
+    Above,
+    /// It stays in every front that has come this far, and what is below it is found anew each
+    /// time.
+    At,
+    /// It is never in a front.
+    Below,
+}
+
+/// A tree of pairs that can be begun at a front.
+pub trait FrontTree: PairTree {
+    /// Whether a row of leaves comes once with all of its lanes, rather than in pieces.
+    const WHOLE_ROWS: bool;
+    /// Where a pair is.
+    fn place(self, pair: NodePair) -> Place;
+    /// Whether the volumes of both nodes overlap, and there is anything below the pair.
+    fn meets(self, pair: NodePair) -> bool;
+    /// As [`PairTree::expand`] of a pair above all fronts; children that are apart are written to
+    /// the front. Those that can have no pair of leaves, whatever the boxes are, are in neither.
+    fn expand_all<S: RowSimd>(
+        self,
+        simd: S,
+        pair: NodePair,
+        out: &mut Vec<NodePair>,
+        front: &mut Writer,
+    );
 }
 
 /// A tree of pairs behind a pointer.
@@ -33,6 +66,22 @@ pub trait Descend: Sync {
     /// Begins at pairs of a front: those that are apart stay in it, those at its deepest stay and
     /// are looked into, all others that meet go to `out`, to be expanded.
     fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces);
+}
+
+/// A source of pairs of nodes, which any scheduler shares out among workers.
+pub trait PairsOfNodes: Order {
+    /// Calls `run` with the pairs of nodes of these sides.
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs));
+}
+
+/// Pairs of nodes of two trees, or of one with itself.
+pub struct Pairs<'a> {
+    /// What descends them.
+    pub tree: &'a dyn Descend,
+    /// Where a descent begins: every pair of leaves is below exactly one.
+    pub roots: &'a [NodePair],
+    /// Which builds of the trees these are: of later ones the numbers are others.
+    pub builds: [u64; 2],
 }
 
 impl<T: FrontTree> Descend for T {

@@ -1,10 +1,11 @@
 //! The boxes of one set in the order of a method's leaves, eight side by side: what a source of
-//! pairs numbers its leaves by, and what a sink looks them up in.
+//! pairs numbers its leaves by, and what a sink looks them up in; and what puts them in order.
 
-use crate::broad_phase::pair_source::{Marks, Order};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
-use ccd_core::Aabb;
+use ccd_core::model::tree_statistics::TreeStatistics;
+use ccd_core::{Aabb, Error};
+use std::fmt::Debug;
 
 /// Which of the sets that a source keeps, and what for.
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +15,62 @@ pub struct Set {
     /// Whether pairs are sought within it or with it as the second of two. Of a set that is only
     /// ever the first of two, a source may need the order alone.
     pub searched: bool,
+}
+
+/// What is known of boxes besides their places.
+#[derive(Clone, Copy, Default)]
+pub struct Marks<'a> {
+    /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
+    pub fixed: Option<&'a (dyn Fn(usize) -> bool + Sync)>,
+    /// The world of box `i`; pairs of boxes of two worlds need not be emitted.
+    pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
+    /// Bits of the greatest world.
+    pub world_bits: u32,
+    /// So many boxes at the end of the order before are those that stand still, in an order that
+    /// is good still.
+    pub kept: usize,
+}
+
+/// What pairs are sought in: one set against another, or, without another, within one.
+pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
+
+/// Puts the boxes of a few sets in order, and keeps what it builds over them between calls.
+pub trait Order: Debug + Send + Sync {
+    /// Looks at the boxes of all sets that will be sorted, for what these must have in common: an
+    /// axis, the size of a cell. Refuses boxes for which the method is not made.
+    fn survey(&mut self, _threads: &Threads, _sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Whether an order stays right when boxes move. If not, there is a survey and a sort whenever
+    /// they did.
+    fn outlasts_motion(&self) -> bool {
+        true
+    }
+
+    /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
+    /// A box may have several leaves, of which no two are ever emitted with each other, if the
+    /// order does not outlast motion.
+    fn sort(
+        &mut self,
+        threads: &Threads,
+        set: Set,
+        boxes: &[Aabb<f32>],
+        marks: &Marks,
+        order: &mut Vec<u32>,
+    );
+
+    /// Takes the boxes of a set, the first time after [`Order::sort`] and whenever they moved.
+    /// Returns how much looser its volumes around several boxes are, relative to these, than the
+    /// first time.
+    fn fit(&mut self, _threads: &Threads, _leaves: &LeafBoxes) -> f64 {
+        1.0
+    }
+
+    /// Figures of the binary tree over a set that is searched, if the source has one.
+    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        None
+    }
 }
 
 /// Boxes of a set: leaf `8 i + j` is lane `j` of block `i`.

@@ -6,19 +6,25 @@
 //! of boxes (here) and of a step (candidates, with or without the narrow phase behind them).
 //!
 //! One more method takes
-//! - a file here with its source of pairs. One that descends two hierarchies at once implements
-//!   [`pair_tree::FrontTree`] and leaves the rest to [`scheduled::Scheduled`], which runs it by any
-//!   [`scheduler`]; one that makes queries hands them out by [`tasks::share`];
+//! - a file here with its source of pairs, behind the feature `catalogue`. One that descends two
+//!   hierarchies at once implements `descend::FrontTree` and leaves the rest to `scheduled.rs`,
+//!   which runs it by any scheduler; one that makes queries hands them out by [`tasks::share`];
 //! - an arm of [`method::Method::new`];
 //! - a variant in `ccd-core/src/model/method.rs` and a row in `catalogue.rs` beside it.
 //!
 //! Sessions, the broad phase and the tests of all methods then have it.
 
 mod block_bvh;
+#[cfg(feature = "catalogue")]
+mod block_descent;
 mod block_pairs;
+#[cfg(feature = "catalogue")]
 mod brute_force;
+#[cfg(feature = "catalogue")]
 mod descend;
+#[cfg(feature = "catalogue")]
 pub mod descent_times;
+#[cfg(feature = "catalogue")]
 mod front;
 pub mod leaf_boxes;
 pub mod method;
@@ -26,16 +32,22 @@ mod morton_order;
 pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
+mod rows;
+#[cfg(feature = "catalogue")]
 mod scheduled;
+#[cfg(feature = "catalogue")]
 mod scheduler;
 #[cfg(test)]
 mod sorted_tests;
+#[cfg(feature = "catalogue")]
 mod sweep_and_prune;
+#[cfg(feature = "catalogue")]
 mod sweep_in_strips;
 mod tasks;
 #[cfg(test)]
 mod tests;
 pub mod tree;
+#[cfg(feature = "catalogue")]
 mod uniform_grid;
 mod worlds;
 
@@ -49,11 +61,12 @@ use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
+use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Coordinate, Error, Real};
-use leaf_boxes::{LeafBoxes, Set};
+use leaf_boxes::{LeafBoxes, Marks, Set};
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{Marks, PairSink, PairSource};
+use pair_source::{PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -196,7 +209,7 @@ impl BroadPhase {
     /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`],
     /// or the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has
     /// none.
-    pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
+    pub fn tree_statistics(&self) -> Option<TreeStatistics> {
         self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 

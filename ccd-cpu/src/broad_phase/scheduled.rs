@@ -1,23 +1,29 @@
 //! A source of pairs of nodes and the scheduler that was chosen for it, with a front or without
 //! one: what joins both into a source of pairs.
 
-use crate::broad_phase::descend::{Descend, Traces};
+use crate::broad_phase::descend::{Descend, Pairs, PairsOfNodes, Traces};
 use crate::broad_phase::descent_times::{DescentTimes, WorkerTimes};
 use crate::broad_phase::front::{Fronts, List};
-use crate::broad_phase::method::HandOn;
-use crate::broad_phase::pair_source::{
-    Gathered, Order, PairSink, PairSource, Pairs, PairsOfNodes, Row, Rows, Sides,
-};
+use crate::broad_phase::leaf_boxes::{Order, Sides};
+use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
+use crate::broad_phase::scheduler::balanced::Balanced;
+use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::hand::Hand;
-use crate::broad_phase::scheduler::{self, Lists, PAIRS_OF_NODES, Schedule};
+use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
+use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
+use crate::broad_phase::scheduler::static_lists::StaticLists;
+use crate::broad_phase::scheduler::stealing::Stealing;
+use crate::broad_phase::scheduler::{Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::Instant;
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::report::FrontCounts;
-use ccd_core::model::scheduling::{Front, Scheduling};
+use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Finds pairs by a scheduler.
@@ -69,7 +75,7 @@ impl Scheduled {
     /// This source by what was chosen for it.
     pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
         let descent = Descent {
-            schedule: scheduler::new(choice.scheduler.unwrap_or_default())?,
+            schedule: scheduler_of(choice.scheduler.unwrap_or_default())?,
             fronts: match choice.front {
                 Front::On(options) => Some(Fronts::new(options)),
                 _ => None,
@@ -154,6 +160,19 @@ impl PairSource for Scheduled {
             threads.each(workers, &|_, worker| sink.end(worker));
         }
     }
+}
+
+/// The scheduler of a choice, if there is one here.
+pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
+    Ok(match choice {
+        Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
+        Scheduler::Frontier => Box::new(Frontier::default()),
+        Scheduler::Static => Box::new(StaticLists::default()),
+        Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
+        Scheduler::Stealing => Box::new(Stealing::default()),
+        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
+        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+    })
 }
 
 /// Most pairs of nodes that one is expanded to: of eight boxes with eight.

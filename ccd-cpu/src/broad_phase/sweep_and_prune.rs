@@ -7,8 +7,8 @@
 //! second axis all eight rows are tested before any branch: of boxes that fill a cube few are left,
 //! and only those are tested whole.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;

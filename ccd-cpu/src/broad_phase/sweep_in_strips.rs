@@ -7,8 +7,8 @@
 //! strip is a bit a leaf, eight side by side as boxes are, so that the rule is two operations on
 //! the mask of a row.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::broad_phase::sweep_and_prune::{Role, emit, moments};
 use crate::broad_phase::uniform_grid::lanes;
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};

@@ -7,8 +7,8 @@
 //! them, so that where each row begins and ends in the sorted boxes only moves on. The boxes of a
 //! cell are compared with a row eight at a time.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;

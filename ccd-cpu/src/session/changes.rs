@@ -3,6 +3,7 @@
 //! anything.
 
 use super::{Session, memory};
+#[cfg(feature = "catalogue")]
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::step::codimensional::Codimensional;
@@ -201,12 +202,16 @@ impl Session {
         self.report.contacts = Vec::new();
     }
 
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     /// From now on, whether the clock is asked where the time of descents goes, which costs time
     /// itself: two looks for every list of pairs that is expanded.
     pub fn set_timed(&mut self, timed: bool) {
         self.method.set_timed(timed);
     }
 
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     /// Where it went since [`Session::set_timed`]: if a scheduler was chosen, by
     /// [`Options::scheduling`], that is not the default's.
     pub fn descent_times(&self) -> Option<DescentTimes> {

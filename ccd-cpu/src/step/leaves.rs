@@ -1,9 +1,9 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Marks, PairSource};
+use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;

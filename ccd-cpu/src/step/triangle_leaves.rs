@@ -4,9 +4,9 @@
 //! A feature that a triangle does not represent has the empty box there, which overlaps nothing, so
 //! that no test asks who represents what.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set, set_lane};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Marks, PairSource};
+use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;

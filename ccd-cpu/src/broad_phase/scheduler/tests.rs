@@ -1,7 +1,14 @@
 //! Every pair once, by every scheduler, on any number of workers, in any room.
 
+use super::balanced::Balanced;
+use super::lazy_stealing::LazyStealing;
+use super::self_scheduling::SelfScheduling;
+use super::static_lists::StaticLists;
+use super::stealing::Stealing;
 use super::*;
+use crate::broad_phase::scheduled::scheduler_of;
 use crate::threads::Threads;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::scheduling::Scheduler;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -52,7 +59,7 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
 fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     let rows = Scheduler::ROWS.iter().filter(|row| row.backends.contains(&"cpu"));
     let of = |row: &ccd_core::model::catalogue::Row<Scheduler>| {
-        (row.name.to_string(), new(row.value).expect("a scheduler that is here"))
+        (row.name.to_string(), scheduler_of(row.value).expect("a scheduler that is here"))
     };
     let mut all: Vec<_> = rows.map(of).collect();
     for room in [2, 8] {

@@ -47,6 +47,11 @@ impl BinaryTree {
         Self { volume, ..Self::default() }
     }
 
+    /// Whether nodes have oriented boxes, which only the catalogue has.
+    fn is_oriented(&self) -> bool {
+        cfg!(feature = "catalogue") && self.volume == Volume::Obb
+    }
+
     /// The number of its build: each has another.
     pub fn build(&self) -> u64 {
         self.build
@@ -76,7 +81,7 @@ impl BinaryTree {
     /// The same of the leaves below a node and those below a node of another tree.
     #[inline]
     pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
-        self.volume == Volume::Aabb
+        !self.is_oriented()
             || oriented_nodes::reach(
                 false,
                 [node, node_of_other],
@@ -114,7 +119,7 @@ impl BinaryTree {
         ] {
             words.resize_with(len, AtomicU32::default);
         }
-        if self.volume == Volume::Obb {
+        if self.is_oriented() {
             let len = n_internal * oriented_refit::STRIDE;
             self.oriented_words.resize_with(len, AtomicU32::default);
         }
@@ -142,7 +147,7 @@ impl BinaryTree {
             };
             Node { min: b.min, left, max: b.max, right }
         });
-        if self.volume == Volume::Obb {
+        if self.is_oriented() {
             self.orient(threads, n);
         }
         let looseness = self.looseness(threads);

@@ -1,8 +1,8 @@
 //! LBVH: a binary radix tree over sorted Morton codes, every internal node by itself [Karras 2012].
 
 use super::TreeBuilder;
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{morton_key, radix_tree};

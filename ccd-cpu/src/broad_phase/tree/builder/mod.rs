@@ -1,16 +1,19 @@
 //! Builders of binary trees: boxes in, an order of leaves and the branches over them out.
 
+#[cfg(feature = "catalogue")]
 pub mod bottom_up;
-mod lbvh;
-mod nearest_pair;
-mod ploc;
+pub mod lbvh;
+#[cfg(feature = "catalogue")]
+pub mod nearest_pair;
+#[cfg(feature = "catalogue")]
+pub mod ploc;
+#[cfg(feature = "catalogue")]
 mod ploc_search;
-mod split_lists;
+#[cfg(feature = "catalogue")]
+pub mod split_lists;
 
 use crate::threads::Threads;
 use ccd_core::layout::Branch;
-use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 
@@ -33,15 +36,4 @@ pub trait TreeBuilder: Debug + Send + Sync {
 
     /// Fills `order` alone, for boxes that need no tree but are near each other in it.
     fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>);
-}
-
-/// The builder of a choice, if there is one here.
-pub fn new(choice: Builder) -> Result<Box<dyn TreeBuilder>, Error> {
-    Ok(match choice {
-        Builder::Lbvh => Box::new(lbvh::Lbvh::default()),
-        Builder::SplitLists => Box::new(split_lists::SplitLists::default()),
-        Builder::NearestPair { limit } => Box::new(nearest_pair::NearestPair::new(limit)),
-        Builder::Ploc { radius } => Box::new(ploc::Ploc::new(radius)),
-        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
-    })
 }

@@ -19,8 +19,8 @@
 
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::threads::{Own, Threads};
 use ccd_core::broad_phase::nearest_pair::{Found, beginning, centre, distance, nearer, parents};
 use ccd_core::layout::Branch;

@@ -12,8 +12,8 @@
 //! 2012] needs no lists.
 
 use super::TreeBuilder;
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;

@@ -2,9 +2,11 @@
 //! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
 
 use super::Trees;
+use crate::broad_phase::descend::{FrontTree, Place};
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::{Gathered, IntoRows, PairSink, Scratch};
-use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
+use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_tree::PairTree;
+use crate::broad_phase::rows::{Gathered, IntoRows, Scratch};
 use crate::broad_phase::tasks::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};

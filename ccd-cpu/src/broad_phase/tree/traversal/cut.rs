@@ -22,7 +22,8 @@
 use super::binary_pairs::BinaryPairs;
 use super::{Traverse, Trees};
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
@@ -128,8 +129,7 @@ impl Traverse for Cut {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-    use crate::broad_phase::pair_source::Marks;
+    use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set};
     use crate::broad_phase::tree::TreeSource;
     use ccd_core::Aabb;
     use ccd_core::model::method::TreeOptions;

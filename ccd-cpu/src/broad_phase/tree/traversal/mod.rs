@@ -10,30 +10,28 @@
 //! Left is what [`queries`] has, right what [`binary_pairs`] has; down the table each changes one
 //! thing in the one above it.
 
+#[cfg(feature = "catalogue")]
 mod binary_pairs;
-mod cut;
-mod half;
-mod iterative;
-mod leaf_order;
-mod queries;
-mod recursive;
-mod simultaneous;
+#[cfg(feature = "catalogue")]
+pub mod cut;
+pub mod half;
+#[cfg(feature = "catalogue")]
+pub mod iterative;
+pub mod leaf_order;
+pub mod queries;
+#[cfg(feature = "catalogue")]
+pub mod recursive;
+#[cfg(feature = "catalogue")]
+pub mod simultaneous;
 
 use super::binary_tree::BinaryTree;
+#[cfg(feature = "catalogue")]
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Rows, Scratch};
 use crate::threads::Threads;
-use ccd_core::Error;
+#[cfg(feature = "catalogue")]
 use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::Traversal;
-use cut::Cut;
-use half::Half;
-use iterative::Iterative;
-use leaf_order::LeafOrder;
-use queries::Queries;
-use recursive::Recursive;
-use simultaneous::Simultaneous;
 use std::fmt::Debug;
 
 /// The trees of both sides; the same if pairs are sought within one.
@@ -45,7 +43,7 @@ pub struct Trees<'a> {
     pub b: &'a BinaryTree,
 }
 
-/// Finds pairs in trees, task by task; see [`crate::broad_phase::pair_source::RowSource`].
+/// Finds pairs in trees, task by task; see [`crate::broad_phase::rows::RowSource`].
 pub trait Traverse: Debug + Send + Sync {
     /// Whether the first of two sets needs a tree, too.
     fn descends_both(&self) -> bool {
@@ -60,6 +58,7 @@ pub trait Traverse: Debug + Send + Sync {
 
     /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent
     /// begins, if it descends pairs; after [`Traverse::begin`].
+    #[cfg(feature = "catalogue")]
     fn descend(
         &mut self,
         _trees: Trees,
@@ -72,17 +71,4 @@ pub trait Traverse: Debug + Send + Sync {
     fn max_threads(&self) -> usize {
         usize::MAX
     }
-}
-
-/// The traversal of a choice, if there is one here.
-pub fn new(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
-    Ok(match choice {
-        Traversal::Recursive => Box::new(Queries::<Recursive>::new()),
-        Traversal::Iterative => Box::new(Queries::<Iterative>::new()),
-        Traversal::LeafOrder => Box::new(Queries::<LeafOrder>::new()),
-        Traversal::Half => Box::new(Queries::<Half>::new()),
-        Traversal::Simultaneous(descent) => Box::new(Simultaneous::new(descent)),
-        Traversal::Cut { nodes, descent } => Box::new(Cut::new(nodes as usize, descent)),
-        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
-    })
 }

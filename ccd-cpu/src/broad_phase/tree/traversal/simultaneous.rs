@@ -18,7 +18,8 @@
 use super::binary_pairs::{BinaryPairs, ROOTS};
 use super::{Traverse, Trees};
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
