@@ -77,6 +77,8 @@ pub trait Order: Debug + Send + Sync {
 #[derive(Debug)]
 pub struct LeafBoxes {
     set: Set,
+    len: usize,
+    /// From leaf to id; the last id is repeated up to a whole block.
     order: Vec<u32>,
     blocks: Vec<Block>,
     /// Boxes at the end of the order that stand still.
@@ -88,7 +90,7 @@ pub struct LeafBoxes {
 impl LeafBoxes {
     /// No boxes yet.
     pub fn new(set: Set) -> Self {
-        Self { set, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
+        Self { set, len: 0, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
     }
 
     /// Which set this is.
@@ -98,17 +100,17 @@ impl LeafBoxes {
 
     /// Number of boxes.
     pub fn len(&self) -> usize {
-        self.order.len()
+        self.len
     }
 
     /// Whether there is no box.
     pub fn is_empty(&self) -> bool {
-        self.order.is_empty()
+        self.len == 0
     }
 
     /// From leaf to id.
     pub fn order(&self) -> &[u32] {
-        &self.order
+        &self.order[..self.len]
     }
 
     /// The boxes; lanes past the last hold the empty one.
@@ -123,7 +125,7 @@ impl LeafBoxes {
 
     /// Blocks with a box that may move: all behind them stand still.
     pub fn n_moving(&self) -> usize {
-        (self.order.len() - self.n_still).div_ceil(WIDTH)
+        (self.len - self.n_still).div_ceil(WIDTH)
     }
 
     /// Blocks from the first on that changed in the last call.
@@ -139,12 +141,8 @@ impl LeafBoxes {
 
     /// The ids of block `b`; lanes past the end repeat the last id.
     #[inline(always)]
-    pub fn ids(&self, b: usize) -> [u32; WIDTH] {
-        let order = &self.order;
-        match order.get(b * WIDTH..(b + 1) * WIDTH) {
-            Some(ids) => ids.try_into().unwrap_or([0; WIDTH]),
-            None => std::array::from_fn(|j| order[(b * WIDTH + j).min(order.len() - 1)]),
-        }
+    pub fn ids(&self, b: usize) -> &[u32; WIDTH] {
+        &self.order.as_chunks().0[b]
     }
 
     /// Takes boxes, in an order that the source chooses, and has it build what it needs.
@@ -155,12 +153,17 @@ impl LeafBoxes {
         boxes: &[Aabb<f32>],
         marks: Marks,
     ) {
+        self.order.truncate(self.len);
         source.sort(threads, self.set, boxes, &marks, &mut self.order);
+        self.len = self.order.len();
         self.n_still = match marks.fixed {
             // A source may give a box several leaves; each of them stands still.
             Some(fixed) => self.order.iter().rev().take_while(|&&id| fixed(id as usize)).count(),
             None => 0,
         };
+        if let Some(&last) = self.order.last() {
+            self.order.resize(self.len.next_multiple_of(WIDTH), last);
+        }
         self.place(threads, boxes, false);
         source.fit(threads, self);
     }
@@ -181,13 +184,13 @@ impl LeafBoxes {
     }
 
     fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
-        let n = self.order.len().div_ceil(WIDTH);
+        let n = self.len.div_ceil(WIDTH);
         self.n_changed = if still { self.n_moving() } else { n };
-        let Self { order, blocks, n_changed, .. } = self;
+        let Self { len, order, blocks, n_changed, .. } = self;
         blocks.resize(n, EMPTY);
         threads.fill(&mut blocks[..*n_changed], |i| {
             let mut block = EMPTY;
-            let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(order.len())];
+            let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
             for (j, &id) in ids.iter().enumerate() {
                 set_lane(&mut block, j, &boxes[id as usize]);
             }

@@ -320,7 +320,7 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
             mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
         if self.stop.reserve("overlapping boxes", &mut lister.pairs, WIDTH) {
-            simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
+            simd.append::<WITHIN>(&mut lister.pairs, id, ids, mask);
         }
     }
 

@@ -53,6 +53,27 @@ impl<const N: usize> Feature<N> {
     }
 }
 
+/// One feature of each lane of a block: what the rule of candidates and the first filter read.
+#[derive(Clone, Copy)]
+pub struct Side<'a, const N: usize> {
+    /// Vertices.
+    pub vertices: [&'a [u32; WIDTH]; N],
+    /// Ids.
+    pub ids: &'a [u32; WIDTH],
+    /// Boxes during the step.
+    pub boxes: &'a Block,
+    /// Boxes at its ends, of the positions in the table.
+    pub ends: &'a [Block; 2],
+}
+
+impl<const N: usize> Side<'_, N> {
+    /// The vertices of one lane.
+    #[inline(always)]
+    pub fn vertices_of(&self, lane: usize) -> [u32; N] {
+        self.vertices.map(|ids| ids[lane])
+    }
+}
+
 /// The features of one set, `N` vertices each, in leaf order, eight side by side.
 #[derive(Debug)]
 pub struct Leaves<const N: usize> {
@@ -91,6 +112,17 @@ impl<const N: usize> Leaves<N> {
             std::array::from_fn(|k| of.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
+    }
+
+    /// The features of a block.
+    #[inline(always)]
+    pub fn side(&self, block: usize) -> Side<'_, N> {
+        Side {
+            vertices: self.vertices[block].each_ref(),
+            ids: self.boxes.ids(block),
+            boxes: &self.boxes.blocks()[block],
+            ends: &self.ends[block],
+        }
     }
 
     /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still

@@ -10,7 +10,7 @@ use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;
-use crate::step::leaves::ends;
+use crate::step::leaves::{Side, ends};
 use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
@@ -193,11 +193,47 @@ impl TriangleLeaves {
             }
         });
     }
+
+    /// Corner `k` of each triangle of a block.
+    #[inline(always)]
+    pub fn corner(&self, block: usize, k: usize) -> Side<'_, 1> {
+        let of = &self.blocks[block];
+        Side {
+            vertices: [&of.corners[k]],
+            ids: &of.corners[k],
+            boxes: &self.features[block][k],
+            ends: &self.ends[block].corners[k],
+        }
+    }
+
+    /// Side `k` of each triangle of a block.
+    #[inline(always)]
+    pub fn side(&self, block: usize, k: usize) -> Side<'_, 2> {
+        let of = &self.blocks[block];
+        Side {
+            vertices: of.side(k),
+            ids: &of.sides[k],
+            boxes: &self.features[block][3 + k],
+            ends: &self.ends[block].sides[k],
+        }
+    }
+
+    /// The triangles of a block.
+    #[inline(always)]
+    pub fn face(&self, block: usize) -> Side<'_, 3> {
+        let [a, b, c] = &self.blocks[block].corners;
+        Side {
+            vertices: [a, b, c],
+            ids: &self.blocks[block].ids,
+            boxes: &self.boxes.blocks()[block],
+            ends: &self.ends[block].face,
+        }
+    }
 }
 
 /// The features of block `i`; lanes past the end repeat the last triangle and represent nothing.
 fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
-    let mut block = TriangleBlock { ids: boxes.ids(i), ..TriangleBlock::NONE };
+    let mut block = TriangleBlock { ids: *boxes.ids(i), ..TriangleBlock::NONE };
     for (j, t) in block.ids.into_iter().enumerate() {
         let (corners, sides) = (triangles.corners(t), triangles.sides(t));
         for k in 0..3 {
