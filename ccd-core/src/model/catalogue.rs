@@ -3,7 +3,6 @@
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
 use super::pipeline::Pipeline;
-use super::scheduling::{Front, Scheduler};
 use core::mem::discriminant;
 
 /// What there is to say about a choice.
@@ -229,19 +228,6 @@ impl Catalogued for Pipeline {
     ];
 }
 
-/// Whether a choice of that name is one that a backend has, if the feature `catalogue` is on.
-pub(super) fn is_of_backend(name: &str, backend: &str) -> bool {
-    fn has<T: Catalogued>(name: &str, backend: &str) -> bool {
-        T::ROWS.iter().any(|row| row.name == name && row.backends.contains(&backend))
-    }
-    has::<BroadPhaseMethod>(name, backend)
-        || has::<Builder>(name, backend)
-        || has::<Traversal>(name, backend)
-        || has::<Volume>(name, backend)
-        || has::<Scheduler>(name, backend)
-        || name == "front" && has::<Front>("on", backend)
-}
-
 impl Pipeline {
     /// The name of the pipeline if a backend does not have it.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
@@ -297,6 +283,7 @@ impl core::fmt::Display for BroadPhaseMethod {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::scheduling::{Front, Scheduler};
 
     fn check_rows<T: Catalogued + core::fmt::Debug + Default>() {
         for row in T::ROWS {
@@ -326,14 +313,5 @@ mod tests {
     fn a_method_is_there_if_all_its_parts_are() {
         assert_eq!(BroadPhaseMethod::Blocks.lacking("cpu"), None);
         assert_eq!(BroadPhaseMethod::BruteForce.lacking("abacus"), Some("brute-force"));
-    }
-
-    #[test]
-    fn a_method_that_is_left_out_of_a_build_is_refused_with_that_reason() {
-        let text = |name, backend| std::format!("{}", crate::Error::Method { name, backend });
-        for name in ["ploc", "static", "obb", "cut", "uniform-grid", "front"] {
-            assert!(text(name, "cpu").contains("feature `catalogue`"), "{name}");
-        }
-        assert_eq!(text("sweep-in-strips", "gpu"), "the gpu has no method `sweep-in-strips`");
     }
 }

@@ -7,7 +7,6 @@ pub use checks::{
     check_window,
 };
 
-use super::catalogue::is_of_backend;
 use crate::narrow_phase::query::LEAST_TOLERANCE;
 
 /// Why there is no answer: input was refused, and nothing was computed from it; or a limit that
@@ -182,6 +181,13 @@ pub enum Error {
         /// The backend.
         backend: &'static str,
     },
+    /// A method that this backend has by the feature `catalogue`, without which it was built.
+    NotCompiled {
+        /// Its name.
+        name: &'static str,
+        /// The backend.
+        backend: &'static str,
+    },
     /// A scheduler or a front for a method that has no pairs of nodes to schedule or to keep.
     NoPairsOfNodes {
         /// Its name, or that of its traversal.
@@ -331,11 +337,11 @@ impl core::fmt::Display for Error {
                      use the CPU"
                 )
             }
-            Error::Method { name, backend } if is_of_backend(name, backend) => write!(
-                f,
-                "the {backend}'s `{name}` is not compiled in: build with the feature `catalogue`"
-            ),
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
+            Error::NotCompiled { name, backend } => write!(
+                f,
+                "`{name}` of the {backend} is not compiled in: build with the feature `catalogue`"
+            ),
             Error::NoPairsOfNodes { method } => {
                 write!(
                     f,

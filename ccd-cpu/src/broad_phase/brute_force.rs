@@ -1,5 +1,7 @@
 //! Every box against every other, eight at a time: what all other methods are compared with.
 //!
+//! Twin: on a GPU `key_intervals.rs`, of which this is the interval of all boxes.
+//!
 //! The only limit is time: `n (n - 1) / 2` tests within one set, some 10^9 a second and thread.
 //! For a few hundred boxes it is also fast, because nothing is built.
 

@@ -1,5 +1,7 @@
 //! What is done with a list of pairs of any tree of pairs, compiled once for each tree: split into
 //! tasks, expanded down to rows of leaves, begun at a front; and what has such trees.
+//!
+//! Twin: of ccd-shaders `pair_workers.rs`, which expands pairs where workgroups find them.
 
 use crate::broad_phase::front::Writer;
 use crate::broad_phase::leaf_boxes::{Order, Sides};

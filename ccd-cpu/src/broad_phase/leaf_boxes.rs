@@ -1,8 +1,11 @@
 //! The boxes of one set in the order of a method's leaves, eight side by side: what a source of
 //! pairs numbers its leaves by, and what a sink looks them up in; and what puts them in order.
+//!
+//! Twin: none; a GPU keeps boxes in the buffers of each method.
 
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
+use ccd_core::model::rules::Rules;
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
@@ -166,6 +169,30 @@ impl LeafBoxes {
         }
         self.place(threads, boxes, false);
         source.fit(threads, self);
+    }
+
+    /// The same with what rules say of a vertex of each box; `kept`: see [`Marks::kept`].
+    pub fn build_by_rules(
+        &mut self,
+        threads: &Threads,
+        source: &mut dyn Order,
+        boxes: &[Aabb<f32>],
+        rules: Option<&Rules>,
+        vertex: impl Fn(usize) -> u32 + Sync,
+        kept: usize,
+    ) {
+        let Some(rules) = rules else {
+            return self.build(threads, source, boxes, Marks::default());
+        };
+        let still = |i: usize| rules.is_still(vertex(i));
+        let world = |i: usize| rules.world(vertex(i));
+        let mut marks = Marks { kept, ..Marks::default() };
+        marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
+        if let Some(n) = rules.worlds() {
+            marks.world = Some(&world);
+            marks.world_bits = (n - 1).ilog2() + 1;
+        }
+        self.build(threads, source, boxes, marks);
     }
 
     /// Keeps the order of the last build and takes new boxes, as many as then; `still`: those that

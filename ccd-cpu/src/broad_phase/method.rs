@@ -50,7 +50,7 @@ impl Method {
         }
         if is_chosen(scheduling, choice) {
             let name = scheduling.scheduler.map_or("front", |scheduler| scheduler.row().name);
-            return Err(Error::Method { name, backend: "cpu" });
+            return Err(Error::NotCompiled { name, backend: "cpu" });
         }
         let source: Box<dyn RowSource> = match choice {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
@@ -63,7 +63,7 @@ impl Method {
             BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
             #[cfg(feature = "catalogue")]
             BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
-            other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+            other => return Err(Error::NotCompiled { name: other.row().name, backend: "cpu" }),
         };
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }

@@ -175,7 +175,7 @@ impl BroadPhase {
     /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
     /// limits.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        self.within(T::slices::<Boxes, 1>([boxes]))?;
+        self.search::<true>(T::slices::<Boxes, 2>([boxes; 2]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -189,7 +189,7 @@ impl BroadPhase {
         a: &[Aabb<T>],
         b: &[Aabb<T>],
     ) -> Result<Pairs<'_>, Error> {
-        self.between(T::slices::<Boxes, 2>([a, b]))?;
+        self.search::<false>(T::slices::<Boxes, 2>([a, b]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -218,39 +218,14 @@ impl BroadPhase {
         self.threads.stop = threads.stop.clone();
     }
 
+    /// Of two sets, or within one that is given twice.
     #[inline(never)]
-    fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
-        let start = Instant::now();
-        let Self { threads, method, b: side, workers, runs, times, .. } = self;
-        let exact = match boxes {
-            Precision::F32([boxes]) => side.take(threads, boxes),
-            Precision::F64([boxes]) => side.take(threads, boxes),
-        }?;
-        let overlap = |i: u32, j: u32| match boxes {
-            Precision::F32([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
-            Precision::F64([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
-        };
-        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
-        threads.enter(|| {
-            method.order().survey(threads, &[&side.boxes])?;
-            side.leaves.build(threads, method.order(), &side.boxes, Marks::default());
-            let slack = slack(&side.boxes, &side.boxes);
-            let (a, b, stop) = (&side.leaves, &side.leaves, &*threads.stop);
-            let sink = Listing::<true> { a, b, slack, confirm, stop };
-            times.build = milliseconds(start);
-            list(threads, method, &sink, workers, runs);
-            times.search = milliseconds(start) - times.build;
-            threads.stop.check()
-        })
-    }
-
-    #[inline(never)]
-    fn between(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
+    fn search<const WITHIN: bool>(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
         let start = Instant::now();
         let Self { threads, method, a, b, workers, runs, times } = self;
         let exact = match boxes {
-            Precision::F32([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
-            Precision::F64([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+            Precision::F32([x, y]) => (WITHIN || a.take(threads, x)?) & b.take(threads, y)?,
+            Precision::F64([x, y]) => (WITHIN || a.take(threads, x)?) & b.take(threads, y)?,
         };
         let overlap = |i: u32, j: u32| match boxes {
             Precision::F32([a, b]) => a[i as usize].overlaps(&b[j as usize]),
@@ -258,12 +233,16 @@ impl BroadPhase {
         };
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            method.order().survey(threads, &[&a.boxes, &b.boxes])?;
-            a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            let sets = [&a.boxes[..], &b.boxes];
+            method.order().survey(threads, &sets[WITHIN as usize..])?;
+            if !WITHIN {
+                a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            }
             b.leaves.build(threads, method.order(), &b.boxes, Marks::default());
+            let (a, b) = (if WITHIN { &*b } else { &*a }, &*b);
             let slack = slack(&a.boxes, &b.boxes);
             let (a, b, stop) = (&a.leaves, &b.leaves, &*threads.stop);
-            let sink = Listing::<false> { a, b, slack, confirm, stop };
+            let sink = Listing::<WITHIN> { a, b, slack, confirm, stop };
             times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
             times.search = milliseconds(start) - times.build;

@@ -1,4 +1,6 @@
 //! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
+//!
+//! Twin: none; on a GPU a sort of keys, as any other.
 
 use crate::broad_phase::leaf_boxes::Marks;
 use crate::sort::RadixSort;

@@ -1,5 +1,7 @@
 //! Rows of leaves as a list: what sources that are compiled once for all sinks make, a leaf against
 //! up to eight at a time, and how listed rows go to a sink.
+//!
+//! Twin: none; a GPU lists pairs of ids rather than rows.
 
 use crate::broad_phase::leaf_boxes::{Order, Sides};
 use crate::broad_phase::pair_source::PairSink;

@@ -7,12 +7,11 @@ use crate::broad_phase::front::{Fronts, List};
 use crate::broad_phase::leaf_boxes::{Order, Sides};
 use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
-use crate::broad_phase::scheduler::balanced::Balanced;
+use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
 use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::hand::Hand;
 use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
 use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
-use crate::broad_phase::scheduler::static_lists::StaticLists;
 use crate::broad_phase::scheduler::stealing::Stealing;
 use crate::broad_phase::scheduler::{Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
@@ -167,7 +166,7 @@ pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
     Ok(match choice {
         Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
         Scheduler::Frontier => Box::new(Frontier::default()),
-        Scheduler::Static => Box::new(StaticLists::default()),
+        Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
         Scheduler::Stealing => Box::new(Stealing::default()),
         Scheduler::LazyStealing => Box::new(LazyStealing::default()),

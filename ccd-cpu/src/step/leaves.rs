@@ -1,7 +1,7 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
@@ -32,18 +32,9 @@ impl<const N: usize> Feature<N> {
         keep: bool,
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
-        let still = |i: usize| rules.is_some_and(|rules| rules.is_still(features(i as u32)[0]));
-        let world = |i: usize| rules.map_or(0, |rules| rules.world(features(i as u32)[0]));
-        let mut marks = Marks::default();
-        if let Some(rules) = rules {
-            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
-            if let Some(n) = rules.worlds() {
-                marks.world = Some(&world);
-                marks.world_bits = (n - 1).ilog2() + 1;
-            }
-        }
-        marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
-        self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
+        let kept = if keep { self.leaves.boxes.n_still() } else { 0 };
+        let vertex = |i: usize| features(i as u32)[0];
+        self.leaves.boxes.build_by_rules(threads, method.order(), &self.boxes, rules, vertex, kept);
         self.leaves.order(threads, rules, &features);
     }
 

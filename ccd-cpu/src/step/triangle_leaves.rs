@@ -4,7 +4,7 @@
 //! A feature that a triangle does not represent has the empty box there, which overlaps nothing, so
 //! that no test asks who represents what.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set, set_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, WIDTH};
@@ -141,17 +141,8 @@ impl TriangleLeaves {
     ) -> Result<(), Error> {
         method.order().survey(threads, &[&self.swept])?;
         let corners = self.triangles.all_corners();
-        let still = |t: usize| rules.is_some_and(|rules| rules.is_still(corners[t][0]));
-        let world = |t: usize| rules.map_or(0, |rules| rules.world(corners[t][0]));
-        let mut marks = Marks::default();
-        if let Some(rules) = rules {
-            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
-            if let Some(n) = rules.worlds() {
-                marks.world = Some(&world);
-                marks.world_bits = (n - 1).ilog2() + 1;
-            }
-        }
-        self.boxes.build(threads, method.order(), &self.swept, marks);
+        let vertex = |t: usize| corners[t][0];
+        self.boxes.build_by_rules(threads, method.order(), &self.swept, rules, vertex, 0);
         let Self { triangles, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);

@@ -1,10 +1,12 @@
 //! Schedulers: who expands which pairs of nodes, where nobody knows beforehand what is below one.
 //!
+//! Twin: on a GPU `scheduler/` has two files: levels, and workers by any rule.
+//!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
 //! | [`self_scheduling`] | the worker's own stack | takes the next task from a shared counter |
 //! | [`frontier`] | the queue of the next level | takes the next piece of the queue |
-//! | [`static_lists`] | the worker's own stack | is done |
+//! | static lists, of [`balanced`] | the worker's own stack | is done |
 //! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
 //! | [`stealing`] | the worker's own deque | takes one from another's deque |
 //! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
@@ -21,7 +23,6 @@ pub mod frontier;
 pub mod hand;
 pub mod lazy_stealing;
 pub mod self_scheduling;
-pub mod static_lists;
 pub mod stealing;
 #[cfg(test)]
 mod tests;

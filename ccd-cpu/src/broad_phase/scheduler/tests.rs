@@ -1,9 +1,8 @@
 //! Every pair once, by every scheduler, on any number of workers, in any room.
 
-use super::balanced::Balanced;
+use super::balanced::{Balanced, NEVER};
 use super::lazy_stealing::LazyStealing;
 use super::self_scheduling::SelfScheduling;
-use super::static_lists::StaticLists;
 use super::stealing::Stealing;
 use super::*;
 use crate::broad_phase::scheduled::scheduler_of;
@@ -120,7 +119,7 @@ fn a_pair_more_or_less_is_seen() {
 fn workers_without_pairs_are_helped() {
     let helping: [Box<dyn Schedule>; 2] = [Box::new(Balanced::new(1)), Box::new(Balanced::new(50))];
     let alone: [Box<dyn Schedule>; 2] =
-        [Box::new(StaticLists::default()), Box::new(SelfScheduling::default())];
+        [Box::new(Balanced::new(NEVER)), Box::new(SelfScheduling::default())];
     let all = helping.into_iter().map(|s| (true, s)).chain(alone.map(|s| (false, s)));
     for (helps, mut schedule) in all {
         let by_worker: Vec<AtomicU32> = (0..4).map(|_| AtomicU32::new(0)).collect();

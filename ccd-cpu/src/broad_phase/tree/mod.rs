@@ -15,6 +15,7 @@ mod traversal;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::descend::{Pairs, PairsOfNodes};
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::threads::Threads;
 use binary_tree::BinaryTree;
@@ -39,6 +40,7 @@ use traversal::{cut::Cut, iterative::Iterative, recursive::Recursive, simultaneo
 pub struct TreeSource {
     builder: Box<dyn TreeBuilder>,
     traversal: Box<dyn Traverse>,
+    morton: MortonOrder,
     trees: Vec<BinaryTree>,
     volume: Volume,
 }
@@ -51,7 +53,8 @@ impl TreeSource {
         if options.volume != Volume::Aabb && !cfg!(feature = "catalogue") {
             return Err(absent(options.volume));
         }
-        Ok(Self { builder, traversal, trees: Vec::new(), volume: options.volume })
+        let (morton, trees) = Default::default();
+        Ok(Self { builder, traversal, morton, trees, volume: options.volume })
     }
 
     /// Whether this set has a tree.
@@ -86,10 +89,11 @@ impl Order for TreeSource {
         }
         if self.has_tree(set) {
             let tree = &mut self.trees[set.index];
-            self.builder.build(threads, boxes, order, &mut tree.branches);
+            self.builder.build(threads, &mut self.morton, boxes, order, &mut tree.branches);
             tree.link(threads, boxes.len());
         } else {
-            self.builder.sort(threads, boxes, order);
+            // No tree is needed, but what is near is to be near in the order.
+            self.morton.sort(threads, boxes, &Marks::default(), order);
         }
     }
 
@@ -165,7 +169,7 @@ fn traversal_of(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
 }
 
 fn absent(choice: impl Catalogued) -> Error {
-    Error::Method { name: choice.row().name, backend: "cpu" }
+    Error::NotCompiled { name: choice.row().name, backend: "cpu" }
 }
 
 /// The trees of two sides; `a_has_one`: the first has a tree.

@@ -1,4 +1,6 @@
 //! Figures of a tree, from a walk of all queries.
+//!
+//! Twin: none; figures are taken on a CPU.
 
 use super::binary_tree::BinaryTree;
 use crate::broad_phase::leaf_boxes::LeafBoxes;

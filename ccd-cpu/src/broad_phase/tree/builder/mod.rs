@@ -12,12 +12,13 @@ mod ploc_search;
 #[cfg(feature = "catalogue")]
 pub mod split_lists;
 
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::layout::Branch;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 
-/// Builds trees; keeps its buffers between calls.
+/// Builds trees; keeps its buffers between calls, but for those of the order along the curve.
 pub trait TreeBuilder: Debug + Send + Sync {
     /// Whether it builds trees over so many boxes.
     fn check(&self, _n: usize) -> Result<(), Error> {
@@ -29,11 +30,9 @@ pub trait TreeBuilder: Debug + Send + Sync {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     );
-
-    /// Fills `order` alone, for boxes that need no tree but are near each other in it.
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>);
 }

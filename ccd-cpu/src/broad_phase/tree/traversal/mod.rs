@@ -1,5 +1,7 @@
 //! Traversals of binary trees: which nodes are visited, in which order, by whom.
 //!
+//! Twin: none; on a GPU `tree.rs` has queries, and the scheduler has pairs of nodes.
+//!
 //! | a query per box | of pairs of nodes |
 //! |---|---|
 //! | [`recursive`]: in the order of input, by recursion | [`simultaneous`]: by one thread |
