@@ -116,8 +116,9 @@ pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
-pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, Shrink};
+pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling};
 pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
+pub use ccd_core::model::tree_statistics::TreeStatistics;
 pub use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
 };
@@ -128,6 +129,6 @@ pub use ccd_core::{
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, DescentTimes, Intersection, MAX_LOOSENESS, Pairs,
-    Session, TreeStatistics, earliest_toi, intersections, near_at_rest, step,
+    BroadPhase, BroadPhaseTimes, Candidates, Intersection, MAX_LOOSENESS, Pairs, Session,
+    earliest_toi, intersections, near_at_rest, step,
 };

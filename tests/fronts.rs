@@ -4,7 +4,7 @@
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 use ccd::{
     BroadPhaseMethod, Digest, Front, FrontOptions, Mesh, Options, Scheduler, Scheduling, Session,
-    Shrink, Traversal, TreeOptions, Volume,
+    Traversal, TreeOptions, Volume,
 };
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Trial};
@@ -29,10 +29,10 @@ fn check(name: &str, mesh: &Mesh, n_frames: usize, frame: impl Fn(usize) -> Vec<
         Options::default().with_threads(2).with_broad_phase(broad_phase).with_scheduling(scheduling)
     };
     let session = |options| Session::new(mesh.clone(), options).expect("a session");
-    // Rules of either kind: lifted in every other step, or now and then, or dropped.
+    // Given up in every other step, or now and then, for either reason.
     let fronts = [
-        FrontOptions::default().rebuild(1, u32::MAX).shrink(Shrink::Lift),
-        FrontOptions::default().growth(102).rebuild(4, 101).shrink(Shrink::Lift),
+        FrontOptions::default().rebuild(2, u32::MAX),
+        FrontOptions::default().growth(102).rebuild(4, 101),
         FrontOptions::default().rebuild(4, 101),
     ];
     let schedulers = [Scheduler::LazyStealing, Scheduler::Frontier, Scheduler::SelfScheduling];

@@ -219,6 +219,8 @@ struct Entry {
     about: &'static str,
     source: Option<&'static str>,
     backends: &'static [&'static str],
+    /// Whether it is of the feature `catalogue`, with which this command is built.
+    catalogue: bool,
 }
 
 #[derive(Serialize)]
@@ -235,7 +237,7 @@ struct Json {
 fn entries<T: Catalogued>() -> Vec<Entry> {
     let entry = |row: &Row<T>| {
         let &Row { name, about, source, backends, .. } = row;
-        Entry { name, about, source, backends }
+        Entry { name, about, source, backends, catalogue: !T::ALWAYS.contains(&name) }
     };
     T::ROWS.iter().map(entry).collect()
 }
@@ -263,6 +265,7 @@ impl List {
             print::<Scheduler>(&format!("Schedulers {of}, --scheduler NAME"), &all.schedulers);
             print::<Front>(&format!("Fronts {of}, --front NAME"), &all.fronts);
             output::say!("* what is used without the option");
+            output::say!("+ in this command; of the library by the feature `catalogue` alone");
         }
         output::flush();
         Ok(false)
@@ -272,9 +275,13 @@ impl List {
 fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
     let of_default = T::default().row().name;
     output::say!("{title}");
-    for Entry { name, about, source, backends } in entries {
+    for Entry { name, about, source, backends, catalogue } in entries {
         let source = source.map_or(String::new(), |source| format!(" [{source}]"));
-        let mark = if *name == of_default { '*' } else { ' ' };
+        let mark = match catalogue {
+            true => '+',
+            false if *name == of_default => '*',
+            false => ' ',
+        };
         output::say!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
     }
     output::say!("");

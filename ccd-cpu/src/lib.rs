@@ -10,6 +10,10 @@
 #![deny(unsafe_code)]
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
+#[cfg_attr(
+    not(feature = "catalogue"),
+    allow(dead_code, reason = "what only methods of the catalogue call")
+)]
 mod broad_phase;
 mod clock;
 mod exclusions;
@@ -21,9 +25,10 @@ mod step;
 mod stop;
 mod threads;
 
+#[cfg(feature = "catalogue")]
+#[doc(hidden)]
 pub use broad_phase::descent_times::DescentTimes;
 pub use broad_phase::pair_list::Pairs;
-pub use broad_phase::tree::TreeStatistics;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use ccd_core::model::session::Intersection;
 pub use exclusions::near_at_rest;

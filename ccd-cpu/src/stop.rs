@@ -74,6 +74,7 @@ impl Stop {
     }
 
     /// Bytes that may still be allocated.
+    #[cfg(feature = "catalogue")]
     pub fn left(&self) -> u64 {
         self.limit.map_or(u64::MAX, |limit| limit.saturating_sub(self.held.load(Relaxed)))
     }

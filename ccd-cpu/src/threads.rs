@@ -116,6 +116,26 @@ impl Threads {
         }
     }
 
+    /// Merges what `of` says of parts of all sets, in the same order for any number of threads.
+    #[cfg(feature = "catalogue")]
+    pub fn fold<X: Sync, T: Copy + Send>(
+        &self,
+        sets: &[&[X]],
+        none: T,
+        parts: &mut Vec<T>,
+        of: &(dyn Fn(&[X]) -> T + Sync),
+        merged: &dyn Fn(&T, &T) -> T,
+    ) -> T {
+        /// Items that one thread takes together.
+        const CHUNK: usize = 4096;
+        sets.iter().fold(none, |all, items| {
+            parts.resize(items.len().div_ceil(CHUNK), none);
+            let part = |i: usize| &items[i * CHUNK..((i + 1) * CHUNK).min(items.len())];
+            self.each(parts, &|i, slot| *slot = of(part(i)));
+            parts.iter().fold(all, |all, part| merged(&all, part))
+        })
+    }
+
     /// Sorts in place by a key that no two items share.
     pub fn sort<T: Send, K: Ord>(&self, items: &mut [T], key: impl Fn(&T) -> K + Sync) {
         if self.count == 1 {

@@ -1,7 +1,6 @@
 //! A session finds the same by every method: candidates, contacts, counts; with bodies and without,
 //! frame after frame, on any number of threads.
 
-use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::catalogue::every;
@@ -104,11 +103,9 @@ fn sorted(mut pairs: Vec<Pair>) -> Vec<Pair> {
 }
 
 /// All steps from frame to frame, by one session.
-fn run<T: Coordinate>(scene: &Scene, options: &Options) -> Vec<Found> {
+fn run(scene: &Scene, options: &Options) -> Vec<Found> {
     let mut session = Session::new(scene.mesh.clone(), options.clone()).expect("a session");
-    let frame = |x: &Vec<[f64; 3]>| x.iter().map(|p| p.map(T::from_f64)).collect::<Vec<_>>();
-    let frames: Vec<_> = scene.frames.iter().map(frame).collect();
-    let step = |x: &[Vec<[T; 3]>]| {
+    let step = |x: &[Vec<[f64; 3]>]| {
         let listed = session.candidates(&x[0], &x[1]).expect("candidates");
         let (vf, ee) = (sorted(listed.vf.to_vec()), sorted(listed.ee.to_vec()));
         assert!(
@@ -134,7 +131,7 @@ fn run<T: Coordinate>(scene: &Scene, options: &Options) -> Vec<Found> {
             filtered: report.filtered,
         }
     };
-    frames.windows(2).map(step).collect()
+    scene.frames.windows(2).map(step).collect()
 }
 
 /// The methods that the table says are here.
@@ -148,7 +145,7 @@ fn ways() -> [(usize, Pipeline); 4] {
     [(1, Pipeline::Features), (2, Pipeline::TRIANGLES), (2, Pipeline::Features), (1, whole)]
 }
 
-fn check_methods<T: Coordinate>(name: &str, scene: &Scene, ways: &[(usize, Pipeline)]) {
+fn check_methods(name: &str, scene: &Scene) {
     for bodies in [None, Some(scene.bodies.clone())] {
         for min_distance in [0.0, 0.01] {
             let of = |broad_phase, threads, pipeline| {
@@ -160,12 +157,12 @@ fn check_methods<T: Coordinate>(name: &str, scene: &Scene, ways: &[(usize, Pipel
                     .with_pipeline(pipeline)
                     .with_scheduling(Default::default())
             };
-            let want = run::<T>(scene, &of(BroadPhaseMethod::default(), 1, Pipeline::Features));
+            let want = run(scene, &of(BroadPhaseMethod::default(), 1, Pipeline::Features));
             let n_contacts: usize = want.iter().map(|found| found.contacts.len()).sum();
             assert!(n_contacts > 10, "{name}: {n_contacts} contacts show nothing");
             for method in methods() {
-                for &(threads, pipeline) in ways {
-                    let got = run::<T>(scene, &of(method, threads, pipeline));
+                for (threads, pipeline) in ways() {
+                    let got = run(scene, &of(method, threads, pipeline));
                     let what = format!(
                         "{name}, {method:?}, {pipeline:?}, {threads} threads, \
                          distance {min_distance}, bodies {}",
@@ -191,20 +188,13 @@ const SOUPS: [usize; 2] = [40, 150];
 #[test]
 fn every_method_finds_the_same_in_soups() {
     for n in SOUPS {
-        check_methods::<f64>(&format!("soup of {n}"), &soup(n), &ways());
-    }
-}
-
-#[test]
-fn every_method_finds_the_same_in_soups_of_f32() {
-    for n in SOUPS {
-        check_methods::<f32>(&format!("soup of {n} in f32"), &soup(n), &ways()[..2]);
+        check_methods(&format!("soup of {n}"), &soup(n));
     }
 }
 
 #[test]
 fn every_method_finds_the_same_in_sheets() {
-    check_methods::<f64>("sheets", &sheets(12), &ways());
+    check_methods("sheets", &sheets(12));
 }
 
 #[test]
@@ -239,10 +229,10 @@ fn comparisons_can_fail() {
     let of = |method, bodies| {
         Options::default().with_threads(1).with_bodies(bodies).with_broad_phase(method)
     };
-    let all = run::<f64>(&scene, &of(BroadPhaseMethod::TREE, None));
+    let all = run(&scene, &of(BroadPhaseMethod::TREE, None));
     // Bodies that do not move take pairs away, by every method.
     for method in methods() {
-        let fewer = run::<f64>(&scene, &of(method, Some(scene.bodies.clone())));
+        let fewer = run(&scene, &of(method, Some(scene.bodies.clone())));
         assert!(
             all.iter().zip(&fewer).all(|(a, b)| a.candidates.total() > b.candidates.total()),
             "{method:?}"
@@ -251,7 +241,7 @@ fn comparisons_can_fail() {
     // One vertex elsewhere in one frame.
     let mut other = soup(60);
     other.frames[2][17] = [0.3, -0.7, 11.0];
-    let moved = run::<f64>(&other, &of(BroadPhaseMethod::TREE, None));
+    let moved = run(&other, &of(BroadPhaseMethod::TREE, None));
     assert!(
         moved[0] == all[0]
             && moved[1] != all[1]

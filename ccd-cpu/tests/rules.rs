@@ -10,7 +10,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::{BroadPhaseMethod, Traversal, TreeOptions};
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
-use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling, Shrink};
+use ccd_core::model::scheduling::{Front, Scheduling};
 use ccd_core::{Coordinate, Error};
 use ccd_cpu::Session;
 use std::cell::Cell;
@@ -210,12 +210,11 @@ fn filters_are_asked_of_overlaps() {
     }
 }
 
-/// A session whose rules change is as a new one; also where a front is kept and lifted.
+/// A session whose rules change is as a new one; also where a front is kept.
 #[test]
 fn rules_change_between_steps() {
     let scene = Scene::new(120);
-    let fronts = FrontOptions::default().shrink(Shrink::Lift);
-    let front = Scheduling::default().front(Front::On(fronts));
+    let front = Scheduling::default().front(Front::ON);
     let cut = TreeOptions::default().traversal(Traversal::CUT);
     let cut = BroadPhaseMethod::Tree(cut);
     let some = [

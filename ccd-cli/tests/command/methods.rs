@@ -21,7 +21,7 @@ pub fn the_list_names_every_choice() {
         assert_eq!(listed, names, "{key}");
         for entry in all[key].as_array().unwrap() {
             let keys: Vec<&String> = entry.as_object().unwrap().keys().collect();
-            assert_eq!(keys, ["about", "backends", "name", "source"]);
+            assert_eq!(keys, ["about", "backends", "catalogue", "name", "source"]);
             assert!(!entry["backends"].as_array().unwrap().is_empty(), "{entry} runs nowhere");
             assert!(output.contains(entry["about"].as_str().unwrap()), "{output}");
         }

@@ -39,6 +39,8 @@ pub struct Row<T> {
 pub trait Catalogued: Copy + PartialEq + 'static {
     /// Every value, in the order of the enum.
     const ROWS: &'static [Row<Self>];
+    /// Names of those that every build has; others are there by the feature `catalogue`.
+    const ALWAYS: &'static [&'static str];
 
     /// What there is to say about a value, whatever its settings.
     fn row(self) -> &'static Row<Self> {
@@ -57,6 +59,7 @@ const CPU: &[&str] = &["cpu"];
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for BroadPhaseMethod {
+    const ALWAYS: &'static [&'static str] = &["blocks", "tree"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::BruteForce,
@@ -104,6 +107,7 @@ impl Catalogued for BroadPhaseMethod {
 }
 
 impl Catalogued for Builder {
+    const ALWAYS: &'static [&'static str] = &["lbvh"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Lbvh,
@@ -137,6 +141,7 @@ impl Catalogued for Builder {
 }
 
 impl Catalogued for Traversal {
+    const ALWAYS: &'static [&'static str] = &["leaf-order", "half"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Recursive,
@@ -184,6 +189,7 @@ impl Catalogued for Traversal {
 }
 
 impl Catalogued for Volume {
+    const ALWAYS: &'static [&'static str] = &["aabb"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Aabb,
@@ -203,6 +209,7 @@ impl Catalogued for Volume {
 }
 
 impl Catalogued for Pipeline {
+    const ALWAYS: &'static [&'static str] = &["features", "triangles"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Features,
@@ -287,6 +294,8 @@ mod tests {
         }
         assert_eq!(T::named("by hand"), None);
         assert!(T::ROWS.iter().any(|row| row.value == T::default()));
+        assert!(T::ALWAYS.iter().all(|name| T::named(name).is_some()));
+        assert!(T::ALWAYS.contains(&T::default().row().name));
     }
 
     #[test]

@@ -181,6 +181,13 @@ pub enum Error {
         /// The backend.
         backend: &'static str,
     },
+    /// A method that this backend has by the feature `catalogue`, without which it was built.
+    NotCompiled {
+        /// Its name.
+        name: &'static str,
+        /// The backend.
+        backend: &'static str,
+    },
     /// A scheduler or a front for a method that has no pairs of nodes to schedule or to keep.
     NoPairsOfNodes {
         /// Its name, or that of its traversal.
@@ -331,6 +338,10 @@ impl core::fmt::Display for Error {
                 )
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
+            Error::NotCompiled { name, backend } => write!(
+                f,
+                "`{name}` of the {backend} is not compiled in: build with the feature `catalogue`"
+            ),
             Error::NoPairsOfNodes { method } => {
                 write!(
                     f,

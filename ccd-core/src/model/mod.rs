@@ -34,3 +34,4 @@ pub mod scheduling;
 #[cfg(feature = "alloc")]
 pub mod session;
 pub mod toi;
+pub mod tree_statistics;

@@ -102,39 +102,17 @@ impl Front {
     pub const ON: Self = Self::On(FrontOptions::DEFAULT);
 }
 
-/// What becomes of a front that is too deep; see [`FrontOptions`].
-///
-/// ```
-/// use ccd_core::model::scheduling::{FrontOptions, Shrink};
-///
-/// assert_eq!(FrontOptions::default().shrink, Shrink::Drop);
-/// assert_eq!(FrontOptions::default().shrink(Shrink::Lift).shrink, Shrink::Lift);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[non_exhaustive]
-pub enum Shrink {
-    /// It is dropped: the next step begins at the roots, and leaves a new one.
-    #[default]
-    Drop,
-    /// It is lifted: the next step begins with it, and replaces every pair that is apart by the
-    /// highest pair above it that is, so that it leaves what a step from the roots would. Where
-    /// what is above a pair depends on where boxes were before (`larger` in a traversal), and on a
-    /// GPU, it is dropped.
-    Lift,
-}
-
-/// When a front is given up: as [`Shrink`] says.
+/// When a front is given up: dropped, so that the next step begins at the roots and leaves a new
+/// one.
 ///
 /// Pairs that meet are replaced by those below them; pairs that separate stay where they are, so
 /// that a front only gets deeper. One that is too deep is more work than it saves.
 ///
 /// ```
-/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling, Shrink};
+/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling};
 ///
-/// let lifted = FrontOptions::default().growth(200).shrink(Shrink::Lift).memory(64);
-/// assert_ne!(Scheduling::default().front(Front::On(lifted)), Scheduling::default());
+/// let kept = FrontOptions::default().growth(200).memory(64);
+/// assert_ne!(Scheduling::default().front(Front::On(kept)), Scheduling::default());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -148,8 +126,6 @@ pub struct FrontOptions {
     /// it did not change much, so that it is taken to be deeper than the scene asks for, `rt`
     /// there. 0: never.
     pub threshold: u32,
-    /// What giving up means.
-    pub shrink: Shrink,
     /// The front is given up once it is this many times as large, in percent, as the last one that
     /// began at the roots: 100 or more.
     pub growth: u32,
@@ -159,8 +135,7 @@ pub struct FrontOptions {
 }
 
 impl FrontOptions {
-    const DEFAULT: Self =
-        Self { period: 16, threshold: 0, growth: 150, memory: 512, shrink: Shrink::Drop };
+    const DEFAULT: Self = Self { period: 16, threshold: 0, growth: 150, memory: 512 };
     /// Most MiB of a front: 64 GiB.
     pub const MAX_MEMORY: u32 = 1 << 16;
 
@@ -172,11 +147,6 @@ impl FrontOptions {
     /// The same with this bound of its growth in percent.
     pub const fn growth(self, growth: u32) -> Self {
         Self { growth, ..self }
-    }
-
-    /// The same with this way to give it up.
-    pub const fn shrink(self, shrink: Shrink) -> Self {
-        Self { shrink, ..self }
     }
 
     /// The same with this bound of its memory in MiB.
@@ -268,6 +238,7 @@ impl core::fmt::Display for Scheduling {
 const BOTH: &[&str] = &["cpu", "gpu"];
 
 impl Catalogued for Scheduler {
+    const ALWAYS: &'static [&'static str] = &["self-scheduling"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::SelfScheduling,
@@ -315,6 +286,7 @@ impl Catalogued for Scheduler {
 }
 
 impl Catalogued for Front {
+    const ALWAYS: &'static [&'static str] = &["off"];
     const ROWS: &'static [Row<Self>] = &[
         Row {
             value: Self::Off,

@@ -5,7 +5,7 @@
 //! with it when the search is over depends on how many pairs it has now, had when it last began at
 //! the roots, and had some searches ago; see [`FrontOptions`].
 
-use crate::model::scheduling::{FrontOptions, Shrink};
+use crate::model::scheduling::FrontOptions;
 
 /// What is known of the front of one pair of sets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,10 +21,6 @@ pub struct FrontState {
     /// Pairs of the front with which the next one is compared, and how many searches ago it was.
     reference: u64,
     age: u32,
-    /// Whether a front that is too deep can be lifted; it is dropped if not.
-    can_lift: bool,
-    /// Whether the next search lifts the front that it begins with.
-    is_lifted: bool,
 }
 
 /// What is done with the list that a search wrote.
@@ -42,7 +38,7 @@ impl FrontState {
     /// A search begins. `same_trees`: they are those of the search before, and that was complete.
     pub fn begin(&mut self, same_trees: bool) {
         if !same_trees {
-            (self.kept, self.is_too_large, self.is_lifted) = (0, false, false);
+            (self.kept, self.is_too_large) = (0, false);
         }
         self.begun = self.kept;
     }
@@ -50,16 +46,6 @@ impl FrontState {
     /// Pairs with which the search begins; 0: at the roots.
     pub fn begun(&self) -> u64 {
         self.begun
-    }
-
-    /// From now on, whether searches of these trees can lift a front, see [`Shrink::Lift`].
-    pub fn allow_lifting(&mut self, can_lift: bool) {
-        self.can_lift = can_lift;
-    }
-
-    /// Whether the search that begins with the front lifts it.
-    pub fn is_lifted(&self) -> bool {
-        self.is_lifted && self.kept > 0
     }
 
     /// Whether it writes a front: not if that would be too large.
@@ -88,7 +74,6 @@ impl FrontState {
         most: u64,
     ) -> Fate {
         self.kept = 0;
-        let was_lifted = core::mem::replace(&mut self.is_lifted, false);
         if self.is_too_large {
             return Fate::Dropped;
         }
@@ -99,8 +84,7 @@ impl FrontState {
             }
             return Fate::Grows((wanted + wanted / 4).min(most));
         }
-        // One that was lifted is as if it had begun at the roots.
-        if self.begun == 0 || was_lifted {
+        if self.begun == 0 {
             (self.at_roots, self.reference, self.age) = (n, n, 0);
         } else {
             self.age += 1;
@@ -112,9 +96,7 @@ impl FrontState {
             if compared {
                 self.reference = n;
             }
-            self.is_lifted =
-                self.can_lift && options.shrink == Shrink::Lift && (too_deep || unchanged);
-            if (too_deep || unchanged) && !self.is_lifted {
+            if too_deep || unchanged {
                 return Fate::Dropped;
             }
         }
@@ -151,27 +133,6 @@ mod tests {
         let of = fates(options, [100, 101, 110, 111, 119, 120]);
         assert_eq!(of, [true, true, true, true, false, true]);
         assert_eq!(fates(options.rebuild(1, 0), [100; 3]), [true; 3]);
-    }
-
-    #[test]
-    fn a_front_that_is_lifted_is_kept_and_counts_as_new() {
-        let options = FrontOptions::default().growth(150).shrink(Shrink::Lift);
-        let mut state = FrontState::default();
-        state.allow_lifting(true);
-        let lifts = [100, 150, 151, 300, 450, 451, 500].map(|n| {
-            state.begin(true);
-            let lifts = state.is_lifted();
-            assert_eq!(state.end(&options, n, n, 1000, 1000), Fate::Kept);
-            lifts
-        });
-        assert_eq!(lifts, [false, false, false, true, false, false, true]);
-        // Other trees have no front to lift, and what cannot be lifted is dropped.
-        state.begin(true);
-        assert_eq!(state.end(&options, 751, 751, 1000, 1000), Fate::Kept);
-        assert!(state.is_lifted());
-        state.begin(false);
-        assert!(!state.is_lifted());
-        assert_eq!(fates(options, [100, 151]), [true, false]);
     }
 
     #[test]

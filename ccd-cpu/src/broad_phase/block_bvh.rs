@@ -5,8 +5,7 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, set_lane};
-use crate::broad_phase::pair_source::Marks;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, set_lane};
 use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;

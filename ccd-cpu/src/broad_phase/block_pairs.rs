@@ -2,24 +2,20 @@
 //! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::front::Writer;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, get_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{
-    Marks, Order, PairSink, PairSource, Pairs, PairsOfNodes, Sides,
-};
-use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
+use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::Tasks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::pair_descent::NodePair;
-use std::cmp::Ordering;
 
 /// A block bvh per set.
 #[derive(Debug, Default)]
 pub struct BlockSource {
-    trees: Vec<BlockBvh>,
+    pub trees: Vec<BlockBvh>,
     morton: MortonOrder,
     tasks: Tasks,
 }
@@ -27,10 +23,10 @@ pub struct BlockSource {
 /// Two blocks of the same level whose boxes are to be tested against each other; level 0 holds the
 /// leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct BlockPair {
-    level: u32,
-    a: u32,
-    b: u32,
+pub struct BlockPair {
+    pub level: u32,
+    pub a: u32,
+    pub b: u32,
 }
 
 /// Bits of the number of a block: of 2^31 leaves there are 2^28 blocks of eight, on 11 levels.
@@ -38,12 +34,12 @@ const BITS: u32 = 28;
 
 impl BlockPair {
     #[inline(always)]
-    fn packed(self) -> NodePair {
+    pub fn packed(self) -> NodePair {
         [self.level << BITS | self.a, self.b]
     }
 
     #[inline(always)]
-    fn unpacked([a, b]: NodePair) -> Self {
+    pub fn unpacked([a, b]: NodePair) -> Self {
         Self { level: a >> BITS, a: a & ((1 << BITS) - 1), b }
     }
 }
@@ -100,25 +96,11 @@ impl PairSource for BlockSource {
     }
 }
 
-impl PairsOfNodes for BlockSource {
-    fn descend(
-        &mut self,
-        _threads: &Threads,
-        sides: Sides,
-        _lift: bool,
-        run: &mut dyn FnMut(Pairs),
-    ) {
-        let pairs = BlockPairs::new(&mut self.trees, sides);
-        let builds = [pairs.a.build(), pairs.b.build()];
-        run(Pairs { tree: &pairs, roots: &[pairs.root().packed()], builds });
-    }
-}
-
 /// The trees that are descended, equal if pairs are sought `within` one.
 #[derive(Clone, Copy)]
-struct BlockPairs<'a> {
-    a: &'a BlockBvh,
-    b: &'a BlockBvh,
+pub struct BlockPairs<'a> {
+    pub a: &'a BlockBvh,
+    pub b: &'a BlockBvh,
     leaves_a: &'a [Block],
     leaves_b: &'a [Block],
     within: bool,
@@ -175,92 +157,16 @@ impl PairTree for BlockPairs<'_> {
     }
 }
 
-/// A front keeps pairs of blocks of blocks, and what is below them is found anew in each step:
-/// where 64 pairs are tested in eight instructions each, reading them one by one from a front costs
-/// more.
-impl FrontTree for BlockPairs<'_> {
-    const WHOLE_ROWS: bool = true;
-
-    #[inline(always)]
-    fn place(self, pair: NodePair) -> Place {
-        let deepest = (self.a.height() as u32 - 1).min(1);
-        match BlockPair::unpacked(pair).level.cmp(&deepest) {
-            Ordering::Greater => Place::Above,
-            Ordering::Equal => Place::At,
-            Ordering::Less => Place::Below,
-        }
-    }
-
-    #[inline(always)]
-    fn meets(self, pair: NodePair) -> bool {
-        let BlockPair { level, a, b } = BlockPair::unpacked(pair);
-        let (level, a, b) = (level as usize + 1, a as usize, b as usize);
-        if level >= self.a.height() {
-            return true;
-        }
-        let lane = |tree: &BlockBvh, i: usize| get_lane(&tree.level(level)[i / WIDTH], i % WIDTH);
-        lane(self.a, a).overlaps(&lane(self.b, b))
-    }
-
-    #[inline(always)]
-    fn lifts(self) -> bool {
-        !self.a.worlds().are_known()
-    }
-
-    /// Fixed boxes come last, so that the first child of a pair that is wanted is wanted too; of
-    /// worlds that is not so.
-    #[inline(always)]
-    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)> {
-        let BlockPair { level, a, b } = BlockPair::unpacked(pair);
-        let width = WIDTH as u32;
-        let parent = BlockPair { level: level + 1, a: a / width, b: b / width };
-        let is_root = level as usize + 1 >= self.a.height();
-        (!is_root).then_some((parent.packed(), a % width == 0 && b % width == 0))
-    }
-
-    #[inline(always)]
-    fn boxes_apart(self, pair: NodePair) -> bool {
-        !self.meets(pair)
-    }
-
-    #[inline(always)]
-    fn expand_all<S: RowSimd>(
-        self,
-        simd: S,
-        pair: NodePair,
-        out: &mut Vec<NodePair>,
-        front: &mut Writer,
-    ) {
-        let pair = BlockPair::unpacked(pair);
-        let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
-        if self.a.worlds().are_known() {
-            masks &= self.in_one_world(pair);
-        }
-        let below = pair.level as usize - 1;
-        let (n_a, n_b) = (self.a.level(below).len() as u32, self.b.level(below).len() as u32);
-        while masks != 0 {
-            let bit = masks.trailing_zeros();
-            masks &= masks - 1;
-            let child = child(pair, bit);
-            if met >> bit & 1 == 1 {
-                out.push(child.packed());
-            } else if child.a < n_a && child.b < n_b {
-                front.push(child.packed());
-            }
-        }
-    }
-}
-
 /// The pair of children that a bit stands for.
 #[inline(always)]
-fn child(pair: BlockPair, bit: u32) -> BlockPair {
+pub fn child(pair: BlockPair, bit: u32) -> BlockPair {
     let (a, b) = (pair.a * WIDTH as u32 + bit / 8, pair.b * WIDTH as u32 + bit % 8);
     BlockPair { level: pair.level - 1, a, b }
 }
 
 impl<'a> BlockPairs<'a> {
     /// The trees of both sides, neither empty, of the same height.
-    fn new(trees: &'a mut [BlockBvh], (a, b): Sides<'a>) -> Self {
+    pub fn new(trees: &'a mut [BlockBvh], (a, b): Sides<'a>) -> Self {
         if let Some(b) = b {
             let height = trees[a.set().index].height().max(trees[b.set().index].height());
             trees[a.set().index].raise(height, a.blocks());
@@ -276,14 +182,14 @@ impl<'a> BlockPairs<'a> {
         }
     }
 
-    fn root(self) -> BlockPair {
+    pub fn root(self) -> BlockPair {
         assert_eq!(self.a.height(), self.b.height(), "trees of different height");
         BlockPair { level: self.a.height() as u32 - 1, a: 0, b: 0 }
     }
 
     /// Of a pair above the leaves, byte `i`, bit `j`: whether box `i` overlaps box `j`.
     #[inline(always)]
-    fn overlaps<S: RowSimd>(self, simd: S, BlockPair { level, a, b }: BlockPair) -> u64 {
+    pub fn overlaps<S: RowSimd>(self, simd: S, BlockPair { level, a, b }: BlockPair) -> u64 {
         let level = level as usize;
         overlaps(simd, &self.a.level(level)[a as usize], &self.b.level(level)[b as usize])
     }
@@ -291,14 +197,14 @@ impl<'a> BlockPairs<'a> {
     /// Of a pair above the leaves, byte `i`, bit `j`: whether there may be a pair of leaves below
     /// child `i` and child `j`, whatever their boxes and worlds are.
     #[inline(always)]
-    fn wanted(self, pair: BlockPair) -> u64 {
+    pub fn wanted(self, pair: BlockPair) -> u64 {
         let once = if self.within && pair.a == pair.b { UPPER_OR_DIAGONAL } else { u64::MAX };
         once & !self.both_fixed(pair)
     }
 
     /// Byte `i`, bit `j`: whether there may be a pair of one world below child `i` and child `j`.
     #[inline(always)]
-    fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
+    pub fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
         self.a.worlds().meet(a as usize, self.b.worlds(), b as usize, level as usize)
     }
 

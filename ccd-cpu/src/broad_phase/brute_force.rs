@@ -1,10 +1,12 @@
 //! Every box against every other, eight at a time: what all other methods are compared with.
 //!
+//! Twin: on a GPU `key_intervals.rs`, of which this is the interval of all boxes.
+//!
 //! The only limit is time: `n (n - 1) / 2` tests within one set, some 10^9 a second and thread.
 //! For a few hundred boxes it is also fast, because nothing is built.
 
-use crate::broad_phase::leaf_boxes::Set;
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use ccd_core::Aabb;

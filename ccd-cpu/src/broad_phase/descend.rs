@@ -1,10 +1,14 @@
 //! What is done with a list of pairs of any tree of pairs, compiled once for each tree: split into
-//! tasks, expanded down to rows of leaves, begun at a front.
+//! tasks, expanded down to rows of leaves, begun at a front; and what has such trees.
+//!
+//! Twin: of ccd-shaders `pair_workers.rs`, which expands pairs where workgroups find them.
 
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::{Gathered, IntoRows};
-use crate::broad_phase::pair_tree::{FrontTree, Place};
+use crate::broad_phase::leaf_boxes::{Order, Sides};
+use crate::broad_phase::pair_tree::PairTree;
+use crate::broad_phase::rows::{Gathered, IntoRows};
 use crate::simd::{RowSimd, Work};
+use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
 
 /// What expansions leave behind, beside pairs that are to be expanded.
@@ -15,6 +19,37 @@ pub struct Traces<'t, 'r, 'a, 'f> {
     pub front: Option<Writer<'f>>,
     /// Pairs that were expanded.
     pub n_expanded: u64,
+}
+
+/// Where a pair is, seen from the deepest front that there can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Its children may be in a front.
+    Above,
+    /// It stays in every front that has come this far, and what is below it is found anew each
+    /// time.
+    At,
+    /// It is never in a front.
+    Below,
+}
+
+/// A tree of pairs that can be begun at a front.
+pub trait FrontTree: PairTree {
+    /// Whether a row of leaves comes once with all of its lanes, rather than in pieces.
+    const WHOLE_ROWS: bool;
+    /// Where a pair is.
+    fn place(self, pair: NodePair) -> Place;
+    /// Whether the volumes of both nodes overlap, and there is anything below the pair.
+    fn meets(self, pair: NodePair) -> bool;
+    /// As [`PairTree::expand`] of a pair above all fronts; children that are apart are written to
+    /// the front. Those that can have no pair of leaves, whatever the boxes are, are in neither.
+    fn expand_all<S: RowSimd>(
+        self,
+        simd: S,
+        pair: NodePair,
+        out: &mut Vec<NodePair>,
+        front: &mut Writer,
+    );
 }
 
 /// A tree of pairs behind a pointer.
@@ -31,12 +66,24 @@ pub trait Descend: Sync {
     fn expand(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces);
 
     /// Begins at pairs of a front: those that are apart stay in it, those at its deepest stay and
-    /// are looked into, all others that meet go to `out`, to be expanded. `lift`: those that are
-    /// apart are lifted, if the tree [lifts](FrontTree::lifts) fronts.
-    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces, lift: bool);
+    /// are looked into, all others that meet go to `out`, to be expanded.
+    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces);
+}
 
-    /// [`FrontTree::lifts`].
-    fn lifts(&self) -> bool;
+/// A source of pairs of nodes, which any scheduler shares out among workers.
+pub trait PairsOfNodes: Order {
+    /// Calls `run` with the pairs of nodes of these sides.
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs));
+}
+
+/// Pairs of nodes of two trees, or of one with itself.
+pub struct Pairs<'a> {
+    /// What descends them.
+    pub tree: &'a dyn Descend,
+    /// Where a descent begins: every pair of leaves is below exactly one.
+    pub roots: &'a [NodePair],
+    /// Which builds of the trees these are: of later ones the numbers are others.
+    pub builds: [u64; 2],
 }
 
 impl<T: FrontTree> Descend for T {
@@ -64,19 +111,15 @@ impl<T: FrontTree> Descend for T {
     fn expand(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces) {
         let Traces { rows, front, n_expanded } = traces;
         let tree = *self;
-        let work = Whole::<_, false> { tree, pairs, out, rows, front, lift: false };
+        let work = Whole::<_, false> { tree, pairs, out, rows, front };
         *n_expanded += crate::simd::run_rows!(work);
     }
 
-    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces, lift: bool) {
+    fn resume(&self, pairs: &[NodePair], out: &mut Vec<NodePair>, traces: &mut Traces) {
         let Traces { rows, front, n_expanded } = traces;
         let tree = *self;
-        let work = Whole::<_, true> { tree, pairs, out, rows, front, lift };
+        let work = Whole::<_, true> { tree, pairs, out, rows, front };
         *n_expanded += crate::simd::run_rows!(work);
-    }
-
-    fn lifts(&self) -> bool {
-        FrontTree::lifts(*self)
     }
 }
 
@@ -136,7 +179,6 @@ struct Whole<'w, 'r, 'a, 'f, T, const OF_FRONT: bool> {
     out: &'w mut Vec<NodePair>,
     rows: &'w mut Gathered<'r, 'a>,
     front: &'w mut Option<Writer<'f>>,
-    lift: bool,
 }
 
 impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
@@ -146,16 +188,14 @@ impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
 
     #[inline(always)]
     fn call(self, simd: S) -> u64 {
-        let Self { tree, pairs, out, rows, front, lift } = self;
+        let Self { tree, pairs, out, rows, front } = self;
         let mut n_expanded = 0;
         for &pair in pairs {
             let first = out.len();
             if OF_FRONT {
                 let (stays, meets) = (tree.place(pair) == Place::At, tree.meets(pair));
                 if !meets {
-                    if let Some(pair) = if lift { lifted(tree, pair) } else { Some(pair) } {
-                        keep(front, pair);
-                    }
+                    keep(front, pair);
                     continue;
                 }
                 if !stays {
@@ -192,21 +232,6 @@ impl<S: RowSimd, T: FrontTree, const OF_FRONT: bool> Work<S>
         }
         n_expanded
     }
-}
-
-/// What stands in a front for a pair that is apart, if this pair is the one to write it: the
-/// highest pair above it whose boxes are apart. All pairs of the front that are below that one come
-/// to it, and one of them by first children alone.
-#[inline(always)]
-fn lifted<T: FrontTree>(tree: T, pair: NodePair) -> Option<NodePair> {
-    let (mut top, mut is_first) = (pair, true);
-    while let Some((parent, first)) = tree.parent(top)
-        && tree.boxes_apart(parent)
-    {
-        top = parent;
-        is_first &= first;
-    }
-    is_first.then_some(top)
 }
 
 #[inline(always)]

@@ -1,5 +1,7 @@
 //! Where the time of descents goes that a scheduler shares out: what its workers do, and for how
 //! long they wait for one another.
+//!
+//! Twin: none; a GPU counts turns of workers instead (`worker_counts.rs`).
 
 use crate::broad_phase::scheduler::Job;
 use crate::broad_phase::scheduler::hand::{Expand, Hand};

@@ -22,13 +22,7 @@
 //! Cost: a test a pair of the front. A descent from the roots expands about half as many pairs as
 //! its front has, so that beginning at a front saves what the expansions cost beyond those tests,
 //! and has all of its work at hand at once; but a front never gets shorter by itself. It is given
-//! up as [`FrontOptions`] says, or lifted:
-//!
-//! ```text
-//!     [2, 4]          each pair that is apart looks for the highest above whose boxes are:
-//!     /    \          all of them below [2, 4] come to it, one by first children alone,
-//!  (3, 5) (3, 6)      (3, 5), which is the one to write it
-//! ```
+//! up as [`FrontOptions`] says.
 
 use crate::stop::Stop;
 use crate::threads::Own;
@@ -84,21 +78,15 @@ impl Fronts {
         &self.fronts[at]
     }
 
-    /// Whether the next step lifts the front of these sets, if their trees are still the same.
-    pub fn lifts(&self, sets: [Option<usize>; 2]) -> bool {
-        self.fronts.iter().any(|front| front.sets == sets && front.state.is_lifted())
-    }
-
-    /// A step is over: what was written is kept, if it may be. `can_lift`: the tree of pairs lifts
-    /// fronts.
-    pub fn end(&mut self, at: usize, can_lift: bool, stop: &Stop) {
+    /// A step is over: what was written is kept, if it may be.
+    pub fn end(&mut self, at: usize, stop: &Stop) {
         let others = self.fronts.iter().enumerate().filter(|&(i, _)| i != at);
         let used: usize = others.map(|(_, front)| front.bytes()).sum();
         let most = (self.options.memory as usize) << 20;
         let front = &mut self.fronts[at];
         let before = front.bytes() as u64;
         let most = (most.saturating_sub(used) as u64).min(before.saturating_add(stop.left()));
-        front.end(&self.options, most as usize, can_lift);
+        front.end(&self.options, most as usize);
         // There is room for that: nobody else takes any now.
         stop.take(front.bytes() as u64 - before);
     }
@@ -128,11 +116,6 @@ impl Front {
         (self.state.kept() > 0).then_some(&self.kept)
     }
 
-    /// Whether that is lifted.
-    pub fn is_lifted(&self) -> bool {
-        self.state.is_lifted()
-    }
-
     /// The front to be written, unless it would be too large.
     pub fn next(&self) -> Option<&List> {
         self.state.is_written().then_some(&self.next)
@@ -148,12 +131,11 @@ impl Front {
         self.next.clear(n_workers);
     }
 
-    fn end(&mut self, options: &FrontOptions, most_bytes: usize, can_lift: bool) {
+    fn end(&mut self, options: &FrontOptions, most_bytes: usize) {
         let wanted = self.next.finish() as u64;
         // Both lists take turns.
         let most = most_bytes / (2 * size_of::<AtomicU64>());
         let (n, room) = (self.next.n_pairs(), self.next.slots.len() as u64);
-        self.state.allow_lifting(can_lift);
         match self.state.end(options, n, wanted, room, most as u64) {
             Fate::Kept => std::mem::swap(&mut self.kept, &mut self.next),
             Fate::Grows(room) => {

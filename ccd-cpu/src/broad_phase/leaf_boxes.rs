@@ -1,10 +1,14 @@
 //! The boxes of one set in the order of a method's leaves, eight side by side: what a source of
-//! pairs numbers its leaves by, and what a sink looks them up in.
+//! pairs numbers its leaves by, and what a sink looks them up in; and what puts them in order.
+//!
+//! Twin: none; a GPU keeps boxes in the buffers of each method.
 
-use crate::broad_phase::pair_source::{Marks, Order};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
-use ccd_core::Aabb;
+use ccd_core::model::rules::Rules;
+use ccd_core::model::tree_statistics::TreeStatistics;
+use ccd_core::{Aabb, Error};
+use std::fmt::Debug;
 
 /// Which of the sets that a source keeps, and what for.
 #[derive(Clone, Copy, Debug)]
@@ -16,10 +20,68 @@ pub struct Set {
     pub searched: bool,
 }
 
+/// What is known of boxes besides their places.
+#[derive(Clone, Copy, Default)]
+pub struct Marks<'a> {
+    /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
+    pub fixed: Option<&'a (dyn Fn(usize) -> bool + Sync)>,
+    /// The world of box `i`; pairs of boxes of two worlds need not be emitted.
+    pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
+    /// Bits of the greatest world.
+    pub world_bits: u32,
+    /// So many boxes at the end of the order before are those that stand still, in an order that
+    /// is good still.
+    pub kept: usize,
+}
+
+/// What pairs are sought in: one set against another, or, without another, within one.
+pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
+
+/// Puts the boxes of a few sets in order, and keeps what it builds over them between calls.
+pub trait Order: Debug + Send + Sync {
+    /// Looks at the boxes of all sets that will be sorted, for what these must have in common: an
+    /// axis, the size of a cell. Refuses boxes for which the method is not made.
+    fn survey(&mut self, _threads: &Threads, _sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Whether an order stays right when boxes move. If not, there is a survey and a sort whenever
+    /// they did.
+    fn outlasts_motion(&self) -> bool {
+        true
+    }
+
+    /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
+    /// A box may have several leaves, of which no two are ever emitted with each other, if the
+    /// order does not outlast motion.
+    fn sort(
+        &mut self,
+        threads: &Threads,
+        set: Set,
+        boxes: &[Aabb<f32>],
+        marks: &Marks,
+        order: &mut Vec<u32>,
+    );
+
+    /// Takes the boxes of a set, the first time after [`Order::sort`] and whenever they moved.
+    /// Returns how much looser its volumes around several boxes are, relative to these, than the
+    /// first time.
+    fn fit(&mut self, _threads: &Threads, _leaves: &LeafBoxes) -> f64 {
+        1.0
+    }
+
+    /// Figures of the binary tree over a set that is searched, if the source has one.
+    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        None
+    }
+}
+
 /// Boxes of a set: leaf `8 i + j` is lane `j` of block `i`.
 #[derive(Debug)]
 pub struct LeafBoxes {
     set: Set,
+    len: usize,
+    /// From leaf to id; the last id is repeated up to a whole block.
     order: Vec<u32>,
     blocks: Vec<Block>,
     /// Boxes at the end of the order that stand still.
@@ -31,7 +93,7 @@ pub struct LeafBoxes {
 impl LeafBoxes {
     /// No boxes yet.
     pub fn new(set: Set) -> Self {
-        Self { set, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
+        Self { set, len: 0, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
     }
 
     /// Which set this is.
@@ -41,17 +103,17 @@ impl LeafBoxes {
 
     /// Number of boxes.
     pub fn len(&self) -> usize {
-        self.order.len()
+        self.len
     }
 
     /// Whether there is no box.
     pub fn is_empty(&self) -> bool {
-        self.order.is_empty()
+        self.len == 0
     }
 
     /// From leaf to id.
     pub fn order(&self) -> &[u32] {
-        &self.order
+        &self.order[..self.len]
     }
 
     /// The boxes; lanes past the last hold the empty one.
@@ -66,7 +128,7 @@ impl LeafBoxes {
 
     /// Blocks with a box that may move: all behind them stand still.
     pub fn n_moving(&self) -> usize {
-        (self.order.len() - self.n_still).div_ceil(WIDTH)
+        (self.len - self.n_still).div_ceil(WIDTH)
     }
 
     /// Blocks from the first on that changed in the last call.
@@ -82,12 +144,8 @@ impl LeafBoxes {
 
     /// The ids of block `b`; lanes past the end repeat the last id.
     #[inline(always)]
-    pub fn ids(&self, b: usize) -> [u32; WIDTH] {
-        let order = &self.order;
-        match order.get(b * WIDTH..(b + 1) * WIDTH) {
-            Some(ids) => ids.try_into().unwrap_or([0; WIDTH]),
-            None => std::array::from_fn(|j| order[(b * WIDTH + j).min(order.len() - 1)]),
-        }
+    pub fn ids(&self, b: usize) -> &[u32; WIDTH] {
+        &self.order.as_chunks().0[b]
     }
 
     /// Takes boxes, in an order that the source chooses, and has it build what it needs.
@@ -98,14 +156,43 @@ impl LeafBoxes {
         boxes: &[Aabb<f32>],
         marks: Marks,
     ) {
+        self.order.truncate(self.len);
         source.sort(threads, self.set, boxes, &marks, &mut self.order);
+        self.len = self.order.len();
         self.n_still = match marks.fixed {
             // A source may give a box several leaves; each of them stands still.
             Some(fixed) => self.order.iter().rev().take_while(|&&id| fixed(id as usize)).count(),
             None => 0,
         };
+        if let Some(&last) = self.order.last() {
+            self.order.resize(self.len.next_multiple_of(WIDTH), last);
+        }
         self.place(threads, boxes, false);
         source.fit(threads, self);
+    }
+
+    /// The same with what rules say of a vertex of each box; `kept`: see [`Marks::kept`].
+    pub fn build_by_rules(
+        &mut self,
+        threads: &Threads,
+        source: &mut dyn Order,
+        boxes: &[Aabb<f32>],
+        rules: Option<&Rules>,
+        vertex: impl Fn(usize) -> u32 + Sync,
+        kept: usize,
+    ) {
+        let Some(rules) = rules else {
+            return self.build(threads, source, boxes, Marks::default());
+        };
+        let still = |i: usize| rules.is_still(vertex(i));
+        let world = |i: usize| rules.world(vertex(i));
+        let mut marks = Marks { kept, ..Marks::default() };
+        marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
+        if let Some(n) = rules.worlds() {
+            marks.world = Some(&world);
+            marks.world_bits = (n - 1).ilog2() + 1;
+        }
+        self.build(threads, source, boxes, marks);
     }
 
     /// Keeps the order of the last build and takes new boxes, as many as then; `still`: those that
@@ -124,13 +211,13 @@ impl LeafBoxes {
     }
 
     fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
-        let n = self.order.len().div_ceil(WIDTH);
+        let n = self.len.div_ceil(WIDTH);
         self.n_changed = if still { self.n_moving() } else { n };
-        let Self { order, blocks, n_changed, .. } = self;
+        let Self { len, order, blocks, n_changed, .. } = self;
         blocks.resize(n, EMPTY);
         threads.fill(&mut blocks[..*n_changed], |i| {
             let mut block = EMPTY;
-            let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(order.len())];
+            let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
             for (j, &id) in ids.iter().enumerate() {
                 set_lane(&mut block, j, &boxes[id as usize]);
             }

@@ -1,25 +1,24 @@
 //! The chosen method: the one place where a choice becomes code.
 
 use crate::broad_phase::block_pairs::BlockSource;
-use crate::broad_phase::brute_force::BruteForce;
-use crate::broad_phase::descent_times::DescentTimes;
-use crate::broad_phase::leaf_boxes::LeafBoxes;
-use crate::broad_phase::pair_source::{
-    Order, PairSink, PairSource, PairsOfNodes, Row, RowSource, Rows, Scratch, Sides,
-};
-use crate::broad_phase::scheduled::Scheduled;
-use crate::broad_phase::sweep_and_prune::SweepAndPrune;
-use crate::broad_phase::sweep_in_strips::SweepInStrips;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Sides};
+use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::rows::{HandOn, Row, RowSource, Rows, Scratch};
 use crate::broad_phase::tasks::share;
-use crate::broad_phase::tree::{TreeSource, TreeStatistics};
-use crate::broad_phase::uniform_grid::UniformGrid;
-use crate::simd::{RowSimd, WIDTH, Work};
+use crate::broad_phase::tree::TreeSource;
+#[cfg(feature = "catalogue")]
+use crate::broad_phase::{
+    brute_force::BruteForce, descend::PairsOfNodes, descent_times::DescentTimes,
+    scheduled::Scheduled, sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips,
+    uniform_grid::UniformGrid,
+};
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{Scheduler, Scheduling};
+use ccd_core::model::tree_statistics::TreeStatistics;
 
 /// One of the sources of pairs that this backend has.
 #[derive(Debug)]
@@ -27,6 +26,7 @@ pub enum Method {
     /// The default, which is compiled into every sink.
     Blocks(BlockSource),
     /// Pairs of nodes by a scheduler that was chosen.
+    #[cfg(feature = "catalogue")]
     Scheduled(Scheduled),
     /// Any other.
     Listed(Listed),
@@ -40,6 +40,7 @@ impl Method {
         if let Some(name) = choice.lacking("cpu").or(scheduling.lacking("cpu")) {
             return Err(Error::Method { name, backend: "cpu" });
         }
+        #[cfg(feature = "catalogue")]
         if is_chosen(scheduling, choice) {
             let source: Box<dyn PairsOfNodes> = match choice {
                 BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
@@ -47,14 +48,22 @@ impl Method {
             };
             return Ok(Self::Scheduled(Scheduled::new(source, scheduling)?));
         }
+        if is_chosen(scheduling, choice) {
+            let name = scheduling.scheduler.map_or("front", |scheduler| scheduler.row().name);
+            return Err(Error::NotCompiled { name, backend: "cpu" });
+        }
         let source: Box<dyn RowSource> = match choice {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
-            BroadPhaseMethod::BruteForce => Box::new(BruteForce),
-            BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
-            BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
             BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
+            #[cfg(feature = "catalogue")]
+            BroadPhaseMethod::BruteForce => Box::new(BruteForce),
+            #[cfg(feature = "catalogue")]
+            BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
+            #[cfg(feature = "catalogue")]
+            BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
+            #[cfg(feature = "catalogue")]
             BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
-            other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+            other => return Err(Error::NotCompiled { name: other.row().name, backend: "cpu" }),
         };
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }
@@ -63,6 +72,7 @@ impl Method {
     pub fn visits(&self) -> u64 {
         match self {
             Self::Blocks(_) => 0,
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.visits(),
             Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.visits).sum(),
         }
@@ -71,12 +81,14 @@ impl Method {
     /// What fronts the last step left; `None` if none are kept.
     pub fn front(&self) -> Option<FrontCounts> {
         match self {
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.front(),
             _ => None,
         }
     }
 
     /// See [`Scheduled::set_timed`].
+    #[cfg(feature = "catalogue")]
     pub fn set_timed(&mut self, timed: bool) {
         if let Self::Scheduled(source) = self {
             source.set_timed(timed);
@@ -84,8 +96,10 @@ impl Method {
     }
 
     /// Where the time of descents went, if a scheduler was chosen and the clock is asked.
+    #[cfg(feature = "catalogue")]
     pub fn descent_times(&self) -> Option<DescentTimes> {
         match self {
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.times(),
             _ => None,
         }
@@ -95,6 +109,7 @@ impl Method {
     pub fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
         match self {
             Self::Blocks(_) => None,
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.source().tree_statistics(threads, leaves),
             Self::Listed(Listed { source, .. }) => source.tree_statistics(threads, leaves),
         }
@@ -105,6 +120,7 @@ impl PairSource for Method {
     fn order(&mut self) -> &mut dyn Order {
         match self {
             Self::Blocks(source) => source.order(),
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.order(),
             Self::Listed(source) => source.order(),
         }
@@ -120,6 +136,7 @@ impl PairSource for Method {
     ) {
         match self {
             Self::Blocks(source) => source.find(threads, sides, part, sink, workers),
+            #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.find(threads, sides, part, sink, workers),
             Self::Listed(source) => source.find(threads, sides, part, sink, workers),
         }
@@ -177,27 +194,5 @@ impl PairSource for Listed {
         };
         share(threads, n_tasks, part, sink, active, &mut self.buffers[..n], &run);
         idle.iter_mut().for_each(|worker| sink.end(worker));
-    }
-}
-
-/// Listed rows on their way to the sink.
-pub struct HandOn<'a, K: PairSink> {
-    /// The rows.
-    pub rows: &'a [Row],
-    /// What takes them.
-    pub sink: &'a K,
-    /// Its part for this thread.
-    pub worker: &'a mut K::Worker,
-}
-
-impl<S: RowSimd, K: PairSink> Work<S> for HandOn<'_, K> {
-    type Out = ();
-
-    #[inline(always)]
-    fn call(self, simd: S) {
-        for &Row { a, b, mask } in self.rows {
-            let a = a as usize;
-            self.sink.row(self.worker, simd, a / WIDTH, a % WIDTH, b as usize, mask);
-        }
     }
 }

@@ -6,38 +6,48 @@
 //! of boxes (here) and of a step (candidates, with or without the narrow phase behind them).
 //!
 //! One more method takes
-//! - a file here with its source of pairs. One that descends two hierarchies at once implements
-//!   [`pair_tree::FrontTree`] and leaves the rest to [`scheduled::Scheduled`], which runs it by any
-//!   [`scheduler`]; one that makes queries hands them out by [`tasks::share`];
+//! - a file here with its source of pairs, behind the feature `catalogue`. One that descends two
+//!   hierarchies at once implements `descend::FrontTree` and leaves the rest to `scheduled.rs`,
+//!   which runs it by any scheduler; one that makes queries hands them out by [`tasks::share`];
 //! - an arm of [`method::Method::new`];
 //! - a variant in `ccd-core/src/model/method.rs` and a row in `catalogue.rs` beside it.
 //!
 //! Sessions, the broad phase and the tests of all methods then have it.
 
 mod block_bvh;
+#[cfg(feature = "catalogue")]
+mod block_descent;
 mod block_pairs;
+#[cfg(feature = "catalogue")]
 mod brute_force;
+#[cfg(feature = "catalogue")]
 mod descend;
+#[cfg(feature = "catalogue")]
 pub mod descent_times;
+#[cfg(feature = "catalogue")]
 mod front;
 pub mod leaf_boxes;
-#[cfg(test)]
-mod lift_tests;
 pub mod method;
 mod morton_order;
 pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
+mod rows;
+#[cfg(feature = "catalogue")]
 mod scheduled;
+#[cfg(feature = "catalogue")]
 mod scheduler;
 #[cfg(test)]
 mod sorted_tests;
+#[cfg(feature = "catalogue")]
 mod sweep_and_prune;
+#[cfg(feature = "catalogue")]
 mod sweep_in_strips;
 mod tasks;
 #[cfg(test)]
 mod tests;
 pub mod tree;
+#[cfg(feature = "catalogue")]
 mod uniform_grid;
 mod worlds;
 
@@ -51,11 +61,12 @@ use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
+use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Coordinate, Error, Real};
-use leaf_boxes::{LeafBoxes, Set};
+use leaf_boxes::{LeafBoxes, Marks, Set};
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{Marks, PairSink, PairSource};
+use pair_source::{PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -164,7 +175,7 @@ impl BroadPhase {
     /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
     /// limits.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        self.within(T::slices::<Boxes, 1>([boxes]))?;
+        self.search::<true>(T::slices::<Boxes, 2>([boxes; 2]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -178,7 +189,7 @@ impl BroadPhase {
         a: &[Aabb<T>],
         b: &[Aabb<T>],
     ) -> Result<Pairs<'_>, Error> {
-        self.between(T::slices::<Boxes, 2>([a, b]))?;
+        self.search::<false>(T::slices::<Boxes, 2>([a, b]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -198,7 +209,7 @@ impl BroadPhase {
     /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`],
     /// or the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has
     /// none.
-    pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
+    pub fn tree_statistics(&self) -> Option<TreeStatistics> {
         self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 
@@ -207,39 +218,14 @@ impl BroadPhase {
         self.threads.stop = threads.stop.clone();
     }
 
+    /// Of two sets, or within one that is given twice.
     #[inline(never)]
-    fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
-        let start = Instant::now();
-        let Self { threads, method, b: side, workers, runs, times, .. } = self;
-        let exact = match boxes {
-            Precision::F32([boxes]) => side.take(threads, boxes),
-            Precision::F64([boxes]) => side.take(threads, boxes),
-        }?;
-        let overlap = |i: u32, j: u32| match boxes {
-            Precision::F32([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
-            Precision::F64([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
-        };
-        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
-        threads.enter(|| {
-            method.order().survey(threads, &[&side.boxes])?;
-            side.leaves.build(threads, method.order(), &side.boxes, Marks::default());
-            let slack = slack(&side.boxes, &side.boxes);
-            let (a, b, stop) = (&side.leaves, &side.leaves, &*threads.stop);
-            let sink = Listing::<true> { a, b, slack, confirm, stop };
-            times.build = milliseconds(start);
-            list(threads, method, &sink, workers, runs);
-            times.search = milliseconds(start) - times.build;
-            threads.stop.check()
-        })
-    }
-
-    #[inline(never)]
-    fn between(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
+    fn search<const WITHIN: bool>(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
         let start = Instant::now();
         let Self { threads, method, a, b, workers, runs, times } = self;
         let exact = match boxes {
-            Precision::F32([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
-            Precision::F64([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+            Precision::F32([x, y]) => (WITHIN || a.take(threads, x)?) & b.take(threads, y)?,
+            Precision::F64([x, y]) => (WITHIN || a.take(threads, x)?) & b.take(threads, y)?,
         };
         let overlap = |i: u32, j: u32| match boxes {
             Precision::F32([a, b]) => a[i as usize].overlaps(&b[j as usize]),
@@ -247,12 +233,16 @@ impl BroadPhase {
         };
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            method.order().survey(threads, &[&a.boxes, &b.boxes])?;
-            a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            let sets = [&a.boxes[..], &b.boxes];
+            method.order().survey(threads, &sets[WITHIN as usize..])?;
+            if !WITHIN {
+                a.leaves.build(threads, method.order(), &a.boxes, Marks::default());
+            }
             b.leaves.build(threads, method.order(), &b.boxes, Marks::default());
+            let (a, b) = (if WITHIN { &*b } else { &*a }, &*b);
             let slack = slack(&a.boxes, &b.boxes);
             let (a, b, stop) = (&a.leaves, &b.leaves, &*threads.stop);
-            let sink = Listing::<false> { a, b, slack, confirm, stop };
+            let sink = Listing::<WITHIN> { a, b, slack, confirm, stop };
             times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
             times.search = milliseconds(start) - times.build;
@@ -309,7 +299,7 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
             mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
         if self.stop.reserve("overlapping boxes", &mut lister.pairs, WIDTH) {
-            simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
+            simd.append::<WITHIN>(&mut lister.pairs, id, ids, mask);
         }
     }
 

@@ -1,6 +1,8 @@
 //! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
+//!
+//! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::pair_source::Marks;
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;

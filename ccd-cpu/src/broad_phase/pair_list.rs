@@ -1,4 +1,6 @@
 //! Lists of pairs: what each worker found, and all of them in an order that no thread changes.
+//!
+//! Twin: none; a GPU lists pairs in one buffer.
 
 use ccd_core::layout::Pair;
 

@@ -1,7 +1,6 @@
 //! A tree of pairs: the pairs of nodes that a simultaneous traversal of two hierarchies visits,
 //! each the parent of the overlapping pairs of its children. Any scheduler can run it.
 
-use crate::broad_phase::front::Writer;
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::RowSimd;
 use ccd_core::broad_phase::pair_descent::NodePair;
@@ -24,45 +23,5 @@ pub trait PairTree: Copy + Sync {
         pair: NodePair,
         sink: &K,
         worker: &mut K::Worker,
-    );
-}
-
-/// Where a pair is, seen from the deepest front that there can be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// Its children may be in a front.
-    Above,
-    /// It stays in every front that has come this far, and what is below it is found anew each
-    /// time.
-    At,
-    /// It is never in a front.
-    Below,
-}
-
-/// A tree of pairs that can be begun at a front.
-pub trait FrontTree: PairTree {
-    /// Whether a row of leaves comes once with all of its lanes, rather than in pieces.
-    const WHOLE_ROWS: bool;
-    /// Where a pair is.
-    fn place(self, pair: NodePair) -> Place;
-    /// Whether the volumes of both nodes overlap, and there is anything below the pair.
-    fn meets(self, pair: NodePair) -> bool;
-    /// Whether the parent of a pair depends on nothing but the builds of the trees, so that fronts
-    /// can be lifted.
-    fn lifts(self) -> bool;
-    /// The pair below which this one is found, and whether it is the first child there; `None` of
-    /// a pair at which descents begin. If [`FrontTree::lifts`].
-    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)>;
-    /// Whether the boxes along the axes of both nodes are apart. Then those of all pairs below are,
-    /// because a box contains the boxes below it.
-    fn boxes_apart(self, pair: NodePair) -> bool;
-    /// As [`PairTree::expand`] of a pair above all fronts; children that are apart are written to
-    /// the front. Those that can have no pair of leaves, whatever the boxes are, are in neither.
-    fn expand_all<S: RowSimd>(
-        self,
-        simd: S,
-        pair: NodePair,
-        out: &mut Vec<NodePair>,
-        front: &mut Writer,
     );
 }

@@ -1,23 +1,28 @@
 //! A source of pairs of nodes and the scheduler that was chosen for it, with a front or without
 //! one: what joins both into a source of pairs.
 
-use crate::broad_phase::descend::{Descend, Traces};
+use crate::broad_phase::descend::{Descend, Pairs, PairsOfNodes, Traces};
 use crate::broad_phase::descent_times::{DescentTimes, WorkerTimes};
 use crate::broad_phase::front::{Fronts, List};
-use crate::broad_phase::method::HandOn;
-use crate::broad_phase::pair_source::{
-    Gathered, Order, PairSink, PairSource, Pairs, PairsOfNodes, Row, Rows, Sides,
-};
+use crate::broad_phase::leaf_boxes::{Order, Sides};
+use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
+use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
+use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::hand::Hand;
-use crate::broad_phase::scheduler::{self, Lists, PAIRS_OF_NODES, Schedule};
+use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
+use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
+use crate::broad_phase::scheduler::stealing::Stealing;
+use crate::broad_phase::scheduler::{Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::Instant;
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
 use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::report::FrontCounts;
-use ccd_core::model::scheduling::{Front, Scheduling};
+use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Finds pairs by a scheduler.
@@ -69,7 +74,7 @@ impl Scheduled {
     /// This source by what was chosen for it.
     pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
         let descent = Descent {
-            schedule: scheduler::new(choice.scheduler.unwrap_or_default())?,
+            schedule: scheduler_of(choice.scheduler.unwrap_or_default())?,
             fronts: match choice.front {
                 Front::On(options) => Some(Fronts::new(options)),
                 _ => None,
@@ -104,18 +109,6 @@ impl Scheduled {
         self.descent.fronts.as_ref().map(Fronts::counts)
     }
 
-    /// The pairs of the only front, sorted, and whether the next step lifts it.
-    #[cfg(test)]
-    pub fn kept(&self) -> (Vec<NodePair>, bool) {
-        let front = self.descent.fronts.as_ref().expect("fronts").at(0);
-        let mut all = Vec::new();
-        if let Some(list) = front.kept() {
-            (0..list.n_pieces()).for_each(|k| list.piece(k, &mut all));
-        }
-        all.sort_unstable();
-        (all, front.is_lifted())
-    }
-
     /// The source itself.
     pub fn source(&self) -> &dyn PairsOfNodes {
         &*self.source
@@ -143,8 +136,7 @@ impl PairSource for Scheduled {
         }
         let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
         let timed = times.is_some();
-        let lift = descent.fronts.as_ref().is_some_and(|fronts| part == 1 && fronts.lifts(sets));
-        source.descend(threads, sides, lift, &mut |pairs| {
+        source.descend(threads, sides, &mut |pairs| {
             descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
                 threads.each_with(workers, buffers, &|worker, Own(own)| {
                     let mut hand_on =
@@ -167,6 +159,19 @@ impl PairSource for Scheduled {
             threads.each(workers, &|_, worker| sink.end(worker));
         }
     }
+}
+
+/// The scheduler of a choice, if there is one here.
+pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
+    Ok(match choice {
+        Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
+        Scheduler::Frontier => Box::new(Frontier::default()),
+        Scheduler::Static => Box::new(Balanced::new(NEVER)),
+        Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
+        Scheduler::Stealing => Box::new(Stealing::default()),
+        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
+        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+    })
 }
 
 /// Most pairs of nodes that one is expanded to: of eight boxes with eight.
@@ -202,8 +207,7 @@ impl Descent {
         if let Some(kept) = front.and_then(|front| front.kept()) {
             pieces.prepare(n_workers);
             resumed.prepare(n_workers);
-            let lift = front.is_some_and(|front| front.is_lifted());
-            resume(tree, kept, written, lift, [pieces, resumed], stop, launch);
+            resume(tree, kept, written, [pieces, resumed], stop, launch);
             resumed.gather(tasks, stop);
             watch.lap(|times| &mut times.shared_out);
         } else {
@@ -246,7 +250,7 @@ impl Descent {
         watch.lap(|times| &mut times.shared_out);
         // Of a search that is not complete no front is kept; that of the one before still holds.
         if let Some((fronts, at)) = of.filter(|_| !stop.is_stopped()) {
-            fronts.end(at, tree.lifts(), stop);
+            fronts.end(at, stop);
         }
         watch.lap(|times| &mut times.keep);
     }
@@ -274,7 +278,6 @@ fn resume(
     tree: &dyn Descend,
     kept: &List,
     written: Option<&List>,
-    lift: bool,
     [pieces, resumed]: [&Lists; 2],
     stop: &Stop,
     launch: &mut dyn FnMut(Work),
@@ -294,7 +297,7 @@ fn resume(
             if stop.is_stopped() || !stop.reserve(PAIRS_OF_NODES, &mut out, piece.len()) {
                 break;
             }
-            let mut resume = || tree.resume(&piece, &mut out, &mut traces, lift);
+            let mut resume = || tree.resume(&piece, &mut out, &mut traces);
             match outlet.times {
                 Some(times) => times.front(resume),
                 None => resume(),

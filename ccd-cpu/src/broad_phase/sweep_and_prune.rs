@@ -1,14 +1,16 @@
 //! Sweep and prune: boxes sorted by where they begin along the axis of largest variance, each
 //! compared with those that begin before it ends [Cohen 1995], [Karras 2012a].
 //!
+//! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
+//!
 //! The rule, a drawing and the cost are beside it in the core
 //! ([`ccd_core::broad_phase::sweep_and_prune`]). Here a task is a run of leaves, eight of which go
 //! forward together, eight boxes of the other side a step, until all eight are past. Along the
 //! second axis all eight rows are tested before any branch: of boxes that fill a cube few are left,
 //! and only those are tested whole.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
@@ -17,8 +19,6 @@ use ccd_core::{Aabb, Error, Num};
 
 /// Blocks of leaves a task.
 const TASK: usize = 16;
-/// Boxes whose moments are merged by one thread, in the same order for any number of threads.
-const CHUNK: usize = 4096;
 
 /// The axes, and buffers of the sort.
 #[derive(Debug, Default)]
@@ -82,13 +82,8 @@ pub fn moments(
     sets: &[&[Aabb<f32>]],
     chunks: &mut Vec<Moments<f64>>,
 ) -> Moments<f64> {
-    sets.iter().fold(Moments::none(), |all, boxes| {
-        chunks.resize(boxes.len().div_ceil(CHUNK), Moments::none());
-        threads.each(chunks, &|i, part| {
-            *part = Moments::of(i * CHUNK, (boxes.len() - i * CHUNK).min(CHUNK), boxes);
-        });
-        chunks.iter().fold(all, |all, part| all.merged(part))
-    })
+    let of = |boxes: &[Aabb<f32>]| Moments::of(0, boxes.len(), boxes);
+    threads.fold(sets, Moments::none(), chunks, &of, &Moments::merged)
 }
 
 fn n_tasks(of: &LeafBoxes) -> usize {

@@ -1,14 +1,16 @@
 //! Sweep and prune in strips: boxes sorted by strip, and within a strip by where they begin along
 //! the axis of largest variance, each in every strip that it touches [Liu 2010].
 //!
+//! Twin: none; a GPU has no sweep in strips.
+//!
 //! The rule, a drawing and the cost are beside it in the core
 //! ([`ccd_core::broad_phase::sweep_in_strips`]). A box has as many leaves as strips; a task is a
 //! run of leaves, those of one block and one strip go forward together. Which leaves begin in their
 //! strip is a bit a leaf, eight side by side as boxes are, so that the rule is two operations on
 //! the mask of a row.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::broad_phase::sweep_and_prune::{Role, emit, moments};
 use crate::broad_phase::uniform_grid::lanes;
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
@@ -107,15 +109,6 @@ impl Default for SweepInStrips {
 }
 
 impl SweepInStrips {
-    /// Sizes of the boxes of all sets.
-    fn sizes(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> Sizes {
-        sets.iter().fold(Sizes::NONE, |all, boxes| {
-            self.sizes.resize(boxes.len().div_ceil(CHUNK), Sizes::NONE);
-            threads.each(&mut self.sizes, &|i, sizes| *sizes = Sizes::of(chunk(boxes, i)));
-            self.sizes.iter().fold(all, |all, part| all.merged(part))
-        })
-    }
-
     /// How many leaves these boxes have; fills in how many come before each chunk.
     fn count(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> u64 {
         let grid = &self.strips;
@@ -163,7 +156,8 @@ fn chunk(boxes: &[Aabb<f32>], i: usize) -> &[Aabb<f32>] {
 impl Order for SweepInStrips {
     fn survey(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
         let n: usize = sets.iter().map(|boxes| boxes.len()).sum();
-        let Sizes { scene, sides } = self.sizes(threads, sets);
+        let Sizes { scene, sides } =
+            threads.fold(sets, Sizes::NONE, &mut self.sizes, &Sizes::of, &Sizes::merged);
         let [axis, across @ ..] = moments(threads, sets, &mut self.moments).axes();
         self.axis = axis;
         let most = (n as f64 / LEAST_BOXES).sqrt().clamp(1.0, MOST as f64);

@@ -1,6 +1,8 @@
 //! Runs a tree of pairs on threads, compiled into every sink: cut into tasks breadth first, which
 //! workers take from a shared counter and finish depth first, each with a stack of its own.
 //!
+//! Twin: on a GPU `block_levels.rs`, which expands a level a dispatch.
+//!
 //! That is self-scheduling, which [`crate::broad_phase::scheduler`] has too, beside others, for
 //! trees that list rows.
 

@@ -1,14 +1,16 @@
 //! Uniform grid: boxes sorted by the cell of their centre, each compared with those in the cells
 //! around its own [Karras 2012a].
 //!
+//! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
+//!
 //! The rule, its proof, a drawing and the cost are beside it in the core
 //! ([`ccd_core::broad_phase::uniform_grid`]). Here there is no table of cells, neither by number
 //! nor by hash: cells are visited in the order of the sort, and so are the rows of cells around
 //! them, so that where each row begins and ends in the sorted boxes only moves on. The boxes of a
 //! cell are compared with a row eight at a time.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Marks, Order, RowSource, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
@@ -18,8 +20,6 @@ use std::ops::Range;
 
 /// Leaves a task.
 const TASK: usize = 512;
-/// Boxes whose sizes one thread takes together.
-const CHUNK: usize = 4096;
 /// Boxes of a set whose cells are counted to estimate how full cells are.
 const SAMPLE: usize = 1 << 13;
 
@@ -52,18 +52,14 @@ impl UniformGrid {
     fn measure(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> (Sizes, f64) {
         let none = (Sizes::NONE, 0.0);
         let merged =
-            |all: (Sizes, f64), part: &(Sizes, f64)| (all.0.merged(&part.0), all.1 + part.1);
-        sets.iter().fold(none, |all, boxes| {
-            self.chunks.resize(boxes.len().div_ceil(CHUNK), none);
-            threads.each(&mut self.chunks, &|i, slot| {
-                let part = &boxes[i * CHUNK..((i + 1) * CHUNK).min(boxes.len())];
-                *slot = part.iter().fold(none, |all, b| {
-                    let sizes = Sizes::of(b);
-                    merged(all, &(sizes, largest_side(&sizes)))
-                });
-            });
-            self.chunks.iter().fold(all, merged)
-        })
+            |all: &(Sizes, f64), part: &(Sizes, f64)| (all.0.merged(&part.0), all.1 + part.1);
+        let of = |boxes: &[Aabb<f32>]| {
+            boxes.iter().fold(none, |all, b| {
+                let sizes = Sizes::of(b);
+                merged(&all, &(sizes, largest_side(&sizes)))
+            })
+        };
+        threads.fold(sets, none, &mut self.chunks, &of, &merged)
     }
 
     /// About how many boxes of a set are in the cells around each in the mean, and about how many

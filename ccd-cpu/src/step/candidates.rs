@@ -6,10 +6,10 @@ use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
-use crate::step::leaves::Leaves;
+use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
-use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
+use ccd_core::broad_phase::candidate::Ids;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::Kind;
@@ -63,6 +63,61 @@ impl Scene<'_> {
         match self.given {
             Precision::F32(x) => boxes_overlap(x, self.min_distance, &a, &b),
             Precision::F64(x) => boxes_overlap(x, self.min_distance, &a, &b),
+        }
+    }
+}
+
+/// The rule of candidates for a row, after boxes, common vertices and bodies.
+impl Scene<'_> {
+    /// The lanes of `mask` whose boxes in `b` overlap that of lane `lane` of `a` in the precision of
+    /// the input.
+    #[inline(always)]
+    pub fn confirmed<S: RowSimd, const N: usize, const M: usize>(
+        &self,
+        simd: S,
+        (a, lane): (&Side<N>, usize),
+        b: &Side<M>,
+        mask: u32,
+    ) -> u32 {
+        let Some(slack) = self.slack else { return mask };
+        let sure = simd.overlaps_surely(a.boxes, lane, b.boxes, slack);
+        let unsure = mask & !sure;
+        if unsure == 0 {
+            return mask;
+        }
+        let of_a = a.vertices_of(lane);
+        mask & sure | keep(unsure, |j| self.boxes_overlap(of_a, b.vertices_of(j)))
+    }
+
+    /// Counts the lanes of `mask` whose features are wanted, and hands those on that no axis keeps
+    /// apart. Of a face in `a` and vertices in `b` pairs have the vertex first, as all do.
+    #[inline(always)]
+    pub fn hand_on<W: Take, S: RowSimd, const N: usize, const M: usize>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        (a, lane): (&Side<N>, usize),
+        b: &Side<M>,
+        mut mask: u32,
+    ) {
+        let (kind, id, face_first) = (kind_of(N), a.ids[lane], N == 3);
+        if self.selection.is_of_features() && mask != 0 {
+            mask = self.selection.of_features(kind, (id, face_first), b.ids, mask);
+        }
+        worker.count(kind, mask.count_ones() as u64);
+        if W::FILTERED && mask != 0 {
+            mask &= !separated(simd, a.ends, lane, b.ends, self.needed_gap());
+        }
+        if !face_first {
+            if mask != 0 {
+                worker.take(simd, self, kind, id, b.ids, mask);
+            }
+            return;
+        }
+        while mask != 0 {
+            let j = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            worker.take_one(self, kind, Pair { a: b.ids[j], b: id });
         }
     }
 }
@@ -145,22 +200,20 @@ impl Take for Lister {
     fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
-/// Edges against edges.
-pub struct EdgePairs<'a, W> {
+/// Features of `N` vertices against features of `M`: vertices against faces, or edges against edges.
+pub struct FeaturePairs<'a, W, const N: usize, const M: usize> {
     pub scene: &'a Scene<'a>,
-    pub edges: &'a Leaves<2>,
+    pub a: &'a Leaves<N>,
+    pub b: &'a Leaves<M>,
     pub worker: PhantomData<fn(W)>,
 }
 
-/// Vertices against faces.
-pub struct FacePairs<'a, W> {
-    pub scene: &'a Scene<'a>,
-    pub vertices: &'a Leaves<1>,
-    pub faces: &'a Leaves<3>,
-    pub worker: PhantomData<fn(W)>,
+/// What pairs of a feature of `n` vertices and another are: of two edges, or of a vertex and a face.
+const fn kind_of(n: usize) -> Kind {
+    if n == 2 { Kind::EdgeEdge } else { Kind::VertexFace }
 }
 
-impl<W: Take> PairSink for EdgePairs<'_, W> {
+impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N, M> {
     type Worker = W;
     const ORDERED: bool = !W::FILTERED;
 
@@ -174,45 +227,17 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
         b: usize,
         mut mask: u32,
     ) {
-        // Two numbers and not an array: one that a call refers to would live in memory.
-        let (a0, a1) = (self.edges.vertices[a][0][lane], self.edges.vertices[a][1][lane]);
-        let ends_b = &self.edges.vertices[b];
-        let b01 = [Row { simd, ids: &ends_b[0] }, Row { simd, ids: &ends_b[1] }];
-        mask &= !share_vertex([a0, a1], b01).bits();
+        let (of_a, of_b) = (self.a.side(a), self.b.side(b));
+        let vertices = of_a.vertices_of(lane);
+        mask &= !shared(simd, vertices, of_b.vertices);
         if mask == 0 {
             return;
         }
-        let of = &self.edges.bodies;
-        mask = self.scene.selection.of_bodies(a0, &ends_b[0], mask, (of, a), (of, b));
-        if let Some(slack) = self.scene.slack {
-            let blocks = self.edges.boxes.blocks();
-            let sure = simd.overlaps_surely(&blocks[a], lane, &blocks[b], slack);
-            let unsure = mask & !sure;
-            if unsure != 0 {
-                mask = mask & sure
-                    | keep(unsure, |j| {
-                        self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]])
-                    });
-            }
-        }
-        if self.scene.selection.is_of_features() && mask != 0 {
-            let (id, ids) = (self.edges.boxes.order()[a * WIDTH + lane], self.edges.boxes.ids(b));
-            mask = self.scene.selection.of_features(Kind::EdgeEdge, id, &ids, mask);
-        }
-        worker.count(Kind::EdgeEdge, mask.count_ones() as u64);
-        if W::FILTERED {
-            mask &= !separated(
-                simd,
-                &self.edges.ends[a],
-                lane,
-                &self.edges.ends[b],
-                self.scene.needed_gap(),
-            );
-        }
-        if mask != 0 {
-            let (id, ids) = (self.edges.boxes.order()[a * WIDTH + lane], self.edges.boxes.ids(b));
-            worker.take(simd, self.scene, Kind::EdgeEdge, id, &ids, mask);
-        }
+        let (bodies_a, bodies_b) = ((&self.a.bodies, a), (&self.b.bodies, b));
+        mask =
+            self.scene.selection.of_bodies(vertices[0], of_b.vertices[0], mask, bodies_a, bodies_b);
+        mask = self.scene.confirmed(simd, (&of_a, lane), &of_b, mask);
+        self.scene.hand_on(worker, simd, (&of_a, lane), &of_b, mask);
     }
 
     fn begin(&self, worker: &mut W, task: usize) {
@@ -220,73 +245,25 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
     }
 
     fn end(&self, worker: &mut W) {
-        worker.finish(self.scene, Kind::EdgeEdge);
+        worker.finish(self.scene, kind_of(N));
     }
 }
 
-impl<W: Take> PairSink for FacePairs<'_, W> {
-    type Worker = W;
-    const ORDERED: bool = !W::FILTERED;
-
-    #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        worker: &mut W,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
-        let vertex = self.vertices.vertices[a][0][lane];
-        let corners = &self.faces.vertices[b];
-        let [f0, f1, f2] = corners;
-        let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
-        mask &= !is_corner(vertex, face).bits();
-        if mask == 0 {
-            return;
-        }
-        let (of_a, of_b) = ((&self.vertices.bodies, a), (&self.faces.bodies, b));
-        mask = self.scene.selection.of_bodies(vertex, &corners[0], mask, of_a, of_b);
-        if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_surely(
-                &self.vertices.boxes.blocks()[a],
-                lane,
-                &self.faces.boxes.blocks()[b],
-                slack,
-            );
-            let unsure = mask & !sure;
-            if unsure != 0 {
-                let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
-                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([vertex], of(j)));
-            }
-        }
-        if self.scene.selection.is_of_features() && mask != 0 {
-            let ids = self.faces.boxes.ids(b);
-            mask = self.scene.selection.of_features(Kind::VertexFace, vertex, &ids, mask);
-        }
-        worker.count(Kind::VertexFace, mask.count_ones() as u64);
-        if W::FILTERED {
-            mask &= !separated(
-                simd,
-                &self.vertices.ends[a],
-                lane,
-                &self.faces.ends[b],
-                self.scene.needed_gap(),
-            );
-        }
-        if mask != 0 {
-            worker.take(simd, self.scene, Kind::VertexFace, vertex, &self.faces.boxes.ids(b), mask);
+/// Lanes of `b` with one of the vertices of `a`.
+#[inline(always)]
+pub fn shared<S: RowSimd, const N: usize, const M: usize>(
+    simd: S,
+    a: [u32; N],
+    b: [&[u32; WIDTH]; M],
+) -> u32 {
+    let mut out = 0;
+    for ids in b {
+        out |= simd.equals(ids, [a[0], a[N - 1]]);
+        if N == 3 {
+            out |= simd.equals(ids, [a[1]; 2]);
         }
     }
-
-    fn begin(&self, worker: &mut W, task: usize) {
-        worker.begin(task);
-    }
-
-    fn end(&self, worker: &mut W) {
-        worker.finish(self.scene, Kind::VertexFace);
-    }
+    out
 }
 
 /// Ids of a row, compared by an instruction set.
@@ -307,13 +284,7 @@ impl<S: RowSimd> Ids for Row<'_, S> {
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
 /// step.
 #[inline(always)]
-pub fn separated<S: RowSimd>(
-    simd: S,
-    a: &[Block; 2],
-    i: usize,
-    b: &[Block; 2],
-    needed: f32,
-) -> u32 {
+fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
     let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
     let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
     axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()

@@ -3,7 +3,7 @@
 
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::step::candidates::{EdgePairs, FacePairs, Scene, Take};
+use crate::step::candidates::{FeaturePairs, Scene, Take};
 use crate::step::prepare::Prepared;
 use crate::step::triangle_pairs::TrianglePairs;
 use crate::threads::Threads;
@@ -43,11 +43,11 @@ pub fn find<W: Take>(
     let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
     match kind {
         Kind::VertexFace => {
-            let sink = FacePairs { scene, vertices, faces, worker: PhantomData };
+            let sink = FeaturePairs { scene, a: vertices, b: faces, worker: PhantomData };
             method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
         }
         _ => {
-            let sink = EdgePairs { scene, edges, worker: PhantomData };
+            let sink = FeaturePairs { scene, a: edges, b: edges, worker: PhantomData };
             method.find(threads, (&edges.boxes, None), part, &sink, workers);
         }
     }

@@ -3,7 +3,7 @@
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Marks, PairSource};
+use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
@@ -32,24 +32,36 @@ impl<const N: usize> Feature<N> {
         keep: bool,
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
-        let still = |i: usize| rules.is_some_and(|rules| rules.is_still(features(i as u32)[0]));
-        let world = |i: usize| rules.map_or(0, |rules| rules.world(features(i as u32)[0]));
-        let mut marks = Marks::default();
-        if let Some(rules) = rules {
-            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
-            if let Some(n) = rules.worlds() {
-                marks.world = Some(&world);
-                marks.world_bits = (n - 1).ilog2() + 1;
-            }
-        }
-        marks.kept = if keep { self.leaves.boxes.n_still() } else { 0 };
-        self.leaves.boxes.build(threads, method.order(), &self.boxes, marks);
+        let kept = if keep { self.leaves.boxes.n_still() } else { 0 };
+        let vertex = |i: usize| features(i as u32)[0];
+        self.leaves.boxes.build_by_rules(threads, method.order(), &self.boxes, rules, vertex, kept);
         self.leaves.order(threads, rules, &features);
     }
 
     /// Takes boxes in the order that there is, see [`LeafBoxes::refit`].
     pub fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {
         self.leaves.boxes.refit(threads, method.order(), &self.boxes, still)
+    }
+}
+
+/// One feature of each lane of a block: what the rule of candidates and the first filter read.
+#[derive(Clone, Copy)]
+pub struct Side<'a, const N: usize> {
+    /// Vertices.
+    pub vertices: [&'a [u32; WIDTH]; N],
+    /// Ids.
+    pub ids: &'a [u32; WIDTH],
+    /// Boxes during the step.
+    pub boxes: &'a Block,
+    /// Boxes at its ends, of the positions in the table.
+    pub ends: &'a [Block; 2],
+}
+
+impl<const N: usize> Side<'_, N> {
+    /// The vertices of one lane.
+    #[inline(always)]
+    pub fn vertices_of(&self, lane: usize) -> [u32; N] {
+        self.vertices.map(|ids| ids[lane])
     }
 }
 
@@ -91,6 +103,17 @@ impl<const N: usize> Leaves<N> {
             std::array::from_fn(|k| of.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
+    }
+
+    /// The features of a block.
+    #[inline(always)]
+    pub fn side(&self, block: usize) -> Side<'_, N> {
+        Side {
+            vertices: self.vertices[block].each_ref(),
+            ids: self.boxes.ids(block),
+            boxes: &self.boxes.blocks()[block],
+            ends: &self.ends[block],
+        }
     }
 
     /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still

@@ -62,10 +62,18 @@ impl Selection {
         self.filter.is_some() || self.rules.as_ref().is_some_and(Rules::excludes_features)
     }
 
-    /// The lanes of `mask` in which feature `id` with that of `ids` is wanted.
+    /// The lanes of `mask` in which feature `id` with that of `ids` is wanted; with `id`: whether it is
+    /// that of a face.
     #[inline(never)]
-    pub fn of_features(&self, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) -> u32 {
+    pub fn of_features(
+        &self,
+        kind: Kind,
+        (id, face_first): (u32, bool),
+        ids: &[u32; WIDTH],
+        mask: u32,
+    ) -> u32 {
         keep(mask, |j| match kind {
+            _ if face_first => self.wants(kind, Pair { a: ids[j], b: id }),
             Kind::EdgeEdge => self.wants(kind, Pair::ordered(id, ids[j])),
             _ => self.wants(kind, Pair { a: id, b: ids[j] }),
         })

@@ -6,11 +6,11 @@
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{Marks, PairSource};
+use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;
-use crate::step::leaves::ends;
+use crate::step::leaves::{Side, ends};
 use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
@@ -141,17 +141,8 @@ impl TriangleLeaves {
     ) -> Result<(), Error> {
         method.order().survey(threads, &[&self.swept])?;
         let corners = self.triangles.all_corners();
-        let still = |t: usize| rules.is_some_and(|rules| rules.is_still(corners[t][0]));
-        let world = |t: usize| rules.map_or(0, |rules| rules.world(corners[t][0]));
-        let mut marks = Marks::default();
-        if let Some(rules) = rules {
-            marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
-            if let Some(n) = rules.worlds() {
-                marks.world = Some(&world);
-                marks.world_bits = (n - 1).ilog2() + 1;
-            }
-        }
-        self.boxes.build(threads, method.order(), &self.swept, marks);
+        let vertex = |t: usize| corners[t][0];
+        self.boxes.build_by_rules(threads, method.order(), &self.swept, rules, vertex, 0);
         let Self { triangles, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);
@@ -193,11 +184,47 @@ impl TriangleLeaves {
             }
         });
     }
+
+    /// Corner `k` of each triangle of a block.
+    #[inline(always)]
+    pub fn corner(&self, block: usize, k: usize) -> Side<'_, 1> {
+        let of = &self.blocks[block];
+        Side {
+            vertices: [&of.corners[k]],
+            ids: &of.corners[k],
+            boxes: &self.features[block][k],
+            ends: &self.ends[block].corners[k],
+        }
+    }
+
+    /// Side `k` of each triangle of a block.
+    #[inline(always)]
+    pub fn side(&self, block: usize, k: usize) -> Side<'_, 2> {
+        let of = &self.blocks[block];
+        Side {
+            vertices: of.side(k),
+            ids: &of.sides[k],
+            boxes: &self.features[block][3 + k],
+            ends: &self.ends[block].sides[k],
+        }
+    }
+
+    /// The triangles of a block.
+    #[inline(always)]
+    pub fn face(&self, block: usize) -> Side<'_, 3> {
+        let [a, b, c] = &self.blocks[block].corners;
+        Side {
+            vertices: [a, b, c],
+            ids: &self.blocks[block].ids,
+            boxes: &self.boxes.blocks()[block],
+            ends: &self.ends[block].face,
+        }
+    }
 }
 
 /// The features of block `i`; lanes past the end repeat the last triangle and represent nothing.
 fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
-    let mut block = TriangleBlock { ids: boxes.ids(i), ..TriangleBlock::NONE };
+    let mut block = TriangleBlock { ids: *boxes.ids(i), ..TriangleBlock::NONE };
     for (j, t) in block.ids.into_iter().enumerate() {
         let (corners, sides) = (triangles.corners(t), triangles.sides(t));
         for k in 0..3 {

@@ -5,11 +5,11 @@
 //! bodies that are wanted, boxes of its own that overlap in the precision of the input. Candidates
 //! and contacts are those of the other pipeline.
 
-use crate::broad_phase::keep;
 use crate::broad_phase::pair_source::PairSink;
-use crate::simd::{Block, RowSimd, WIDTH};
-use crate::step::candidates::{Scene, Take, separated};
+use crate::simd::{RowSimd, WIDTH};
+use crate::step::candidates::{Scene, Take, shared};
 use crate::step::free_regions::NONE;
+use crate::step::leaves::Side;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::candidate::{is_corner, share_vertex};
@@ -34,15 +34,6 @@ pub struct TrianglePairs<'a, W> {
 /// Orphans after which a worker looks whether to go on.
 const PART: usize = 1024;
 
-/// One feature of each of eight triangles.
-#[derive(Clone, Copy)]
-struct Side<'a, const N: usize> {
-    vertices: [&'a [u32; WIDTH]; N],
-    ids: &'a [u32; WIDTH],
-    boxes: &'a Block,
-    ends: &'a [Block; 2],
-}
-
 impl<W: Take> PairSink for TrianglePairs<'_, W> {
     type Worker = W;
     const ORDERED: bool = !W::FILTERED;
@@ -57,16 +48,14 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
         b: usize,
         mut mask: u32,
     ) {
-        let (of_a, of_b) = (&self.leaves.blocks[a], &self.leaves.blocks[b]);
-        let [a0, a1, a2] = [0, 1, 2].map(|k| of_a.corners[k][lane]);
-        let of = &self.leaves.bodies;
-        mask = self.scene.selection.of_bodies(a0, &of_b.corners[0], mask, (of, a), (of, b));
+        let leaves = self.leaves;
+        let (of_a, of_b) = (&leaves.blocks[a], &leaves.blocks[b]);
+        let corners = of_a.corners.map(|ids| ids[lane]);
+        let (bodies_a, bodies_b) = ((&leaves.bodies, a), (&leaves.bodies, b));
+        mask =
+            self.scene.selection.of_bodies(corners[0], &of_b.corners[0], mask, bodies_a, bodies_b);
         let n_pairs = mask.count_ones();
-        let mut near = 0;
-        for ids in &of_b.corners {
-            near |= simd.equals(ids, [a0, a1]) | simd.equals(ids, [a2, a2]);
-        }
-        near &= mask;
+        let mut near = mask & shared(simd, corners, of_b.corners.each_ref());
         if self.leaves.orphans.is_some() {
             mask &= !near;
         }
@@ -94,32 +83,14 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
             for k in 0..3 {
                 if own(k) && faces != 0 {
                     represented += faces.count_ones();
-                    let (vertex, face) = (self.corner(a, k), self.face(b));
-                    let hits = self.hits(simd, &vertex, lane, &face, faces, near);
-                    self.hand_on(worker, simd, Kind::VertexFace, (&vertex, lane), &face, hits);
+                    let (vertex, face) = (leaves.corner(a, k), leaves.face(b));
+                    self.expand(worker, simd, (&vertex, lane), &face, [faces, near]);
                 }
                 let vertices = mask & of_b.represents[k];
                 if is_face && vertices != 0 {
                     represented += vertices.count_ones();
-                    let (face, vertex) = (self.face(a), self.corner(b, k));
-                    let mut hits = self.hits(simd, &face, lane, &vertex, vertices, near);
-                    if self.scene.selection.is_of_features() {
-                        let id = face.ids[lane];
-                        let wanted = |j: usize| Pair { a: vertex.ids[j], b: id };
-                        hits =
-                            keep(hits, |j| self.scene.selection.wants(Kind::VertexFace, wanted(j)));
-                    }
-                    worker.count(Kind::VertexFace, hits.count_ones() as u64);
-                    if W::FILTERED && hits != 0 {
-                        let gap = self.scene.needed_gap();
-                        hits &= !separated(simd, face.ends, lane, vertex.ends, gap);
-                    }
-                    while hits != 0 {
-                        let j = hits.trailing_zeros() as usize;
-                        hits &= hits - 1;
-                        let pair = Pair { a: vertex.ids[j], b: face.ids[lane] };
-                        worker.take_one(self.scene, Kind::VertexFace, pair);
-                    }
+                    let (face, vertex) = (leaves.face(a), leaves.corner(b, k));
+                    self.expand(worker, simd, (&face, lane), &vertex, [vertices, near]);
                 }
             }
         }
@@ -128,14 +99,12 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 if !own(3 + i) {
                     continue;
                 }
-                let edge = self.side(a, i);
+                let edge = leaves.side(a, i);
                 for j in 0..3 {
                     let edges = mask & of_b.represents[3 + j];
                     if edges != 0 {
                         represented += edges.count_ones();
-                        let other = self.side(b, j);
-                        let hits = self.hits(simd, &edge, lane, &other, edges, near);
-                        self.hand_on(worker, simd, Kind::EdgeEdge, (&edge, lane), &other, hits);
+                        self.expand(worker, simd, (&edge, lane), &leaves.side(b, j), [edges, near]);
                     }
                 }
             }
@@ -168,106 +137,30 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
     }
 }
 
-impl<'a, W: Take> TrianglePairs<'a, W> {
+impl<W: Take> TrianglePairs<'_, W> {
     #[inline(always)]
     fn wants(&self, kind: Kind) -> bool {
         self.only.is_none_or(|only| only == kind)
     }
 
-    /// Corner `k` of each triangle of a block.
+    /// Hands on the lanes of a mask in which two features are candidates; with it: those in which
+    /// they may have a common vertex.
     #[inline(always)]
-    fn corner(&self, block: usize, k: usize) -> Side<'a, 1> {
-        let of = &self.leaves.blocks[block];
-        Side {
-            vertices: [&of.corners[k]],
-            ids: &of.corners[k],
-            boxes: &self.leaves.features[block][k],
-            ends: &self.leaves.ends[block].corners[k],
-        }
-    }
-
-    /// Side `k` of each triangle of a block.
-    #[inline(always)]
-    fn side(&self, block: usize, k: usize) -> Side<'a, 2> {
-        let of = &self.leaves.blocks[block];
-        Side {
-            vertices: of.side(k),
-            ids: &of.sides[k],
-            boxes: &self.leaves.features[block][3 + k],
-            ends: &self.leaves.ends[block].sides[k],
-        }
-    }
-
-    /// The triangles of a block.
-    #[inline(always)]
-    fn face(&self, block: usize) -> Side<'a, 3> {
-        let [a, b, c] = &self.leaves.blocks[block].corners;
-        Side {
-            vertices: [a, b, c],
-            ids: &self.leaves.blocks[block].ids,
-            boxes: &self.leaves.boxes.blocks()[block],
-            ends: &self.leaves.ends[block].face,
-        }
-    }
-
-    /// Lanes of `mask` in which two features are candidates; `near`: those in which they may have a
-    /// common vertex.
-    #[inline(always)]
-    fn hits<S: RowSimd, const N: usize, const M: usize>(
-        &self,
-        simd: S,
-        a: &Side<N>,
-        lane: usize,
-        b: &Side<M>,
-        mut mask: u32,
-        near: u32,
-    ) -> u32 {
-        mask &= simd.overlaps(a.boxes, lane, b.boxes);
-        if mask & near != 0 {
-            for k in 0..N {
-                let v = a.vertices[k][lane];
-                for m in 0..M {
-                    mask &= !simd.equals(b.vertices[m], [v; 2]);
-                }
-            }
-        }
-        if let Some(slack) = self.scene.slack
-            && mask != 0
-        {
-            let sure = simd.overlaps_surely(a.boxes, lane, b.boxes, slack);
-            let unsure = mask & !sure;
-            if unsure != 0 {
-                let a = a.vertices.map(|ids| ids[lane]);
-                mask = mask & sure
-                    | keep(unsure, |j| self.scene.boxes_overlap(a, b.vertices.map(|ids| ids[j])));
-            }
-        }
-        mask
-    }
-
-    /// Counts candidates, and hands those on that no axis separates.
-    #[inline(always)]
-    fn hand_on<S: RowSimd, const N: usize, const M: usize>(
+    fn expand<S: RowSimd, const N: usize, const M: usize>(
         &self,
         worker: &mut W,
         simd: S,
-        kind: Kind,
         (a, lane): (&Side<N>, usize),
         b: &Side<M>,
-        mut hits: u32,
+        [mut mask, near]: [u32; 2],
     ) {
-        if self.scene.selection.is_of_features() {
-            hits = self.scene.selection.of_features(kind, a.ids[lane], b.ids, hits);
+        mask &= simd.overlaps(a.boxes, lane, b.boxes);
+        if mask & near != 0 {
+            mask &= !shared(simd, a.vertices_of(lane), b.vertices);
         }
-        if hits == 0 {
-            return;
-        }
-        worker.count(kind, hits.count_ones() as u64);
-        if W::FILTERED {
-            hits &= !separated(simd, a.ends, lane, b.ends, self.scene.needed_gap());
-        }
-        if hits != 0 {
-            worker.take(simd, self.scene, kind, a.ids[lane], b.ids, hits);
+        mask = self.scene.confirmed(simd, (a, lane), b, mask);
+        if mask != 0 {
+            self.scene.hand_on(worker, simd, (a, lane), b, mask);
         }
     }
 

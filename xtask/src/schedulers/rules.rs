@@ -1,10 +1,10 @@
-//! When a front is given up, and how: settings beside each other, over more steps.
+//! When a front is given up: settings beside each other, over more steps.
 
 use super::measure::{Effort, Measured, Place, Structure, WARM, WATCHED, measure};
 use super::plot;
 use super::scenes;
 use crate::algorithms::digits;
-use ccd::{Front, FrontOptions, Scheduler, Scheduling, Shrink, Volume};
+use ccd::{Front, FrontOptions, Scheduler, Scheduling, Volume};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;
@@ -17,22 +17,16 @@ fn settings() -> Vec<(String, Front)> {
         ("kept for as long as trees are".to_owned(), Front::On(never)),
     ];
     for growth in [102, 110, 125, 150] {
-        for (name, shrink) in [("dropped", Shrink::Drop), ("lifted", Shrink::Lift)] {
-            let front = never.growth(growth).shrink(shrink);
-            all.push((format!("{name} beyond {growth} %"), Front::On(front)));
-        }
+        all.push((format!("dropped beyond {growth} %"), Front::On(never.growth(growth))));
     }
     for (period, threshold) in [(1, 101), (4, 101), (4, 110), (16, 101)] {
-        for (name, shrink) in [("dropped", Shrink::Drop), ("lifted", Shrink::Lift)] {
-            let front = never.rebuild(period, threshold).shrink(shrink);
-            let name = format!("{name} if less than {threshold} % after {period}");
-            all.push((name, Front::On(front)));
-        }
+        let name = format!("dropped if less than {threshold} % after {period}");
+        all.push((name, Front::On(never.rebuild(period, threshold))));
     }
     all
 }
 
-/// Means of all steps: the ones that begin at the roots or lift are a part of them.
+/// Means of all steps: the ones that begin at the roots are a part of them.
 pub fn table(
     threads: usize,
     wanted: &dyn Fn(&str) -> bool,
@@ -84,14 +78,14 @@ fn cell(measured: Option<&Measured>) -> String {
     }
 }
 
-/// Fronts over steps where they are dropped, where they are lifted, and where they are kept.
+/// Fronts over steps where they are dropped and where they are kept.
 fn drawn(
     all: &[scenes::Scene],
     columns: &[Vec<Option<Measured>>],
     settings: &[(String, Front)],
     plots: &Path,
 ) -> Result<String, String> {
-    let shown = ["kept", "dropped beyond 110", "lifted beyond 110"];
+    let shown = ["kept", "dropped beyond 110"];
     // Where a front that is kept grows most.
     let growth = |at: &usize| {
         let fronts = columns[*at][1].iter().flat_map(|m| &m.fronts).map(|front| front.pairs);

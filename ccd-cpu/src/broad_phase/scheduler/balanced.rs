@@ -14,6 +14,10 @@
 //! they run, as on a GPU through WebGPU, it is one of two ways to balance at all; the other is
 //! [`super::frontier`].
 //!
+//! Static lists are the same where nobody is ever stopped ([`NEVER`]) [Cederman 2009], [da Silva
+//! 2013], section 3.1: nothing is dealt out again, and all wait for the worker whose tasks turn out
+//! to be the longest. What the other schedulers are compared with.
+//!
 //! Every worker expands some batches in every round before it looks at the others, so that a round
 //! always gets on, however few pairs there are.
 
@@ -24,6 +28,9 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Batches that a worker expands before it looks whether too many are idle.
 const QUANTUM: usize = 16;
+
+/// More workers in a hundred than there can be.
+pub const NEVER: u32 = 101;
 
 /// A stack a worker.
 #[derive(Debug)]

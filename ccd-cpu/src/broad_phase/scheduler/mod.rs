@@ -1,10 +1,12 @@
 //! Schedulers: who expands which pairs of nodes, where nobody knows beforehand what is below one.
 //!
+//! Twin: on a GPU `scheduler/` has two files: levels, and workers by any rule.
+//!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
 //! | [`self_scheduling`] | the worker's own stack | takes the next task from a shared counter |
 //! | [`frontier`] | the queue of the next level | takes the next piece of the queue |
-//! | [`static_lists`] | the worker's own stack | is done |
+//! | static lists, of [`balanced`] | the worker's own stack | is done |
 //! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
 //! | [`stealing`] | the worker's own deque | takes one from another's deque |
 //! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
@@ -16,31 +18,21 @@
 //!
 //! docs/SCHEDULING.md compares them.
 
-mod balanced;
-mod frontier;
+pub mod balanced;
+pub mod frontier;
 pub mod hand;
-mod lazy_stealing;
-mod self_scheduling;
-mod static_lists;
-mod stealing;
+pub mod lazy_stealing;
+pub mod self_scheduling;
+pub mod stealing;
 #[cfg(test)]
 mod tests;
 
 use crate::stop::Stop;
 use crate::threads::Own;
-use balanced::Balanced;
-use ccd_core::Error;
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
-use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::scheduling::Scheduler;
-use frontier::Frontier;
 use hand::Hand;
-use lazy_stealing::LazyStealing;
-use self_scheduling::SelfScheduling;
-use static_lists::StaticLists;
 use std::fmt::Debug;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use stealing::Stealing;
 
 /// What a worker does.
 pub type Job<'j> = &'j (dyn Fn(&mut Hand) + Sync);
@@ -56,19 +48,6 @@ pub trait Schedule: Debug + Send + Sync {
     ///
     /// What an earlier run left, one that unwound, is gone.
     fn run(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, stop: &Stop, launch: Launch);
-}
-
-/// The scheduler of a choice.
-pub fn new(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
-    Ok(match choice {
-        Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
-        Scheduler::Frontier => Box::new(Frontier::default()),
-        Scheduler::Static => Box::new(StaticLists::default()),
-        Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
-        Scheduler::Stealing => Box::new(Stealing::default()),
-        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
-        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
-    })
 }
 
 /// Pairs that are expanded together: the last of a stack.

@@ -1,7 +1,13 @@
 //! Every pair once, by every scheduler, on any number of workers, in any room.
 
+use super::balanced::{Balanced, NEVER};
+use super::lazy_stealing::LazyStealing;
+use super::self_scheduling::SelfScheduling;
+use super::stealing::Stealing;
 use super::*;
+use crate::broad_phase::scheduled::scheduler_of;
 use crate::threads::Threads;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::scheduling::Scheduler;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -52,7 +58,7 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
 fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     let rows = Scheduler::ROWS.iter().filter(|row| row.backends.contains(&"cpu"));
     let of = |row: &ccd_core::model::catalogue::Row<Scheduler>| {
-        (row.name.to_string(), new(row.value).expect("a scheduler that is here"))
+        (row.name.to_string(), scheduler_of(row.value).expect("a scheduler that is here"))
     };
     let mut all: Vec<_> = rows.map(of).collect();
     for room in [2, 8] {
@@ -113,7 +119,7 @@ fn a_pair_more_or_less_is_seen() {
 fn workers_without_pairs_are_helped() {
     let helping: [Box<dyn Schedule>; 2] = [Box::new(Balanced::new(1)), Box::new(Balanced::new(50))];
     let alone: [Box<dyn Schedule>; 2] =
-        [Box::new(StaticLists::default()), Box::new(SelfScheduling::default())];
+        [Box::new(Balanced::new(NEVER)), Box::new(SelfScheduling::default())];
     let all = helping.into_iter().map(|s| (true, s)).chain(alone.map(|s| (false, s)));
     for (helps, mut schedule) in all {
         let by_worker: Vec<AtomicU32> = (0..4).map(|_| AtomicU32::new(0)).collect();

@@ -21,7 +21,7 @@ use ccd_core::layout::{Branch, Node};
 use ccd_core::math::obb::Obb;
 use ccd_core::model::method::Volume;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::sync::atomic::AtomicU32;
 
 /// A tree over boxes and what its refit needs; fewer than two boxes give a tree without internal
 /// nodes.
@@ -47,15 +47,14 @@ impl BinaryTree {
         Self { volume, ..Self::default() }
     }
 
+    /// Whether nodes have oriented boxes, which only the catalogue has.
+    fn is_oriented(&self) -> bool {
+        cfg!(feature = "catalogue") && self.volume == Volume::Obb
+    }
+
     /// The number of its build: each has another.
     pub fn build(&self) -> u64 {
         self.build
-    }
-
-    /// The parent of a node that is not the root.
-    #[inline]
-    pub fn parent(&self, node: u32) -> u32 {
-        self.parents[node as usize].load(Relaxed)
     }
 
     /// All nodes, with the boxes of the last fit.
@@ -82,7 +81,7 @@ impl BinaryTree {
     /// The same of the leaves below a node and those below a node of another tree.
     #[inline]
     pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
-        self.volume == Volume::Aabb
+        !self.is_oriented()
             || oriented_nodes::reach(
                 false,
                 [node, node_of_other],
@@ -120,7 +119,7 @@ impl BinaryTree {
         ] {
             words.resize_with(len, AtomicU32::default);
         }
-        if self.volume == Volume::Obb {
+        if self.is_oriented() {
             let len = n_internal * oriented_refit::STRIDE;
             self.oriented_words.resize_with(len, AtomicU32::default);
         }
@@ -148,7 +147,7 @@ impl BinaryTree {
             };
             Node { min: b.min, left, max: b.max, right }
         });
-        if self.volume == Volume::Obb {
+        if self.is_oriented() {
             self.orient(threads, n);
         }
         let looseness = self.looseness(threads);

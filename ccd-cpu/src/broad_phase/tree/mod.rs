@@ -1,8 +1,8 @@
 //! Binary trees as a source of pairs: a builder puts boxes in order and joins them, a traversal
 //! finds the pairs; any builder goes with any traversal.
 //!
-//! One more builder is a file in `builder/` and an arm of [`builder::new`]; one more traversal a
-//! file in `traversal/` and an arm of [`traversal::new`].
+//! One more builder is a file in `builder/` and an arm of [`builder_of`]; one more traversal a file
+//! in `traversal/` and an arm of [`traversal_of`].
 
 mod binary_tree;
 mod builder;
@@ -12,24 +12,35 @@ mod statistics;
 mod tests;
 mod traversal;
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{
-    Marks, Order, Pairs, PairsOfNodes, RowSource, Rows, Scratch, Sides,
-};
+#[cfg(feature = "catalogue")]
+use crate::broad_phase::descend::{Pairs, PairsOfNodes};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::threads::Threads;
-pub use statistics::TreeStatistics;
-
 use binary_tree::BinaryTree;
 use builder::TreeBuilder;
-use ccd_core::model::method::{TreeOptions, Volume};
+use builder::lbvh::Lbvh;
+#[cfg(feature = "catalogue")]
+use builder::{nearest_pair::NearestPair, ploc::Ploc, split_lists::SplitLists};
+use ccd_core::model::catalogue::Catalogued;
+use ccd_core::model::method::{Builder, Traversal, TreeOptions, Volume};
+use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
+use statistics::statistics;
+use traversal::half::Half;
+use traversal::leaf_order::LeafOrder;
+use traversal::queries::Queries;
 use traversal::{Traverse, Trees};
+#[cfg(feature = "catalogue")]
+use traversal::{cut::Cut, iterative::Iterative, recursive::Recursive, simultaneous::Simultaneous};
 
 /// A tree per set that needs one, and what builds and traverses them.
 #[derive(Debug)]
 pub struct TreeSource {
     builder: Box<dyn TreeBuilder>,
     traversal: Box<dyn Traverse>,
+    morton: MortonOrder,
     trees: Vec<BinaryTree>,
     volume: Volume,
 }
@@ -37,9 +48,13 @@ pub struct TreeSource {
 impl TreeSource {
     /// The source of these options.
     pub fn new(options: TreeOptions) -> Result<Self, Error> {
-        let builder = builder::new(options.builder)?;
-        let traversal = traversal::new(options.traversal)?;
-        Ok(Self { builder, traversal, trees: Vec::new(), volume: options.volume })
+        let builder = builder_of(options.builder)?;
+        let traversal = traversal_of(options.traversal)?;
+        if options.volume != Volume::Aabb && !cfg!(feature = "catalogue") {
+            return Err(absent(options.volume));
+        }
+        let (morton, trees) = Default::default();
+        Ok(Self { builder, traversal, morton, trees, volume: options.volume })
     }
 
     /// Whether this set has a tree.
@@ -74,10 +89,11 @@ impl Order for TreeSource {
         }
         if self.has_tree(set) {
             let tree = &mut self.trees[set.index];
-            self.builder.build(threads, boxes, order, &mut tree.branches);
+            self.builder.build(threads, &mut self.morton, boxes, order, &mut tree.branches);
             tree.link(threads, boxes.len());
         } else {
-            self.builder.sort(threads, boxes, order);
+            // No tree is needed, but what is near is to be near in the order.
+            self.morton.sort(threads, boxes, &Marks::default(), order);
         }
     }
 
@@ -88,7 +104,7 @@ impl Order for TreeSource {
 
     fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
         let tree = self.trees.get(leaves.set().index)?;
-        Some(TreeStatistics::of(tree, threads, leaves))
+        Some(statistics(tree, threads, leaves))
     }
 }
 
@@ -110,15 +126,50 @@ impl RowSource for TreeSource {
     }
 }
 
+#[cfg(feature = "catalogue")]
 impl PairsOfNodes for TreeSource {
-    fn descend(&mut self, threads: &Threads, sides: Sides, lift: bool, run: &mut dyn FnMut(Pairs)) {
+    fn descend(&mut self, threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
         let Self { traversal, trees, .. } = self;
         let trees = trees_of(trees, traversal.descends_both(), sides);
         traversal.begin(threads, trees, sides);
         let builds = [trees.a.unwrap_or(trees.b), trees.b].map(BinaryTree::build);
-        traversal
-            .descend(trees, sides, lift, &mut |tree, roots| run(Pairs { tree, roots, builds }));
+        traversal.descend(trees, sides, &mut |tree, roots| run(Pairs { tree, roots, builds }));
     }
+}
+
+/// The builder of a choice, if there is one here.
+fn builder_of(choice: Builder) -> Result<Box<dyn TreeBuilder>, Error> {
+    Ok(match choice {
+        Builder::Lbvh => Box::new(Lbvh::default()),
+        #[cfg(feature = "catalogue")]
+        Builder::SplitLists => Box::new(SplitLists::default()),
+        #[cfg(feature = "catalogue")]
+        Builder::NearestPair { limit } => Box::new(NearestPair::new(limit)),
+        #[cfg(feature = "catalogue")]
+        Builder::Ploc { radius } => Box::new(Ploc::new(radius)),
+        other => return Err(absent(other)),
+    })
+}
+
+/// The traversal of a choice, if there is one here.
+fn traversal_of(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
+    Ok(match choice {
+        Traversal::LeafOrder => Box::new(Queries::<LeafOrder>::new()),
+        Traversal::Half => Box::new(Queries::<Half>::new()),
+        #[cfg(feature = "catalogue")]
+        Traversal::Recursive => Box::new(Queries::<Recursive>::new()),
+        #[cfg(feature = "catalogue")]
+        Traversal::Iterative => Box::new(Queries::<Iterative>::new()),
+        #[cfg(feature = "catalogue")]
+        Traversal::Simultaneous(descent) => Box::new(Simultaneous::new(descent)),
+        #[cfg(feature = "catalogue")]
+        Traversal::Cut { nodes, descent } => Box::new(Cut::new(nodes as usize, descent)),
+        other => return Err(absent(other)),
+    })
+}
+
+fn absent(choice: impl Catalogued) -> Error {
+    Error::NotCompiled { name: choice.row().name, backend: "cpu" }
 }
 
 /// The trees of two sides; `a_has_one`: the first has a tree.

@@ -1,4 +1,6 @@
 //! Atomic words as kernel bodies see them, and branches that threads write wherever they belong.
+//!
+//! Twin: none; words of a device are shared as they are.
 
 use crate::threads::Threads;
 use ccd_core::broad_phase::node_numbering::BRANCH;

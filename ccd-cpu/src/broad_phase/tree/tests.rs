@@ -3,7 +3,6 @@
 
 use super::binary_tree::BinaryTree;
 use super::builder::bottom_up::{Joins, Subtree};
-use super::statistics::TreeStatistics;
 use super::*;
 use crate::broad_phase::leaf_boxes::Set;
 use ccd_core::broad_phase::ploc;
@@ -296,7 +295,7 @@ fn check_chain(n: usize, to_left: &(dyn Fn(usize) -> bool + Sync), boxes: &[Aabb
     leaves.build(&threads, &mut Given(order.clone()), boxes, Marks::default());
     tree.fit(&threads, &leaves);
     check_well_formed(&tree, &order, boxes, n).unwrap();
-    let figures = TreeStatistics::of(&tree, &threads, &leaves);
+    let figures = statistics(&tree, &threads, &leaves);
     assert_eq!((figures.nodes, figures.depth), (2 * n - 1, n));
     for leaf in [0, 1, n / 2, n - 1] {
         let (query, mut found) = (leaves.get(leaf), Vec::new());
@@ -348,7 +347,7 @@ fn figures_of_a_tree_are_those_of_its_definition() {
     let boxes = [at(0.0), at(3.0), at(4.0), at(7.0)];
     let (source, leaves) = built(Builder::Lbvh, 1, &boxes);
     let threads = Threads::new(1).unwrap();
-    let figures = TreeStatistics::of(source.tree(0), &threads, &leaves);
+    let figures = statistics(source.tree(0), &threads, &leaves);
     // Half surfaces: a box of length x has 1 + 2 x. All: 17; inner nodes: 9 each; leaves: 3 each.
     let want = TreeStatistics {
         nodes: 7,
@@ -360,7 +359,7 @@ fn figures_of_a_tree_are_those_of_its_definition() {
     assert_eq!(figures, want);
     for (n, nodes, depth) in [(0, 0, 0), (1, 1, 1)] {
         let (source, leaves) = built(Builder::PLOC, 1, &boxes[..n]);
-        let figures = TreeStatistics::of(source.tree(0), &threads, &leaves);
+        let figures = statistics(source.tree(0), &threads, &leaves);
         assert_eq!((figures.nodes, figures.depth), (nodes, depth));
         assert!(figures.sah_cost == n as f64 && figures.visited_per_query == 0.0);
     }

@@ -1,8 +1,8 @@
 //! LBVH: a binary radix tree over sorted Morton codes, every internal node by itself [Karras 2012].
 
 use super::TreeBuilder;
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{morton_key, radix_tree};
@@ -11,7 +11,6 @@ use ccd_core::layout::Branch;
 /// Sorts by 63-bit codes; ties are broken by place.
 #[derive(Debug, Default)]
 pub struct Lbvh {
-    morton: MortonOrder,
     codes: Vec<[u32; 2]>,
 }
 
@@ -19,19 +18,16 @@ impl TreeBuilder for Lbvh {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = self.morton.sort(threads, boxes, &Marks::default(), order);
+        let grid = morton.sort(threads, boxes, &Marks::default(), order);
         codes.resize(n, [0; 2]);
         threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
         branches.resize(n.saturating_sub(1), Branch { left: 0, right: 0, first: 0, last: 0 });
         threads.fill(branches, |i| radix_tree::branch(i as u32, n as u32, codes));
-    }
-
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

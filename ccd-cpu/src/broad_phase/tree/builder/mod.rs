@@ -1,20 +1,24 @@
 //! Builders of binary trees: boxes in, an order of leaves and the branches over them out.
 
+#[cfg(feature = "catalogue")]
 pub mod bottom_up;
-mod lbvh;
-mod nearest_pair;
-mod ploc;
+pub mod lbvh;
+#[cfg(feature = "catalogue")]
+pub mod nearest_pair;
+#[cfg(feature = "catalogue")]
+pub mod ploc;
+#[cfg(feature = "catalogue")]
 mod ploc_search;
-mod split_lists;
+#[cfg(feature = "catalogue")]
+pub mod split_lists;
 
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::layout::Branch;
-use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 
-/// Builds trees; keeps its buffers between calls.
+/// Builds trees; keeps its buffers between calls, but for those of the order along the curve.
 pub trait TreeBuilder: Debug + Send + Sync {
     /// Whether it builds trees over so many boxes.
     fn check(&self, _n: usize) -> Result<(), Error> {
@@ -26,22 +30,9 @@ pub trait TreeBuilder: Debug + Send + Sync {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     );
-
-    /// Fills `order` alone, for boxes that need no tree but are near each other in it.
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>);
-}
-
-/// The builder of a choice, if there is one here.
-pub fn new(choice: Builder) -> Result<Box<dyn TreeBuilder>, Error> {
-    Ok(match choice {
-        Builder::Lbvh => Box::new(lbvh::Lbvh::default()),
-        Builder::SplitLists => Box::new(split_lists::SplitLists::default()),
-        Builder::NearestPair { limit } => Box::new(nearest_pair::NearestPair::new(limit)),
-        Builder::Ploc { radius } => Box::new(ploc::Ploc::new(radius)),
-        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
-    })
 }

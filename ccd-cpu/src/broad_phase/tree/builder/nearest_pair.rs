@@ -20,7 +20,6 @@
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::threads::{Own, Threads};
 use ccd_core::broad_phase::nearest_pair::{Found, beginning, centre, distance, nearer, parents};
 use ccd_core::layout::Branch;
@@ -34,7 +33,6 @@ const MIN_PART: usize = 8192;
 #[derive(Debug)]
 pub struct NearestPair {
     limit: u32,
-    morton: MortonOrder,
     joins: Joins,
     level: Level,
     next: Level,
@@ -54,7 +52,6 @@ impl NearestPair {
     pub fn new(limit: u32) -> Self {
         Self {
             limit,
-            morton: MortonOrder::default(),
             joins: Joins::default(),
             level: Level::default(),
             next: Level::default(),
@@ -108,6 +105,7 @@ impl TreeBuilder for NearestPair {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
@@ -120,7 +118,7 @@ impl TreeBuilder for NearestPair {
             branches.clear();
             return;
         }
-        let grid = self.morton.grid(threads, boxes);
+        let grid = morton.grid(threads, boxes);
         self.level.boxes.resize(n, Aabb::EMPTY);
         threads.fill(&mut self.level.boxes, |i| grid.in_cells(&boxes[i]));
         self.level.subtrees.clear();
@@ -147,9 +145,5 @@ impl TreeBuilder for NearestPair {
         }
         let root = self.level.subtrees[0].node;
         self.joins.finish(threads, root, |i| i as u32, order, branches);
-    }
-
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

@@ -17,9 +17,8 @@
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use super::ploc_search::{Search, fill_boxes};
-use crate::broad_phase::leaf_boxes::get_lane;
+use crate::broad_phase::leaf_boxes::{Marks, get_lane};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};
 use crate::threads::Threads;
@@ -36,7 +35,6 @@ const CHUNK: usize = 2048;
 #[derive(Debug)]
 pub struct Ploc {
     radius: u32,
-    morton: MortonOrder,
     joins: Joins,
     /// Ids along the curve.
     along: Vec<u32>,
@@ -68,7 +66,6 @@ impl Ploc {
     pub fn new(radius: u32) -> Self {
         Self {
             radius,
-            morton: MortonOrder::default(),
             joins: Joins::default(),
             along: Vec::new(),
             clusters: Clusters::default(),
@@ -152,12 +149,13 @@ impl TreeBuilder for Ploc {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     ) {
         let n = boxes.len();
-        let grid = self.morton.sort(threads, boxes, &Marks::default(), &mut self.along);
+        let grid = morton.sort(threads, boxes, &Marks::default(), &mut self.along);
         self.joins.begin(n);
         if n < 2 {
             order.clone_from(&self.along);
@@ -178,9 +176,5 @@ impl TreeBuilder for Ploc {
         let Self { clusters, joins, along, .. } = self;
         let root = clusters.named[0].subtree.node;
         joins.finish(threads, root, |i| along[i], order, branches);
-    }
-
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }

@@ -1,4 +1,6 @@
 //! The nearest neighbours of clusters, eight boxes at a time.
+//!
+//! Twin: none; on a GPU a thread looks for the neighbour of a cluster.
 
 use crate::broad_phase::leaf_boxes::set_lane;
 use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work};

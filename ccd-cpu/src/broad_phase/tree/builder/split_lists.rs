@@ -12,8 +12,8 @@
 //! 2012] needs no lists.
 
 use super::TreeBuilder;
+use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::Marks;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -30,7 +30,6 @@ const CHUNK: usize = 4096;
 /// The lists of all levels; buffers are kept.
 #[derive(Debug, Default)]
 pub struct SplitLists {
-    morton: MortonOrder,
     codes: Vec<[u32; 2]>,
     levels: Vec<u32>,
     chunks: Vec<Chunk>,
@@ -50,12 +49,13 @@ impl TreeBuilder for SplitLists {
     fn build(
         &mut self,
         threads: &Threads,
+        morton: &mut MortonOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = self.morton.sort(threads, boxes, &Marks::default(), order);
+        let grid = morton.sort(threads, boxes, &Marks::default(), order);
         codes.resize(n, [0; 2]);
         threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
         self.levels.resize(n.saturating_sub(1), 0);
@@ -76,10 +76,6 @@ impl TreeBuilder for SplitLists {
             });
         }
         copy_branches(threads, words.0, branches);
-    }
-
-    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
-        self.morton.sort(threads, boxes, &Marks::default(), order);
     }
 }
 

@@ -2,10 +2,11 @@
 //! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
 
 use super::Trees;
-use super::depths::Depths;
+use crate::broad_phase::descend::{FrontTree, Place};
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::{Gathered, IntoRows, PairSink, Scratch};
-use crate::broad_phase::pair_tree::{FrontTree, PairTree, Place};
+use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_tree::PairTree;
+use crate::broad_phase::rows::{Gathered, IntoRows, Scratch};
 use crate::broad_phase::tasks::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
@@ -22,19 +23,12 @@ pub struct BinaryPairs<'a> {
     b: &'a BinaryTree,
     within: bool,
     descent: Descent,
-    depths: Option<&'a Depths>,
 }
 
 impl<'a> BinaryPairs<'a> {
     /// The trees of both sides, neither empty.
     pub fn new(trees: Trees<'a>, within: bool, descent: Descent) -> Self {
-        Self { a: trees.a.unwrap_or(trees.b), b: trees.b, within, descent, depths: None }
-    }
-
-    /// The same with the depths of all nodes below those where descents begin, so that fronts can
-    /// be lifted.
-    pub fn with_depths(self, depths: &'a Depths) -> Self {
-        Self { depths: Some(depths), ..self }
+        Self { a: trees.a.unwrap_or(trees.b), b: trees.b, within, descent }
     }
 
     /// Whether there may be pairs of leaves below this pair: its volumes overlap; of a leaf with
@@ -108,23 +102,6 @@ impl FrontTree for BinaryPairs<'_> {
     #[inline(always)]
     fn meets(self, pair: NodePair) -> bool {
         self.is_wanted(pair)
-    }
-
-    /// By [`Descent::Larger`] the parent depends on which node was larger when it was split.
-    #[inline(always)]
-    fn lifts(self) -> bool {
-        self.descent == Descent::Both
-    }
-
-    #[inline(always)]
-    fn parent(self, pair: NodePair) -> Option<(NodePair, bool)> {
-        self.depths?.parent(self.within, [self.a, self.b], pair)
-    }
-
-    #[inline(always)]
-    fn boxes_apart(self, [i, j]: NodePair) -> bool {
-        let (a, b) = (&self.a.nodes()[i as usize], &self.b.nodes()[j as usize]);
-        !a.aabb().overlaps(&b.aabb())
     }
 
     #[inline(always)]

@@ -20,10 +20,10 @@
 //! as much. On a GPU neighbouring threads have nothing in common.
 
 use super::binary_pairs::BinaryPairs;
-use super::depths::Depths;
 use super::{Traverse, Trees};
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
@@ -41,7 +41,6 @@ pub struct Cut {
     heap: BinaryHeap<(usize, u32)>,
     /// All pairs of the cuts, for a scheduler.
     pairs: Vec<NodePair>,
-    depths: Depths,
 }
 
 impl Cut {
@@ -53,7 +52,6 @@ impl Cut {
             cuts: Default::default(),
             heap: BinaryHeap::new(),
             pairs: Vec::new(),
-            depths: Depths::default(),
         }
     }
 
@@ -96,10 +94,9 @@ impl Traverse for Cut {
         &mut self,
         trees: Trees,
         (_, b): Sides,
-        lift: bool,
         run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
-        let Self { cuts: [first, second], pairs, depths, .. } = self;
+        let Self { cuts: [first, second], pairs, .. } = self;
         pairs.clear();
         match b {
             Some(_) => {
@@ -110,11 +107,7 @@ impl Traverse for Cut {
                 pairs.extend(second.iter().enumerate().flat_map(from));
             }
         }
-        if lift {
-            depths.fill(trees, [first, second]);
-        }
-        let tree = BinaryPairs::new(trees, b.is_none(), self.descent);
-        run(&tree.with_depths(depths), pairs);
+        run(&BinaryPairs::new(trees, b.is_none(), self.descent), pairs);
     }
 
     fn task(&self, k: usize, trees: Trees, (_, b): Sides, scratch: &mut Scratch, rows: &mut Rows) {
@@ -136,8 +129,7 @@ impl Traverse for Cut {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-    use crate::broad_phase::pair_source::Marks;
+    use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set};
     use crate::broad_phase::tree::TreeSource;
     use ccd_core::Aabb;
     use ccd_core::model::method::TreeOptions;

@@ -1,5 +1,7 @@
 //! Traversals of binary trees: which nodes are visited, in which order, by whom.
 //!
+//! Twin: none; on a GPU `tree.rs` has queries, and the scheduler has pairs of nodes.
+//!
 //! | a query per box | of pairs of nodes |
 //! |---|---|
 //! | [`recursive`]: in the order of input, by recursion | [`simultaneous`]: by one thread |
@@ -10,31 +12,28 @@
 //! Left is what [`queries`] has, right what [`binary_pairs`] has; down the table each changes one
 //! thing in the one above it.
 
+#[cfg(feature = "catalogue")]
 mod binary_pairs;
-mod cut;
-mod depths;
-mod half;
-mod iterative;
-mod leaf_order;
-mod queries;
-mod recursive;
-mod simultaneous;
+#[cfg(feature = "catalogue")]
+pub mod cut;
+pub mod half;
+#[cfg(feature = "catalogue")]
+pub mod iterative;
+pub mod leaf_order;
+pub mod queries;
+#[cfg(feature = "catalogue")]
+pub mod recursive;
+#[cfg(feature = "catalogue")]
+pub mod simultaneous;
 
 use super::binary_tree::BinaryTree;
+#[cfg(feature = "catalogue")]
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Rows, Scratch};
 use crate::threads::Threads;
-use ccd_core::Error;
+#[cfg(feature = "catalogue")]
 use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::Traversal;
-use cut::Cut;
-use half::Half;
-use iterative::Iterative;
-use leaf_order::LeafOrder;
-use queries::Queries;
-use recursive::Recursive;
-use simultaneous::Simultaneous;
 use std::fmt::Debug;
 
 /// The trees of both sides; the same if pairs are sought within one.
@@ -46,7 +45,7 @@ pub struct Trees<'a> {
     pub b: &'a BinaryTree,
 }
 
-/// Finds pairs in trees, task by task; see [`crate::broad_phase::pair_source::RowSource`].
+/// Finds pairs in trees, task by task; see [`crate::broad_phase::rows::RowSource`].
 pub trait Traverse: Debug + Send + Sync {
     /// Whether the first of two sets needs a tree, too.
     fn descends_both(&self) -> bool {
@@ -60,12 +59,12 @@ pub trait Traverse: Debug + Send + Sync {
     fn task(&self, k: usize, trees: Trees, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
 
     /// Calls `run` with the pairs of nodes of these trees, and with those at which a descent
-    /// begins, if it descends pairs; after [`Traverse::begin`]. `lift`: a front is to be lifted.
+    /// begins, if it descends pairs; after [`Traverse::begin`].
+    #[cfg(feature = "catalogue")]
     fn descend(
         &mut self,
         _trees: Trees,
         _sides: Sides,
-        _lift: bool,
         _run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
     }
@@ -74,17 +73,4 @@ pub trait Traverse: Debug + Send + Sync {
     fn max_threads(&self) -> usize {
         usize::MAX
     }
-}
-
-/// The traversal of a choice, if there is one here.
-pub fn new(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
-    Ok(match choice {
-        Traversal::Recursive => Box::new(Queries::<Recursive>::new()),
-        Traversal::Iterative => Box::new(Queries::<Iterative>::new()),
-        Traversal::LeafOrder => Box::new(Queries::<LeafOrder>::new()),
-        Traversal::Half => Box::new(Queries::<Half>::new()),
-        Traversal::Simultaneous(descent) => Box::new(Simultaneous::new(descent)),
-        Traversal::Cut { nodes, descent } => Box::new(Cut::new(nodes as usize, descent)),
-        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
-    })
 }

@@ -5,8 +5,8 @@
 //! root, and neighbours visit almost the same nodes again.
 
 use super::{Traverse, Trees};
-use crate::broad_phase::leaf_boxes::LeafBoxes;
-use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Sides};
+use crate::broad_phase::rows::{Rows, Scratch};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
 use ccd_core::Aabb;

@@ -16,10 +16,10 @@
 //! more, [`super::cut`].
 
 use super::binary_pairs::{BinaryPairs, ROOTS};
-use super::depths::Depths;
 use super::{Traverse, Trees};
 use crate::broad_phase::descend::Descend;
-use crate::broad_phase::pair_source::{Gathered, Rows, Scratch, Sides};
+use crate::broad_phase::leaf_boxes::Sides;
+use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::threads::Threads;
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
@@ -28,13 +28,12 @@ use ccd_core::model::method::Descent;
 #[derive(Debug)]
 pub struct Simultaneous {
     descent: Descent,
-    depths: Depths,
 }
 
 impl Simultaneous {
     /// By this rule of expansion.
     pub fn new(descent: Descent) -> Self {
-        Self { descent, depths: Depths::default() }
+        Self { descent }
     }
 }
 
@@ -60,14 +59,9 @@ impl Traverse for Simultaneous {
         &mut self,
         trees: Trees,
         (_, b): Sides,
-        lift: bool,
         run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
-        let pairs = BinaryPairs::new(trees, b.is_none(), self.descent);
-        if lift {
-            self.depths.fill(trees, [&[0]; 2]);
-        }
-        run(&pairs.with_depths(&self.depths), &[ROOTS]);
+        run(&BinaryPairs::new(trees, b.is_none(), self.descent), &[ROOTS]);
     }
 
     fn max_threads(&self) -> usize {
