@@ -1,5 +1,5 @@
-//! The compiled shaders, one SPIR-V and one WGSL module a kernel; `cargo xtask shaders` writes them,
-//! and both of a kernel compressed, as they are embedded.
+//! The compiled shaders, one SPIR-V and one WGSL module a kernel; `cargo xtask shaders` writes
+//! them, and both of a kernel compressed, as they are embedded.
 
 use crate::adapter::Path;
 use crate::error::Error;

@@ -1,5 +1,5 @@
-//! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are: what
-//! kernels are told, and the kernels.
+//! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
+//! what kernels are told, and the kernels.
 
 use crate::bind::{BlockWorkers, PairWorkers, ResumeBlockFront, ResumeFront};
 use crate::growable_list::List;
