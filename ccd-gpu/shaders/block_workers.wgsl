@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -50,7 +50,7 @@ struct type_20 {
     member_1: array<f32, 3>,
 }
 
-struct type_21 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -72,7 +72,7 @@ struct type_21 {
 }
 
 struct type_24 {
-    member: type_21,
+    member: type_22,
     member_1: array<array<u32, 2>, 8>,
 }
 
@@ -104,13 +104,13 @@ var<storage, read_write> control: type_29;
 @group(0) @binding(3) 
 var<storage, read_write> nodes: type_29;
 @group(0) @binding(5) 
-var<storage, read_write> front: type_10;
+var<storage, read_write> front: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_151_: u32;
-    var phi_168_: type_12;
-    var phi_169_: type_12;
-    var phi_192_: type_12;
+    var phi_168_: type_9;
+    var phi_169_: type_9;
+    var phi_192_: type_9;
     var phi_210_: u32;
     var phi_240_: bool;
     var phi_244_: u32;
@@ -129,9 +129,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_334_: u32;
     var phi_353_: u32;
     var phi_354_: u32;
-    var phi_362_: type_12;
-    var phi_363_: type_12;
-    var phi_386_: type_12;
+    var phi_362_: type_9;
+    var phi_363_: type_9;
+    var phi_386_: type_9;
     var phi_460_: array<u32, 2>;
     var phi_461_: array<u32, 2>;
     var phi_472_: array<u32, 2>;
@@ -154,11 +154,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_704_: bool;
     var phi_716_: bool;
     var phi_722_: u32;
-    var phi_781_: type_12;
+    var phi_781_: type_9;
     var phi_784_: u32;
     var phi_786_: u32;
-    var phi_782_: type_12;
-    var phi_809_: type_12;
+    var phi_782_: type_9;
+    var phi_809_: type_9;
     var phi_865_: u32;
     var phi_866_: u32;
     var phi_867_: u32;
@@ -179,12 +179,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_924_: array<u32, 2>;
     var phi_957_: u32;
     var phi_1032_: u32;
-    var phi_1035_: type_12;
+    var phi_1035_: type_9;
     var phi_1038_: u32;
     var phi_1040_: u32;
     var phi_1042_: u32;
-    var phi_1036_: type_12;
-    var phi_1065_: type_12;
+    var phi_1036_: type_9;
+    var phi_1065_: type_9;
     var phi_1091_: u32;
     var phi_1182_: u32;
     var phi_1183_: u32;
@@ -198,16 +198,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1188_: bool;
     var phi_1207_: u32;
     var phi_1211_: u32;
-    var phi_1268_: type_12;
-    var phi_1269_: type_12;
-    var phi_1292_: type_12;
+    var phi_1268_: type_9;
+    var phi_1269_: type_9;
+    var phi_1292_: type_9;
     var phi_1348_: u32;
-    var phi_1351_: type_12;
-    var phi_1352_: type_12;
-    var phi_1375_: type_12;
-    var phi_1447_: type_12;
-    var phi_1448_: type_12;
-    var phi_1471_: type_12;
+    var phi_1351_: type_9;
+    var phi_1352_: type_9;
+    var phi_1375_: type_9;
+    var phi_1447_: type_9;
+    var phi_1448_: type_9;
+    var phi_1471_: type_9;
     var phi_1551_: bool;
     var phi_1552_: bool;
     var local: u32;
@@ -241,15 +241,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_168_ = type_12(0u, _e75.member_11);
+    phi_168_ = type_9(0u, _e75.member_11);
     loop {
         let _e100 = phi_168_;
         if (_e100.member < _e100.member_1) {
-            phi_169_ = type_12((_e100.member + 1u), _e100.member_1);
-            phi_192_ = type_12(1u, _e100.member);
+            phi_169_ = type_9((_e100.member + 1u), _e100.member_1);
+            phi_192_ = type_9(1u, _e100.member);
         } else {
             phi_169_ = _e100;
-            phi_192_ = type_12(0u, type_12().member_1);
+            phi_192_ = type_9(0u, type_9().member_1);
         }
         let _e112 = phi_169_;
         let _e114 = phi_192_;
@@ -385,15 +385,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                phi_362_ = type_12(0u, 4u);
+                phi_362_ = type_9(0u, 4u);
                 loop {
                     let _e233 = phi_362_;
                     if (_e233.member < _e233.member_1) {
-                        phi_363_ = type_12((_e233.member + 1u), _e233.member_1);
-                        phi_386_ = type_12(1u, _e233.member);
+                        phi_363_ = type_9((_e233.member + 1u), _e233.member_1);
+                        phi_386_ = type_9(1u, _e233.member);
                     } else {
                         phi_363_ = _e233;
-                        phi_386_ = type_12(0u, type_12().member_1);
+                        phi_386_ = type_9(0u, type_9().member_1);
                     }
                     let _e245 = phi_363_;
                     let _e247 = phi_386_;
@@ -573,7 +573,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e497 = boxes.member[(_e494 + _e303[1])];
                     if ((((((_e474.member[0] <= _e497.member_1.y) && (_e497.member.x <= _e474.member_1[0])) && (_e474.member[1] <= _e497.member_2.x)) && (_e497.member.y <= _e474.member_1[1])) && (_e474.member[2] <= _e497.member_2.y)) && (_e497.member_1.x <= _e474.member_1[2])) {
                         let _e535 = atomicLoad((&shared_[(18u + _e298)]));
-                        phi_781_ = type_12(0u, 32u);
+                        phi_781_ = type_9(0u, 32u);
                         phi_784_ = 0u;
                         phi_786_ = (_e535 & _e489);
                         loop {
@@ -582,11 +582,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e542 = phi_786_;
                             local = _e540;
                             if (_e538.member < _e538.member_1) {
-                                phi_782_ = type_12((_e538.member + 1u), _e538.member_1);
-                                phi_809_ = type_12(1u, _e538.member);
+                                phi_782_ = type_9((_e538.member + 1u), _e538.member_1);
+                                phi_809_ = type_9(1u, _e538.member);
                             } else {
                                 phi_782_ = _e538;
-                                phi_809_ = type_12(0u, type_12().member_1);
+                                phi_809_ = type_9(0u, type_9().member_1);
                             }
                             let _e554 = phi_782_;
                             let _e556 = phi_809_;
@@ -750,7 +750,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_1032_ = 2u;
                 }
                 let _e742 = phi_1032_;
-                phi_1035_ = type_12(0u, 32u);
+                phi_1035_ = type_9(0u, 32u);
                 phi_1038_ = _e671[1];
                 phi_1040_ = _e671[0];
                 phi_1042_ = (_e636 | _e638);
@@ -760,11 +760,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e748 = phi_1040_;
                     let _e750 = phi_1042_;
                     if (_e744.member < _e744.member_1) {
-                        phi_1036_ = type_12((_e744.member + 1u), _e744.member_1);
-                        phi_1065_ = type_12(1u, _e744.member);
+                        phi_1036_ = type_9((_e744.member + 1u), _e744.member_1);
+                        phi_1065_ = type_9(1u, _e744.member);
                     } else {
                         phi_1036_ = _e744;
-                        phi_1065_ = type_12(0u, type_12().member_1);
+                        phi_1065_ = type_9(0u, type_9().member_1);
                     }
                     let _e762 = phi_1036_;
                     let _e764 = phi_1065_;
@@ -910,15 +910,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e914 = atomicLoad((&shared_[0u]));
     let _e916 = atomicLoad((&shared_[17u]));
     let _e918 = atomicLoad((&shared_[14u]));
-    phi_1268_ = type_12(0u, 8u);
+    phi_1268_ = type_9(0u, 8u);
     loop {
         let _e920 = phi_1268_;
         if (_e920.member < _e920.member_1) {
-            phi_1269_ = type_12((_e920.member + 1u), _e920.member_1);
-            phi_1292_ = type_12(1u, _e920.member);
+            phi_1269_ = type_9((_e920.member + 1u), _e920.member_1);
+            phi_1292_ = type_9(1u, _e920.member);
         } else {
             phi_1269_ = _e920;
-            phi_1292_ = type_12(0u, type_12().member_1);
+            phi_1292_ = type_9(0u, type_9().member_1);
         }
         let _e932 = phi_1269_;
         let _e934 = phi_1292_;
@@ -953,15 +953,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_1348_ = _e962;
     }
     let _e967 = phi_1348_;
-    phi_1351_ = type_12(0u, _e967);
+    phi_1351_ = type_9(0u, _e967);
     loop {
         let _e970 = phi_1351_;
         if (_e970.member < _e970.member_1) {
-            phi_1352_ = type_12((_e970.member + 1u), _e970.member_1);
-            phi_1375_ = type_12(1u, _e970.member);
+            phi_1352_ = type_9((_e970.member + 1u), _e970.member_1);
+            phi_1375_ = type_9(1u, _e970.member);
         } else {
             phi_1352_ = _e970;
-            phi_1375_ = type_12(0u, type_12().member_1);
+            phi_1375_ = type_9(0u, type_9().member_1);
         }
         let _e982 = phi_1352_;
         let _e984 = phi_1375_;
@@ -991,15 +991,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     if (_e75.member_6 == 1u) {
         if (_e961 == 0u) {
-            phi_1447_ = type_12(0u, _e86);
+            phi_1447_ = type_9(0u, _e86);
             loop {
                 let _e1022 = phi_1447_;
                 if (_e1022.member < _e1022.member_1) {
-                    phi_1448_ = type_12((_e1022.member + 1u), _e1022.member_1);
-                    phi_1471_ = type_12(1u, _e1022.member);
+                    phi_1448_ = type_9((_e1022.member + 1u), _e1022.member_1);
+                    phi_1471_ = type_9(1u, _e1022.member);
                 } else {
                     phi_1448_ = _e1022;
-                    phi_1471_ = type_12(0u, type_12().member_1);
+                    phi_1471_ = type_9(0u, type_9().member_1);
                 }
                 let _e1034 = phi_1448_;
                 let _e1036 = phi_1471_;

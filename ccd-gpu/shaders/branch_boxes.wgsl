@@ -26,7 +26,7 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -94,21 +94,21 @@ var<storage> leaves: type_18;
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_128_: type_10;
+    var phi_128_: type_9;
     var phi_131_: type_20;
     var phi_133_: u32;
     var phi_135_: u32;
-    var phi_129_: type_10;
-    var phi_158_: type_10;
+    var phi_129_: type_9;
+    var phi_158_: type_9;
     var phi_177_: u32;
     var phi_187_: bool;
     var phi_191_: u32;
     var phi_192_: u32;
     var phi_209_: u32;
-    var phi_212_: type_10;
+    var phi_212_: type_9;
     var phi_215_: type_20;
-    var phi_213_: type_10;
-    var phi_238_: type_10;
+    var phi_213_: type_9;
+    var phi_238_: type_9;
     var phi_292_: u32;
     var phi_308_: u32;
     var phi_324_: u32;
@@ -138,10 +138,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_485_: f32;
     var phi_216_: type_20;
     var phi_504_: u32;
-    var phi_507_: type_10;
+    var phi_507_: type_9;
     var phi_510_: type_20;
-    var phi_508_: type_10;
-    var phi_533_: type_10;
+    var phi_508_: type_9;
+    var phi_533_: type_9;
     var phi_587_: u32;
     var phi_603_: u32;
     var phi_619_: u32;
@@ -194,7 +194,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e44 = params.member.member.member[_e40];
     if ((_e37 + 1u) < _e44) {
         let _e48 = branches.member[_e37];
-        phi_128_ = type_10(0u, 8u);
+        phi_128_ = type_9(0u, 8u);
         phi_131_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_133_ = (_e48.member_3 + 1u);
         phi_135_ = _e48.member_2;
@@ -206,11 +206,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local = _e56;
             local_1 = _e56;
             if (_e54.member < _e54.member_1) {
-                phi_129_ = type_10((_e54.member + 1u), _e54.member_1);
-                phi_158_ = type_10(1u, _e54.member);
+                phi_129_ = type_9((_e54.member + 1u), _e54.member_1);
+                phi_158_ = type_9(1u, _e54.member);
             } else {
                 phi_129_ = _e54;
-                phi_158_ = type_10(0u, type_10().member_1);
+                phi_158_ = type_9(0u, type_9().member_1);
             }
             let _e72 = phi_129_;
             let _e74 = phi_158_;
@@ -248,18 +248,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_209_ = _e98;
                 }
                 let _e103 = phi_209_;
-                phi_212_ = type_10(0u, _e103);
+                phi_212_ = type_9(0u, _e103);
                 phi_215_ = _e56;
                 loop {
                     let _e106 = phi_212_;
                     let _e108 = phi_215_;
                     local_2 = _e108;
                     if (_e106.member < _e106.member_1) {
-                        phi_213_ = type_10((_e106.member + 1u), _e106.member_1);
-                        phi_238_ = type_10(1u, _e106.member);
+                        phi_213_ = type_9((_e106.member + 1u), _e106.member_1);
+                        phi_238_ = type_9(1u, _e106.member);
                     } else {
                         phi_213_ = _e106;
-                        phi_238_ = type_10(0u, type_10().member_1);
+                        phi_238_ = type_9(0u, type_9().member_1);
                     }
                     let _e120 = phi_213_;
                     let _e122 = phi_238_;
@@ -458,7 +458,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_504_ = _e299;
                 }
                 let _e304 = phi_504_;
-                phi_507_ = type_10(0u, _e304);
+                phi_507_ = type_9(0u, _e304);
                 let _e587 = local_2;
                 phi_510_ = _e587;
                 loop {
@@ -466,11 +466,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e309 = phi_510_;
                     local_3 = _e309;
                     if (_e307.member < _e307.member_1) {
-                        phi_508_ = type_10((_e307.member + 1u), _e307.member_1);
-                        phi_533_ = type_10(1u, _e307.member);
+                        phi_508_ = type_9((_e307.member + 1u), _e307.member_1);
+                        phi_533_ = type_9(1u, _e307.member);
                     } else {
                         phi_508_ = _e307;
-                        phi_533_ = type_10(0u, type_10().member_1);
+                        phi_533_ = type_9(0u, type_9().member_1);
                     }
                     let _e321 = phi_508_;
                     let _e323 = phi_533_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -65,11 +65,16 @@ struct type_24 {
     member_3: f32,
 }
 
-struct type_26 {
-    member: array<array<u32, 3>>,
+struct type_25 {
+    member: u32,
+    member_1: array<u32, 4>,
 }
 
 struct type_27 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_28 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -79,22 +84,22 @@ struct type_27 {
     member_6: f32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: f32,
 }
 
-struct type_32 {
+struct type_33 {
     member: type_7,
     member_1: type_8,
-    member_2: type_31,
-}
-
-struct type_33 {
-    member: type_32,
+    member_2: type_32,
 }
 
 struct type_34 {
+    member: type_33,
+}
+
+struct type_35 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -103,13 +108,8 @@ struct type_34 {
     member_5: array<u32, 4>,
 }
 
-struct type_36 {
-    member: array<type_34>,
-}
-
 struct type_37 {
-    member: u32,
-    member_1: array<u32, 4>,
+    member: array<type_35>,
 }
 
 struct type_38 {
@@ -122,15 +122,15 @@ struct type_38 {
 @group(0) @binding(1) 
 var<storage> paths: type_19;
 @group(0) @binding(0) 
-var<storage> params: type_33;
+var<storage> params: type_34;
 @group(0) @binding(2) 
 var<storage> edges: type_21;
 @group(0) @binding(3) 
-var<storage> faces: type_26;
+var<storage> faces: type_27;
 @group(0) @binding(4) 
-var<storage> contacts: type_10;
+var<storage> contacts: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> geometry: type_36;
+var<storage, read_write> geometry: type_37;
 
 fn function_(param: array<f32, 4>, param_1: u32) -> array<f32, 4> {
     var phi_4373_: array<f32, 4>;
@@ -195,7 +195,7 @@ fn function_3(param_5: f32, param_6: f32) -> f32 {
     return _e11;
 }
 
-fn function_4(param_7: ptr<function, type_27>, param_8: f32, param_9: f32) -> f32 {
+fn function_4(param_7: ptr<function, type_28>, param_8: f32, param_9: f32) -> f32 {
     let _e4 = (*param_7).member;
     let _e9 = (*param_7).member_2;
     let _e20 = (*param_7).member_1;
@@ -205,7 +205,7 @@ fn function_4(param_7: ptr<function, type_27>, param_8: f32, param_9: f32) -> f3
     return _e45;
 }
 
-fn function_5(param_10: ptr<function, type_27>, param_11: f32, param_12: f32) -> type_38 {
+fn function_5(param_10: ptr<function, type_28>, param_11: f32, param_12: f32) -> type_38 {
     let _e4 = (*param_10).member;
     let _e9 = (*param_10).member_1;
     let _e20 = (*param_10).member_2;
@@ -215,7 +215,7 @@ fn function_5(param_10: ptr<function, type_27>, param_11: f32, param_12: f32) ->
     return type_38(param_11, param_12, array<f32, 3>(_e27, _e28, _e29), (((_e27 * _e27) + (_e28 * _e28)) + (_e29 * _e29)));
 }
 
-fn function_6(param_13: ptr<function, type_27>, param_14: f32, param_15: f32) -> f32 {
+fn function_6(param_13: ptr<function, type_28>, param_14: f32, param_15: f32) -> f32 {
     let _e4 = (*param_13).member;
     let _e9 = (*param_13).member_1;
     let _e20 = (*param_13).member_2;
@@ -225,7 +225,7 @@ fn function_6(param_13: ptr<function, type_27>, param_14: f32, param_15: f32) ->
     return _e45;
 }
 
-fn function_7(param_16: ptr<function, type_27>, param_17: u32) -> type_38 {
+fn function_7(param_16: ptr<function, type_28>, param_17: u32) -> type_38 {
     var phi_4040_: f32;
     var phi_4047_: f32;
     var phi_4058_: type_38;
@@ -592,7 +592,7 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
 }
 
 fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_27;
+    var local: type_28;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var phi_185_: u32;
@@ -601,10 +601,10 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_218_: u32;
     var phi_239_: u32;
     var phi_240_: u32;
-    var phi_243_: type_12;
-    var phi_244_: type_12;
-    var phi_267_: type_12;
-    var phi_410_: type_37;
+    var phi_243_: type_9;
+    var phi_244_: type_9;
+    var phi_267_: type_9;
+    var phi_410_: type_25;
     var phi_553_: u32;
     var phi_559_: f32;
     var phi_568_: u32;
@@ -1014,15 +1014,15 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_240_ = 0u;
     }
     let _e110 = phi_240_;
-    phi_243_ = type_12(0u, _e110);
+    phi_243_ = type_9(0u, _e110);
     loop {
         let _e113 = phi_243_;
         if (_e113.member < _e113.member_1) {
-            phi_244_ = type_12((_e113.member + 1u), _e113.member_1);
-            phi_267_ = type_12(1u, _e113.member);
+            phi_244_ = type_9((_e113.member + 1u), _e113.member_1);
+            phi_267_ = type_9(1u, _e113.member);
         } else {
             phi_244_ = _e113;
-            phi_267_ = type_12(0u, type_12().member_1);
+            phi_267_ = type_9(0u, type_9().member_1);
         }
         let _e125 = phi_244_;
         let _e127 = phi_267_;
@@ -1041,11 +1041,11 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e159 = contacts.member[(_e141 + 9u)];
                 if (_e144 == 0u) {
                     let _e172 = faces.member[_e153];
-                    phi_410_ = type_37(0u, array<u32, 4>(_e150, _e172[0], _e172[1], _e172[2]));
+                    phi_410_ = type_25(0u, array<u32, 4>(_e150, _e172[0], _e172[1], _e172[2]));
                 } else {
                     let _e162 = edges.member[_e150];
                     let _e164 = edges.member[_e153];
-                    phi_410_ = type_37(1u, array<u32, 4>(_e162[0], _e162[1], _e164[0], _e164[1]));
+                    phi_410_ = type_25(1u, array<u32, 4>(_e162[0], _e162[1], _e164[0], _e164[1]));
                 }
                 let _e179 = phi_410_;
                 let _e184 = paths.member[_e179.member_1[0]];
@@ -1530,7 +1530,7 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_1255_ = 0f;
                 }
                 let _e808 = phi_1255_;
-                local = type_27(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
+                local = type_28(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
                 let _e814 = function_7((&local), _e179.member);
                 if (_e814.member_3 <= 0.000000000000000000000000000000000000011754944f) {
                     if (_e814.member_3 > 0f) {
@@ -3186,7 +3186,7 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e2384 = function_9(_e2381, _e2379, 0.5f);
                 let _e2388 = params.member.member_2.member;
                 let _e2391 = params.member.member_2.member_1;
-                geometry.member[_e140] = type_34(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
+                geometry.member[_e140] = type_35(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
             }
         }
         continue;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -72,11 +72,16 @@ struct type_27 {
     member: type_26,
 }
 
-struct type_29 {
-    member: array<array<u32, 3>>,
+struct type_28 {
+    member: u32,
+    member_1: array<u32, 4>,
 }
 
 struct type_30 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_31 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -85,13 +90,8 @@ struct type_30 {
     member_5: array<u32, 4>,
 }
 
-struct type_32 {
-    member: array<type_30>,
-}
-
 struct type_33 {
-    member: u32,
-    member_1: array<u32, 4>,
+    member: array<type_31>,
 }
 
 struct type_35 {
@@ -134,13 +134,13 @@ var<storage> params: type_27;
 @group(0) @binding(3) 
 var<storage> edges: type_23;
 @group(0) @binding(4) 
-var<storage> faces: type_29;
+var<storage> faces: type_30;
 @group(0) @binding(2) 
 var<storage> positions: type_40;
 @group(0) @binding(5) 
-var<storage> contacts: type_10;
+var<storage> contacts: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> geometry: type_32;
+var<storage, read_write> geometry: type_33;
 
 fn function_(param: array<f64, 3>) -> array<f32, 3> {
     return array<f32, 3>(f32(param[0]), f32(param[1]), f32(param[2]));
@@ -698,10 +698,10 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_239_: u32;
     var phi_260_: u32;
     var phi_261_: u32;
-    var phi_264_: type_12;
-    var phi_265_: type_12;
-    var phi_288_: type_12;
-    var phi_431_: type_33;
+    var phi_264_: type_9;
+    var phi_265_: type_9;
+    var phi_288_: type_9;
+    var phi_431_: type_28;
     var phi_636_: type_41;
     var phi_693_: u32;
     var phi_854_: type_43;
@@ -1110,15 +1110,15 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_261_ = 0u;
     }
     let _e107 = phi_261_;
-    phi_264_ = type_12(0u, _e107);
+    phi_264_ = type_9(0u, _e107);
     loop {
         let _e110 = phi_264_;
         if (_e110.member < _e110.member_1) {
-            phi_265_ = type_12((_e110.member + 1u), _e110.member_1);
-            phi_288_ = type_12(1u, _e110.member);
+            phi_265_ = type_9((_e110.member + 1u), _e110.member_1);
+            phi_288_ = type_9(1u, _e110.member);
         } else {
             phi_265_ = _e110;
-            phi_288_ = type_12(0u, type_12().member_1);
+            phi_288_ = type_9(0u, type_9().member_1);
         }
         let _e122 = phi_265_;
         let _e124 = phi_288_;
@@ -1137,11 +1137,11 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e156 = contacts.member[(_e138 + 9u)];
                 if (_e141 == 0u) {
                     let _e169 = faces.member[_e150];
-                    phi_431_ = type_33(0u, array<u32, 4>(_e147, _e169[0], _e169[1], _e169[2]));
+                    phi_431_ = type_28(0u, array<u32, 4>(_e147, _e169[0], _e169[1], _e169[2]));
                 } else {
                     let _e159 = edges.member[_e147];
                     let _e161 = edges.member[_e150];
-                    phi_431_ = type_33(1u, array<u32, 4>(_e159[0], _e159[1], _e161[0], _e161[1]));
+                    phi_431_ = type_28(1u, array<u32, 4>(_e159[0], _e159[1], _e161[0], _e161[1]));
                 }
                 let _e176 = phi_431_;
                 let _e181 = params.member.member.member_1;
@@ -3301,7 +3301,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e2504 = function_10(_e2500, _e2498, f64(0.5f));
                 let _e2506 = function_(_e2504);
                 let _e2508 = function_(_e2445);
-                geometry.member[_e137] = type_30(_e2506, f32((_e963 / _e586)), _e2508, _e144, array<f32, 4>(f32(_e2502[0]), f32(_e2502[1]), f32(_e2502[2]), f32(_e2502[3])), _e176.member_1);
+                geometry.member[_e137] = type_31(_e2506, f32((_e963 / _e586)), _e2508, _e144, array<f32, 4>(f32(_e2502[0]), f32(_e2502[1]), f32(_e2502[2]), f32(_e2502[3])), _e176.member_1);
             }
         }
         continue;

@@ -26,13 +26,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: array<u32>,
+struct type_8 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_10 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -76,20 +76,20 @@ var<storage> branches: type_14;
 var<storage> params: type_17;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage, read_write> cuts: type_9;
+var<storage, read_write> cuts: type_10;
 var<workgroup> nodes: array<u32, 1024>;
 
 fn function_(lane_1: u32) {
-    var phi_95_: type_10;
-    var phi_96_: type_10;
-    var phi_119_: type_10;
-    var phi_130_: type_10;
-    var phi_131_: type_10;
-    var phi_154_: type_10;
-    var phi_219_: u32;
-    var phi_226_: type_10;
-    var phi_227_: type_10;
-    var phi_250_: type_10;
+    var phi_101_: type_8;
+    var phi_102_: type_8;
+    var phi_125_: type_8;
+    var phi_136_: type_8;
+    var phi_137_: type_8;
+    var phi_160_: type_8;
+    var phi_225_: u32;
+    var phi_232_: type_8;
+    var phi_233_: type_8;
+    var phi_256_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -108,34 +108,34 @@ fn function_(lane_1: u32) {
         atomicStore((&counters[1u]), 0u);
     }
     workgroupBarrier();
-    phi_95_ = type_10(0u, 32u);
+    phi_101_ = type_8(0u, 32u);
     loop {
-        let _e42 = phi_95_;
+        let _e42 = phi_101_;
         if (_e42.member < _e42.member_1) {
-            phi_96_ = type_10((_e42.member + 1u), _e42.member_1);
-            phi_119_ = type_10(1u, _e42.member);
+            phi_102_ = type_8((_e42.member + 1u), _e42.member_1);
+            phi_125_ = type_8(1u, _e42.member);
         } else {
-            phi_96_ = _e42;
-            phi_119_ = type_10(0u, type_10().member_1);
+            phi_102_ = _e42;
+            phi_125_ = type_8(0u, type_8().member_1);
         }
-        let _e54 = phi_96_;
-        let _e56 = phi_119_;
+        let _e54 = phi_102_;
+        let _e56 = phi_125_;
         let _e59 = (bitcast<i32>(_e56.member) != 0i);
         if _e59 {
             let _e61 = atomicLoad((&counters[0u]));
             workgroupBarrier();
-            phi_130_ = type_10(0u, 4u);
+            phi_136_ = type_8(0u, 4u);
             loop {
-                let _e63 = phi_130_;
+                let _e63 = phi_136_;
                 if (_e63.member < _e63.member_1) {
-                    phi_131_ = type_10((_e63.member + 1u), _e63.member_1);
-                    phi_154_ = type_10(1u, _e63.member);
+                    phi_137_ = type_8((_e63.member + 1u), _e63.member_1);
+                    phi_160_ = type_8(1u, _e63.member);
                 } else {
-                    phi_131_ = _e63;
-                    phi_154_ = type_10(0u, type_10().member_1);
+                    phi_137_ = _e63;
+                    phi_160_ = type_8(0u, type_8().member_1);
                 }
-                let _e75 = phi_131_;
-                let _e77 = phi_154_;
+                let _e75 = phi_137_;
+                let _e77 = phi_160_;
                 let _e81 = (bitcast<i32>(_e77.member) != 0i);
                 if _e81 {
                     let _e83 = ((_e77.member_1 * 256u) + _e15);
@@ -157,7 +157,7 @@ fn function_(lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_130_ = _e75;
+                    phi_136_ = _e75;
                     break if !(_e81);
                 }
             }
@@ -167,11 +167,11 @@ fn function_(lane_1: u32) {
                 let _e109 = (_e61 + _e108);
                 let _e112 = params.member.member_2.member_2;
                 if (_e112 < _e109) {
-                    phi_219_ = _e112;
+                    phi_225_ = _e112;
                 } else {
-                    phi_219_ = _e109;
+                    phi_225_ = _e109;
                 }
-                let _e115 = phi_219_;
+                let _e115 = phi_225_;
                 atomicStore((&counters[0u]), _e115);
                 atomicStore((&counters[1u]), 0u);
             }
@@ -179,23 +179,23 @@ fn function_(lane_1: u32) {
         }
         continue;
         continuing {
-            phi_95_ = _e54;
+            phi_101_ = _e54;
             break if !(_e59);
         }
     }
     let _e120 = atomicLoad((&counters[0u]));
-    phi_226_ = type_10(0u, 4u);
+    phi_232_ = type_8(0u, 4u);
     loop {
-        let _e122 = phi_226_;
+        let _e122 = phi_232_;
         if (_e122.member < _e122.member_1) {
-            phi_227_ = type_10((_e122.member + 1u), _e122.member_1);
-            phi_250_ = type_10(1u, _e122.member);
+            phi_233_ = type_8((_e122.member + 1u), _e122.member_1);
+            phi_256_ = type_8(1u, _e122.member);
         } else {
-            phi_227_ = _e122;
-            phi_250_ = type_10(0u, type_10().member_1);
+            phi_233_ = _e122;
+            phi_256_ = type_8(0u, type_8().member_1);
         }
-        let _e134 = phi_227_;
-        let _e136 = phi_250_;
+        let _e134 = phi_233_;
+        let _e136 = phi_256_;
         let _e140 = (bitcast<i32>(_e136.member) != 0i);
         if _e140 {
             let _e142 = ((_e136.member_1 * 256u) + _e15);
@@ -206,7 +206,7 @@ fn function_(lane_1: u32) {
         }
         continue;
         continuing {
-            phi_226_ = _e134;
+            phi_232_ = _e134;
             break if !(_e140);
         }
     }

@@ -100,6 +100,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_208_: bool;
     var phi_217_: bool;
     var phi_218_: bool;
+    var phi_254_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -110,17 +111,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e23 = id_2;
     let _e24 = n_2;
     let _e25 = lane_2;
-    let _e40 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
+    let _e39 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
     let _e42 = params.member.member_2.member_2;
     if (_e42 == 0u) {
         return;
     }
-    let _e44 = (_e40 / _e42);
+    let _e44 = (_e39 / _e42);
     let _e46 = params.member.member_2.member_2;
     if (_e46 == 0u) {
         return;
     }
-    let _e48 = (_e40 % _e46);
+    let _e48 = (_e39 % _e46);
     let _e50 = params.member.member_2.member;
     let _e51 = (_e50 == 1u);
     if _e51 {
@@ -182,31 +183,37 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e100 = phi_218_;
         if _e100 {
             if ((((((_e82.member[0] <= _e85.member_2[0]) && (_e85.member[0] <= _e82.member_2[0])) && (_e82.member[1] <= _e85.member_2[1])) && (_e85.member[1] <= _e82.member_2[1])) && (_e82.member[2] <= _e85.member_2[2])) && (_e85.member[2] <= _e82.member_2[2])) {
-                let _e155 = atomicAdd((&control.member[0u]), 1u);
-                let _e158 = atomicMax((&output.member[0u]), (_e155 + 1u));
-                if ((_e155 + 1u) < _e155) {
-                    let _e162 = atomicAdd((&output.member[2u]), 1u);
+                phi_254_ = true;
+            } else {
+                phi_254_ = false;
+            }
+            let _e129 = phi_254_;
+            if _e129 {
+                let _e157 = atomicAdd((&control.member[0u]), 1u);
+                let _e160 = atomicMax((&output.member[0u]), (_e157 + 1u));
+                if ((_e157 + 1u) < _e157) {
+                    let _e164 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e165 = params.member.member_2.member_3;
-                if (_e155 < _e165) {
-                    let _e169 = (2u * _e155);
-                    atomicStore((&output.member[(4u + _e169)]), _e77[0]);
-                    atomicStore((&output.member[(_e169 + 5u)]), _e77[1]);
+                let _e167 = params.member.member_2.member_3;
+                if (_e157 < _e167) {
+                    let _e171 = (2u * _e157);
+                    atomicStore((&output.member[(4u + _e171)]), _e77[0]);
+                    atomicStore((&output.member[(_e171 + 5u)]), _e77[1]);
                 }
             } else {
-                let _e130 = params.member.member_2.member_4;
-                if (_e130 > 0u) {
-                    let _e133 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e133 + 1u) < _e133) {
-                        let _e137 = atomicAdd((&control.member[1538u]), 1u);
+                let _e132 = params.member.member_2.member_4;
+                if (_e132 > 0u) {
+                    let _e135 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e135 + 1u) < _e135) {
+                        let _e139 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e140 = params.member.member_2.member_4;
-                    if (_e133 < _e140) {
-                        let _e143 = params.member.member_2.member_5;
-                        let _e145 = params.member.member_2.member_4;
-                        let _e148 = (2u * ((_e143 * _e145) + _e133));
-                        front.member[_e148] = _e77[0];
-                        front.member[(_e148 + 1u)] = _e77[1];
+                    let _e142 = params.member.member_2.member_4;
+                    if (_e135 < _e142) {
+                        let _e145 = params.member.member_2.member_5;
+                        let _e147 = params.member.member_2.member_4;
+                        let _e150 = (2u * ((_e145 * _e147) + _e135));
+                        front.member[_e150] = _e77[0];
+                        front.member[(_e150 + 1u)] = _e77[1];
                     }
                 }
             }

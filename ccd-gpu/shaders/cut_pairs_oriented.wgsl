@@ -102,8 +102,6 @@ struct type_28 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(6) 
-var<storage, read_write> output: type_28;
 @group(0) @binding(0) 
 var<storage> params: type_18;
 @group(0) @binding(1) 
@@ -112,12 +110,14 @@ var<storage> a_nodes: type_15;
 var<storage> b_nodes: type_15;
 @group(0) @binding(3) 
 var<storage> cuts: type_10;
-@group(0) @binding(7) 
-var<storage, read_write> front: type_10;
 @group(0) @binding(4) 
 var<storage> oriented: type_24;
 @group(0) @binding(5) 
 var<storage, read_write> control: type_28;
+@group(0) @binding(6) 
+var<storage, read_write> output: type_28;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_20;
@@ -126,131 +126,132 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_202_: array<u32, 2>;
     var phi_203_: array<u32, 2>;
     var phi_204_: array<u32, 2>;
-    var phi_241_: array<u32, 2>;
-    var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_296_: bool;
-    var phi_338_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
-    var phi_424_: f32;
-    var phi_430_: f32;
-    var phi_436_: f32;
-    var phi_442_: f32;
-    var phi_448_: f32;
-    var phi_454_: f32;
-    var phi_472_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_498_: type_25;
-    var phi_568_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_586_: f32;
-    var phi_592_: f32;
-    var phi_598_: f32;
-    var phi_616_: f32;
-    var phi_621_: f32;
-    var phi_626_: f32;
-    var phi_642_: type_25;
-    var phi_832_: f32;
-    var phi_838_: f32;
-    var phi_845_: f32;
+    var phi_242_: bool;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_301_: array<u32, 2>;
+    var phi_329_: array<u32, 2>;
+    var phi_354_: bool;
+    var phi_366_: bool;
+    var phi_367_: bool;
+    var phi_440_: f32;
+    var phi_446_: f32;
+    var phi_452_: f32;
+    var phi_458_: f32;
+    var phi_464_: f32;
+    var phi_470_: f32;
+    var phi_488_: f32;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_514_: type_25;
+    var phi_584_: f32;
+    var phi_590_: f32;
+    var phi_596_: f32;
+    var phi_602_: f32;
+    var phi_608_: f32;
+    var phi_614_: f32;
+    var phi_632_: f32;
+    var phi_637_: f32;
+    var phi_642_: f32;
+    var phi_658_: type_25;
+    var phi_848_: f32;
     var phi_854_: f32;
     var phi_861_: f32;
-    var phi_869_: f32;
-    var phi_878_: f32;
+    var phi_870_: f32;
+    var phi_877_: f32;
     var phi_885_: f32;
-    var phi_893_: f32;
-    var phi_986_: f32;
-    var phi_993_: f32;
-    var phi_999_: f32;
-    var phi_1005_: f32;
-    var phi_1024_: f32;
-    var phi_1031_: f32;
-    var phi_1037_: f32;
-    var phi_1043_: f32;
-    var phi_1062_: f32;
-    var phi_1069_: f32;
-    var phi_1075_: f32;
-    var phi_1081_: f32;
-    var phi_1100_: f32;
-    var phi_1107_: f32;
-    var phi_1113_: f32;
-    var phi_1119_: f32;
-    var phi_1138_: f32;
-    var phi_1145_: f32;
-    var phi_1151_: f32;
-    var phi_1157_: f32;
-    var phi_1176_: f32;
-    var phi_1183_: f32;
-    var phi_1189_: f32;
-    var phi_1195_: f32;
-    var phi_1210_: f32;
-    var phi_1215_: f32;
-    var phi_1220_: f32;
-    var phi_1225_: f32;
-    var phi_1230_: f32;
-    var phi_1289_: f32;
-    var phi_1312_: f32;
-    var phi_1335_: f32;
-    var phi_1357_: f32;
+    var phi_894_: f32;
+    var phi_901_: f32;
+    var phi_909_: f32;
+    var phi_1002_: f32;
+    var phi_1009_: f32;
+    var phi_1015_: f32;
+    var phi_1021_: f32;
+    var phi_1040_: f32;
+    var phi_1047_: f32;
+    var phi_1053_: f32;
+    var phi_1059_: f32;
+    var phi_1078_: f32;
+    var phi_1085_: f32;
+    var phi_1091_: f32;
+    var phi_1097_: f32;
+    var phi_1116_: f32;
+    var phi_1123_: f32;
+    var phi_1129_: f32;
+    var phi_1135_: f32;
+    var phi_1154_: f32;
+    var phi_1161_: f32;
+    var phi_1167_: f32;
+    var phi_1173_: f32;
+    var phi_1192_: f32;
+    var phi_1199_: f32;
+    var phi_1205_: f32;
+    var phi_1211_: f32;
+    var phi_1226_: f32;
+    var phi_1231_: f32;
+    var phi_1236_: f32;
+    var phi_1241_: f32;
+    var phi_1246_: f32;
+    var phi_1305_: f32;
+    var phi_1328_: f32;
+    var phi_1351_: f32;
     var phi_1373_: f32;
-    var phi_1428_: f32;
-    var phi_1451_: f32;
-    var phi_1474_: f32;
-    var phi_1496_: f32;
+    var phi_1389_: f32;
+    var phi_1444_: f32;
+    var phi_1467_: f32;
+    var phi_1490_: f32;
     var phi_1512_: f32;
-    var phi_1567_: f32;
-    var phi_1590_: f32;
-    var phi_1613_: f32;
-    var phi_1635_: f32;
+    var phi_1528_: f32;
+    var phi_1583_: f32;
+    var phi_1606_: f32;
+    var phi_1629_: f32;
     var phi_1651_: f32;
-    var phi_1706_: f32;
-    var phi_1729_: f32;
-    var phi_1753_: f32;
-    var phi_1776_: f32;
+    var phi_1667_: f32;
+    var phi_1722_: f32;
+    var phi_1745_: f32;
+    var phi_1769_: f32;
     var phi_1792_: f32;
-    var phi_1847_: f32;
-    var phi_1870_: f32;
-    var phi_1894_: f32;
-    var phi_1917_: f32;
+    var phi_1808_: f32;
+    var phi_1863_: f32;
+    var phi_1886_: f32;
+    var phi_1910_: f32;
     var phi_1933_: f32;
-    var phi_1988_: f32;
-    var phi_2011_: f32;
-    var phi_2035_: f32;
-    var phi_2058_: f32;
+    var phi_1949_: f32;
+    var phi_2004_: f32;
+    var phi_2027_: f32;
+    var phi_2051_: f32;
     var phi_2074_: f32;
-    var phi_2129_: f32;
-    var phi_2152_: f32;
-    var phi_2176_: f32;
-    var phi_2199_: f32;
+    var phi_2090_: f32;
+    var phi_2145_: f32;
+    var phi_2168_: f32;
+    var phi_2192_: f32;
     var phi_2215_: f32;
-    var phi_2270_: f32;
-    var phi_2293_: f32;
-    var phi_2317_: f32;
-    var phi_2340_: f32;
+    var phi_2231_: f32;
+    var phi_2286_: f32;
+    var phi_2309_: f32;
+    var phi_2333_: f32;
     var phi_2356_: f32;
-    var phi_2411_: f32;
-    var phi_2434_: f32;
-    var phi_2458_: f32;
-    var phi_2481_: f32;
+    var phi_2372_: f32;
+    var phi_2427_: f32;
+    var phi_2450_: f32;
+    var phi_2474_: f32;
     var phi_2497_: f32;
-    var phi_2504_: f32;
-    var phi_2509_: f32;
-    var phi_2514_: f32;
-    var phi_2519_: f32;
-    var phi_2524_: f32;
-    var phi_2529_: f32;
-    var phi_2534_: f32;
-    var phi_2539_: f32;
-    var phi_2543_: bool;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2547_: bool;
-    var phi_2548_: bool;
-    var phi_2552_: bool;
-    var phi_2553_: bool;
+    var phi_2513_: f32;
+    var phi_2520_: f32;
+    var phi_2525_: f32;
+    var phi_2530_: f32;
+    var phi_2535_: f32;
+    var phi_2540_: f32;
+    var phi_2545_: f32;
+    var phi_2550_: f32;
+    var phi_2555_: f32;
+    var phi_2559_: bool;
+    var phi_2561_: bool;
+    var phi_2562_: bool;
+    var phi_2563_: bool;
+    var phi_2564_: bool;
+    var phi_2568_: bool;
+    var phi_2569_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -261,17 +262,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e38 = id_2;
     let _e39 = n_2;
     let _e40 = lane_2;
-    let _e56 = ((((_e38.y * _e39.x) + _e38.x) * 256u) + _e40);
+    let _e55 = ((((_e38.y * _e39.x) + _e38.x) * 256u) + _e40);
     let _e58 = params.member.member_2.member_2;
     if (_e58 == 0u) {
         return;
     }
-    let _e60 = (_e56 / _e58);
+    let _e60 = (_e55 / _e58);
     let _e62 = params.member.member_2.member_2;
     if (_e62 == 0u) {
         return;
     }
-    let _e64 = (_e56 % _e62);
+    let _e64 = (_e55 % _e62);
     let _e66 = params.member.member_2.member;
     let _e67 = (_e66 == 1u);
     if _e67 {
@@ -313,966 +314,973 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e98 = a_nodes.member[_e93[0]];
         let _e101 = b_nodes.member[_e93[1]];
         let _e104 = params.member.member_2.member;
-        if (_e104 == 0u) {
-            phi_241_ = array<u32, 2>(0u, 2u);
+        if (_e104 == 1u) {
+            phi_242_ = (_e93[0] == _e93[1]);
         } else {
-            phi_241_ = array<u32, 2>(1u, 1u);
+            phi_242_ = false;
         }
-        let _e107 = phi_241_;
-        let _e113 = params.member.member.member[_e107[0]];
-        let _e114 = (_e113 - 1u);
-        let _e118 = params.member.member.member[_e107[1]];
-        let _e119 = (_e118 - 1u);
-        let _e123 = params.member.member.member_2[_e107[0]];
-        let _e127 = params.member.member.member_2[_e107[1]];
-        let _e130 = params.member.member_2.member;
-        let _e131 = (_e130 == 1u);
-        if _e131 {
-            if (_e93[0] == _e93[1]) {
-                if (_e98.member_3 == 4294967295u) {
-                    phi_294_ = false;
-                } else {
-                    phi_294_ = true;
-                }
-                let _e138 = phi_294_;
-                phi_295_ = _e138;
+        let _e110 = phi_242_;
+        if _e110 {
+            if (_e98.member_3 == 4294967295u) {
+                phi_251_ = false;
             } else {
-                phi_295_ = true;
+                phi_251_ = true;
             }
-            let _e140 = phi_295_;
-            phi_296_ = _e140;
+            let _e114 = phi_251_;
+            phi_252_ = _e114;
         } else {
-            phi_296_ = true;
+            phi_252_ = true;
         }
-        let _e142 = phi_296_;
-        if _e142 {
+        let _e116 = phi_252_;
+        if _e116 {
             if ((((((_e98.member[0] <= _e101.member_2[0]) && (_e101.member[0] <= _e98.member_2[0])) && (_e98.member[1] <= _e101.member_2[1])) && (_e101.member[1] <= _e98.member_2[1])) && (_e98.member[2] <= _e101.member_2[2])) && (_e101.member[2] <= _e98.member_2[2])) {
-                if _e131 {
-                    phi_338_ = (_e93[0] == _e93[1]);
+                let _e146 = params.member.member_2.member;
+                let _e150 = params.member.member_2.member;
+                if (_e150 == 0u) {
+                    phi_301_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_338_ = false;
+                    phi_301_ = array<u32, 2>(1u, 1u);
                 }
-                let _e174 = phi_338_;
-                if _e174 {
-                    phi_2547_ = bool();
-                    phi_2548_ = true;
+                let _e153 = phi_301_;
+                let _e159 = params.member.member.member[_e153[0]];
+                let _e160 = (_e159 - 1u);
+                let _e164 = params.member.member.member[_e153[1]];
+                let _e165 = (_e164 - 1u);
+                let _e168 = params.member.member_2.member;
+                if (_e168 == 0u) {
+                    phi_329_ = array<u32, 2>(0u, 2u);
                 } else {
-                    if (_e93[0] >= _e114) {
-                        if (_e93[1] >= _e119) {
-                            phi_350_ = false;
+                    phi_329_ = array<u32, 2>(1u, 1u);
+                }
+                let _e171 = phi_329_;
+                let _e177 = params.member.member.member_2[_e171[0]];
+                let _e181 = params.member.member.member_2[_e171[1]];
+                if (_e146 == 1u) {
+                    phi_354_ = (_e93[0] == _e93[1]);
+                } else {
+                    phi_354_ = false;
+                }
+                let _e186 = phi_354_;
+                if _e186 {
+                    phi_2563_ = bool();
+                    phi_2564_ = true;
+                } else {
+                    if (_e93[0] >= _e160) {
+                        if (_e93[1] >= _e165) {
+                            phi_366_ = false;
                         } else {
-                            phi_350_ = true;
+                            phi_366_ = true;
                         }
-                        let _e178 = phi_350_;
-                        phi_351_ = _e178;
+                        let _e190 = phi_366_;
+                        phi_367_ = _e190;
                     } else {
-                        phi_351_ = true;
+                        phi_367_ = true;
                     }
-                    let _e180 = phi_351_;
-                    if _e180 {
-                        if (_e93[0] < _e114) {
-                            let _e260 = oriented.member[(_e123 + _e93[0])];
-                            phi_498_ = type_25(array<f32, 3>(_e260.member.x, _e260.member.y, _e260.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e260.member.w, _e260.member_1.x, _e260.member_1.y), array<f32, 3>(_e260.member_1.z, _e260.member_1.w, _e260.member_2.x), array<f32, 3>(_e260.member_2.y, _e260.member_2.z, _e260.member_2.w)), array<f32, 3>(_e260.member_3.x, _e260.member_3.y, _e260.member_3.z));
+                    let _e192 = phi_367_;
+                    if _e192 {
+                        if (_e93[0] < _e160) {
+                            let _e272 = oriented.member[(_e177 + _e93[0])];
+                            phi_514_ = type_25(array<f32, 3>(_e272.member.x, _e272.member.y, _e272.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e272.member.w, _e272.member_1.x, _e272.member_1.y), array<f32, 3>(_e272.member_1.z, _e272.member_1.w, _e272.member_2.x), array<f32, 3>(_e272.member_2.y, _e272.member_2.z, _e272.member_2.w)), array<f32, 3>(_e272.member_3.x, _e272.member_3.y, _e272.member_3.z));
                         } else {
-                            let _e183 = a_nodes.member[_e93[0]];
-                            let _e198 = ((_e183.member[0] * 0.5f) + (_e183.member_2[0] * 0.5f));
-                            let _e199 = ((_e183.member[1] * 0.5f) + (_e183.member_2[1] * 0.5f));
-                            let _e200 = ((_e183.member[2] * 0.5f) + (_e183.member_2[2] * 0.5f));
-                            if (_e198 < _e183.member_2[0]) {
-                                phi_424_ = _e198;
+                            let _e195 = a_nodes.member[_e93[0]];
+                            let _e210 = ((_e195.member[0] * 0.5f) + (_e195.member_2[0] * 0.5f));
+                            let _e211 = ((_e195.member[1] * 0.5f) + (_e195.member_2[1] * 0.5f));
+                            let _e212 = ((_e195.member[2] * 0.5f) + (_e195.member_2[2] * 0.5f));
+                            if (_e210 < _e195.member_2[0]) {
+                                phi_440_ = _e210;
                             } else {
-                                phi_424_ = _e183.member_2[0];
+                                phi_440_ = _e195.member_2[0];
                             }
-                            let _e204 = phi_424_;
-                            if (_e199 < _e183.member_2[1]) {
-                                phi_430_ = _e199;
+                            let _e216 = phi_440_;
+                            if (_e211 < _e195.member_2[1]) {
+                                phi_446_ = _e211;
                             } else {
-                                phi_430_ = _e183.member_2[1];
+                                phi_446_ = _e195.member_2[1];
                             }
-                            let _e208 = phi_430_;
-                            if (_e200 < _e183.member_2[2]) {
-                                phi_436_ = _e200;
+                            let _e220 = phi_446_;
+                            if (_e212 < _e195.member_2[2]) {
+                                phi_452_ = _e212;
                             } else {
-                                phi_436_ = _e183.member_2[2];
+                                phi_452_ = _e195.member_2[2];
                             }
-                            let _e212 = phi_436_;
-                            if (_e204 > _e183.member[0]) {
-                                phi_442_ = _e204;
+                            let _e224 = phi_452_;
+                            if (_e216 > _e195.member[0]) {
+                                phi_458_ = _e216;
                             } else {
-                                phi_442_ = _e183.member[0];
+                                phi_458_ = _e195.member[0];
                             }
-                            let _e216 = phi_442_;
-                            if (_e208 > _e183.member[1]) {
-                                phi_448_ = _e208;
+                            let _e228 = phi_458_;
+                            if (_e220 > _e195.member[1]) {
+                                phi_464_ = _e220;
                             } else {
-                                phi_448_ = _e183.member[1];
+                                phi_464_ = _e195.member[1];
                             }
-                            let _e220 = phi_448_;
-                            if (_e212 > _e183.member[2]) {
-                                phi_454_ = _e212;
+                            let _e232 = phi_464_;
+                            if (_e224 > _e195.member[2]) {
+                                phi_470_ = _e224;
                             } else {
-                                phi_454_ = _e183.member[2];
+                                phi_470_ = _e195.member[2];
                             }
-                            let _e224 = phi_454_;
-                            let _e227 = (_e183.member_2[0] - _e216);
-                            let _e229 = (_e183.member_2[1] - _e220);
-                            let _e231 = (_e183.member_2[2] - _e224);
-                            let _e233 = (_e216 - _e183.member[0]);
-                            let _e235 = (_e220 - _e183.member[1]);
-                            let _e237 = (_e224 - _e183.member[2]);
-                            if (_e227 > _e233) {
-                                phi_472_ = _e227;
+                            let _e236 = phi_470_;
+                            let _e239 = (_e195.member_2[0] - _e228);
+                            let _e241 = (_e195.member_2[1] - _e232);
+                            let _e243 = (_e195.member_2[2] - _e236);
+                            let _e245 = (_e228 - _e195.member[0]);
+                            let _e247 = (_e232 - _e195.member[1]);
+                            let _e249 = (_e236 - _e195.member[2]);
+                            if (_e239 > _e245) {
+                                phi_488_ = _e239;
                             } else {
-                                phi_472_ = _e233;
+                                phi_488_ = _e245;
                             }
-                            let _e240 = phi_472_;
-                            if (_e229 > _e235) {
-                                phi_477_ = _e229;
+                            let _e252 = phi_488_;
+                            if (_e241 > _e247) {
+                                phi_493_ = _e241;
                             } else {
-                                phi_477_ = _e235;
+                                phi_493_ = _e247;
                             }
-                            let _e243 = phi_477_;
-                            if (_e231 > _e237) {
-                                phi_482_ = _e231;
+                            let _e255 = phi_493_;
+                            if (_e243 > _e249) {
+                                phi_498_ = _e243;
                             } else {
-                                phi_482_ = _e237;
+                                phi_498_ = _e249;
                             }
-                            let _e246 = phi_482_;
-                            let _e248 = (1f + (0.000000059604645f * 4f));
-                            let _e252 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_498_ = type_25(array<f32, 3>(_e216, _e220, _e224), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e240 * _e248) + _e252), ((_e243 * _e248) + _e252), ((_e246 * _e248) + _e252)));
+                            let _e258 = phi_498_;
+                            let _e260 = (1f + (0.000000059604645f * 4f));
+                            let _e264 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_514_ = type_25(array<f32, 3>(_e228, _e232, _e236), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e252 * _e260) + _e264), ((_e255 * _e260) + _e264), ((_e258 * _e260) + _e264)));
                         }
-                        let _e299 = phi_498_;
-                        if (_e93[1] < _e119) {
-                            let _e379 = oriented.member[(_e127 + _e93[1])];
-                            phi_642_ = type_25(array<f32, 3>(_e379.member.x, _e379.member.y, _e379.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e379.member.w, _e379.member_1.x, _e379.member_1.y), array<f32, 3>(_e379.member_1.z, _e379.member_1.w, _e379.member_2.x), array<f32, 3>(_e379.member_2.y, _e379.member_2.z, _e379.member_2.w)), array<f32, 3>(_e379.member_3.x, _e379.member_3.y, _e379.member_3.z));
+                        let _e311 = phi_514_;
+                        if (_e93[1] < _e165) {
+                            let _e391 = oriented.member[(_e181 + _e93[1])];
+                            phi_658_ = type_25(array<f32, 3>(_e391.member.x, _e391.member.y, _e391.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e391.member.w, _e391.member_1.x, _e391.member_1.y), array<f32, 3>(_e391.member_1.z, _e391.member_1.w, _e391.member_2.x), array<f32, 3>(_e391.member_2.y, _e391.member_2.z, _e391.member_2.w)), array<f32, 3>(_e391.member_3.x, _e391.member_3.y, _e391.member_3.z));
                         } else {
-                            let _e302 = b_nodes.member[_e93[1]];
-                            let _e317 = ((_e302.member[0] * 0.5f) + (_e302.member_2[0] * 0.5f));
-                            let _e318 = ((_e302.member[1] * 0.5f) + (_e302.member_2[1] * 0.5f));
-                            let _e319 = ((_e302.member[2] * 0.5f) + (_e302.member_2[2] * 0.5f));
-                            if (_e317 < _e302.member_2[0]) {
-                                phi_568_ = _e317;
+                            let _e314 = b_nodes.member[_e93[1]];
+                            let _e329 = ((_e314.member[0] * 0.5f) + (_e314.member_2[0] * 0.5f));
+                            let _e330 = ((_e314.member[1] * 0.5f) + (_e314.member_2[1] * 0.5f));
+                            let _e331 = ((_e314.member[2] * 0.5f) + (_e314.member_2[2] * 0.5f));
+                            if (_e329 < _e314.member_2[0]) {
+                                phi_584_ = _e329;
                             } else {
-                                phi_568_ = _e302.member_2[0];
+                                phi_584_ = _e314.member_2[0];
                             }
-                            let _e323 = phi_568_;
-                            if (_e318 < _e302.member_2[1]) {
-                                phi_574_ = _e318;
+                            let _e335 = phi_584_;
+                            if (_e330 < _e314.member_2[1]) {
+                                phi_590_ = _e330;
                             } else {
-                                phi_574_ = _e302.member_2[1];
+                                phi_590_ = _e314.member_2[1];
                             }
-                            let _e327 = phi_574_;
-                            if (_e319 < _e302.member_2[2]) {
-                                phi_580_ = _e319;
+                            let _e339 = phi_590_;
+                            if (_e331 < _e314.member_2[2]) {
+                                phi_596_ = _e331;
                             } else {
-                                phi_580_ = _e302.member_2[2];
+                                phi_596_ = _e314.member_2[2];
                             }
-                            let _e331 = phi_580_;
-                            if (_e323 > _e302.member[0]) {
-                                phi_586_ = _e323;
+                            let _e343 = phi_596_;
+                            if (_e335 > _e314.member[0]) {
+                                phi_602_ = _e335;
                             } else {
-                                phi_586_ = _e302.member[0];
+                                phi_602_ = _e314.member[0];
                             }
-                            let _e335 = phi_586_;
-                            if (_e327 > _e302.member[1]) {
-                                phi_592_ = _e327;
+                            let _e347 = phi_602_;
+                            if (_e339 > _e314.member[1]) {
+                                phi_608_ = _e339;
                             } else {
-                                phi_592_ = _e302.member[1];
+                                phi_608_ = _e314.member[1];
                             }
-                            let _e339 = phi_592_;
-                            if (_e331 > _e302.member[2]) {
-                                phi_598_ = _e331;
+                            let _e351 = phi_608_;
+                            if (_e343 > _e314.member[2]) {
+                                phi_614_ = _e343;
                             } else {
-                                phi_598_ = _e302.member[2];
+                                phi_614_ = _e314.member[2];
                             }
-                            let _e343 = phi_598_;
-                            let _e346 = (_e302.member_2[0] - _e335);
-                            let _e348 = (_e302.member_2[1] - _e339);
-                            let _e350 = (_e302.member_2[2] - _e343);
-                            let _e352 = (_e335 - _e302.member[0]);
-                            let _e354 = (_e339 - _e302.member[1]);
-                            let _e356 = (_e343 - _e302.member[2]);
-                            if (_e346 > _e352) {
-                                phi_616_ = _e346;
+                            let _e355 = phi_614_;
+                            let _e358 = (_e314.member_2[0] - _e347);
+                            let _e360 = (_e314.member_2[1] - _e351);
+                            let _e362 = (_e314.member_2[2] - _e355);
+                            let _e364 = (_e347 - _e314.member[0]);
+                            let _e366 = (_e351 - _e314.member[1]);
+                            let _e368 = (_e355 - _e314.member[2]);
+                            if (_e358 > _e364) {
+                                phi_632_ = _e358;
                             } else {
-                                phi_616_ = _e352;
+                                phi_632_ = _e364;
                             }
-                            let _e359 = phi_616_;
-                            if (_e348 > _e354) {
-                                phi_621_ = _e348;
+                            let _e371 = phi_632_;
+                            if (_e360 > _e366) {
+                                phi_637_ = _e360;
                             } else {
-                                phi_621_ = _e354;
+                                phi_637_ = _e366;
                             }
-                            let _e362 = phi_621_;
-                            if (_e350 > _e356) {
-                                phi_626_ = _e350;
+                            let _e374 = phi_637_;
+                            if (_e362 > _e368) {
+                                phi_642_ = _e362;
                             } else {
-                                phi_626_ = _e356;
+                                phi_642_ = _e368;
                             }
-                            let _e365 = phi_626_;
-                            let _e367 = (1f + (0.000000059604645f * 4f));
-                            let _e371 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_642_ = type_25(array<f32, 3>(_e335, _e339, _e343), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e359 * _e367) + _e371), ((_e362 * _e367) + _e371), ((_e365 * _e367) + _e371)));
+                            let _e377 = phi_642_;
+                            let _e379 = (1f + (0.000000059604645f * 4f));
+                            let _e383 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_658_ = type_25(array<f32, 3>(_e347, _e351, _e355), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e371 * _e379) + _e383), ((_e374 * _e379) + _e383), ((_e377 * _e379) + _e383)));
                         }
-                        let _e418 = phi_642_;
-                        let _e423 = (_e418.member[0] - _e299.member[0]);
-                        let _e426 = (_e418.member[1] - _e299.member[1]);
-                        let _e429 = (_e418.member[2] - _e299.member[2]);
-                        if (_e423 < 0f) {
-                            phi_832_ = -(_e423);
+                        let _e430 = phi_658_;
+                        let _e435 = (_e430.member[0] - _e311.member[0]);
+                        let _e438 = (_e430.member[1] - _e311.member[1]);
+                        let _e441 = (_e430.member[2] - _e311.member[2]);
+                        if (_e435 < 0f) {
+                            phi_848_ = -(_e435);
                         } else {
-                            phi_832_ = _e423;
+                            phi_848_ = _e435;
                         }
-                        let _e618 = phi_832_;
-                        if (_e426 < 0f) {
-                            phi_838_ = -(_e426);
+                        let _e630 = phi_848_;
+                        if (_e438 < 0f) {
+                            phi_854_ = -(_e438);
                         } else {
-                            phi_838_ = _e426;
-                        }
-                        let _e622 = phi_838_;
-                        if (_e429 < 0f) {
-                            phi_845_ = -(_e429);
-                        } else {
-                            phi_845_ = _e429;
-                        }
-                        let _e627 = phi_845_;
-                        if (_e299.member_2[0] < 0f) {
-                            phi_854_ = -(_e299.member_2[0]);
-                        } else {
-                            phi_854_ = _e299.member_2[0];
+                            phi_854_ = _e438;
                         }
                         let _e634 = phi_854_;
-                        if (_e299.member_2[1] < 0f) {
-                            phi_861_ = -(_e299.member_2[1]);
+                        if (_e441 < 0f) {
+                            phi_861_ = -(_e441);
                         } else {
-                            phi_861_ = _e299.member_2[1];
+                            phi_861_ = _e441;
                         }
                         let _e639 = phi_861_;
-                        if (_e299.member_2[2] < 0f) {
-                            phi_869_ = -(_e299.member_2[2]);
+                        if (_e311.member_2[0] < 0f) {
+                            phi_870_ = -(_e311.member_2[0]);
                         } else {
-                            phi_869_ = _e299.member_2[2];
+                            phi_870_ = _e311.member_2[0];
                         }
-                        let _e645 = phi_869_;
-                        if (_e418.member_2[0] < 0f) {
-                            phi_878_ = -(_e418.member_2[0]);
+                        let _e646 = phi_870_;
+                        if (_e311.member_2[1] < 0f) {
+                            phi_877_ = -(_e311.member_2[1]);
                         } else {
-                            phi_878_ = _e418.member_2[0];
+                            phi_877_ = _e311.member_2[1];
                         }
-                        let _e652 = phi_878_;
-                        if (_e418.member_2[1] < 0f) {
-                            phi_885_ = -(_e418.member_2[1]);
+                        let _e651 = phi_877_;
+                        if (_e311.member_2[2] < 0f) {
+                            phi_885_ = -(_e311.member_2[2]);
                         } else {
-                            phi_885_ = _e418.member_2[1];
+                            phi_885_ = _e311.member_2[2];
                         }
                         let _e657 = phi_885_;
-                        if (_e418.member_2[2] < 0f) {
-                            phi_893_ = -(_e418.member_2[2]);
+                        if (_e430.member_2[0] < 0f) {
+                            phi_894_ = -(_e430.member_2[0]);
                         } else {
-                            phi_893_ = _e418.member_2[2];
+                            phi_894_ = _e430.member_2[0];
                         }
-                        let _e663 = phi_893_;
-                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[0][0]) + (_e418.member_1[0][1] * _e299.member_1[0][1])) + (_e418.member_1[0][2] * _e299.member_1[0][2])), (((_e418.member_1[1][0] * _e299.member_1[0][0]) + (_e418.member_1[1][1] * _e299.member_1[0][1])) + (_e418.member_1[1][2] * _e299.member_1[0][2])), (((_e418.member_1[2][0] * _e299.member_1[0][0]) + (_e418.member_1[2][1] * _e299.member_1[0][1])) + (_e418.member_1[2][2] * _e299.member_1[0][2]))), array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[1][0]) + (_e418.member_1[0][1] * _e299.member_1[1][1])) + (_e418.member_1[0][2] * _e299.member_1[1][2])), (((_e418.member_1[1][0] * _e299.member_1[1][0]) + (_e418.member_1[1][1] * _e299.member_1[1][1])) + (_e418.member_1[1][2] * _e299.member_1[1][2])), (((_e418.member_1[2][0] * _e299.member_1[1][0]) + (_e418.member_1[2][1] * _e299.member_1[1][1])) + (_e418.member_1[2][2] * _e299.member_1[1][2]))), array<f32, 3>((((_e418.member_1[0][0] * _e299.member_1[2][0]) + (_e418.member_1[0][1] * _e299.member_1[2][1])) + (_e418.member_1[0][2] * _e299.member_1[2][2])), (((_e418.member_1[1][0] * _e299.member_1[2][0]) + (_e418.member_1[1][1] * _e299.member_1[2][1])) + (_e418.member_1[1][2] * _e299.member_1[2][2])), (((_e418.member_1[2][0] * _e299.member_1[2][0]) + (_e418.member_1[2][1] * _e299.member_1[2][1])) + (_e418.member_1[2][2] * _e299.member_1[2][2])))), array<f32, 3>((((_e299.member_1[0][0] * _e423) + (_e299.member_1[0][1] * _e426)) + (_e299.member_1[0][2] * _e429)), (((_e299.member_1[1][0] * _e423) + (_e299.member_1[1][1] * _e426)) + (_e299.member_1[1][2] * _e429)), (((_e299.member_1[2][0] * _e423) + (_e299.member_1[2][1] * _e426)) + (_e299.member_1[2][2] * _e429))), array<f32, 3>((((_e418.member_1[0][0] * _e423) + (_e418.member_1[0][1] * _e426)) + (_e418.member_1[0][2] * _e429)), (((_e418.member_1[1][0] * _e423) + (_e418.member_1[1][1] * _e426)) + (_e418.member_1[1][2] * _e429)), (((_e418.member_1[2][0] * _e423) + (_e418.member_1[2][1] * _e426)) + (_e418.member_1[2][2] * _e429))), array<f32, 3>(_e299.member_2[0], _e299.member_2[1], _e299.member_2[2]), array<f32, 3>(_e418.member_2[0], _e418.member_2[1], _e418.member_2[2]), ((((((_e618 + _e622) + _e627) + (((_e634 + _e639) + _e645) + ((_e652 + _e657) + _e663))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                        let _e690 = local.member[0u][0u];
-                        let _e694 = local.member[0u][1u];
-                        let _e698 = local.member[0u][2u];
-                        let _e702 = local.member[1u][0u];
-                        let _e706 = local.member[1u][1u];
-                        let _e710 = local.member[1u][2u];
-                        let _e714 = local.member[2u][0u];
-                        let _e718 = local.member[2u][1u];
-                        let _e722 = local.member[2u][2u];
-                        let _e724 = local.member_3;
-                        let _e729 = local.member_4;
-                        let _e735 = local.member_1[0u];
-                        if (_e735 < 0f) {
-                            phi_986_ = -(_e735);
+                        let _e664 = phi_894_;
+                        if (_e430.member_2[1] < 0f) {
+                            phi_901_ = -(_e430.member_2[1]);
                         } else {
-                            phi_986_ = _e735;
+                            phi_901_ = _e430.member_2[1];
                         }
-                        let _e739 = phi_986_;
-                        if (_e690 < 0f) {
-                            phi_993_ = -(_e690);
+                        let _e669 = phi_901_;
+                        if (_e430.member_2[2] < 0f) {
+                            phi_909_ = -(_e430.member_2[2]);
                         } else {
-                            phi_993_ = _e690;
+                            phi_909_ = _e430.member_2[2];
                         }
-                        let _e743 = phi_993_;
-                        if (_e694 < 0f) {
-                            phi_999_ = -(_e694);
+                        let _e675 = phi_909_;
+                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[0][0]) + (_e430.member_1[0][1] * _e311.member_1[0][1])) + (_e430.member_1[0][2] * _e311.member_1[0][2])), (((_e430.member_1[1][0] * _e311.member_1[0][0]) + (_e430.member_1[1][1] * _e311.member_1[0][1])) + (_e430.member_1[1][2] * _e311.member_1[0][2])), (((_e430.member_1[2][0] * _e311.member_1[0][0]) + (_e430.member_1[2][1] * _e311.member_1[0][1])) + (_e430.member_1[2][2] * _e311.member_1[0][2]))), array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[1][0]) + (_e430.member_1[0][1] * _e311.member_1[1][1])) + (_e430.member_1[0][2] * _e311.member_1[1][2])), (((_e430.member_1[1][0] * _e311.member_1[1][0]) + (_e430.member_1[1][1] * _e311.member_1[1][1])) + (_e430.member_1[1][2] * _e311.member_1[1][2])), (((_e430.member_1[2][0] * _e311.member_1[1][0]) + (_e430.member_1[2][1] * _e311.member_1[1][1])) + (_e430.member_1[2][2] * _e311.member_1[1][2]))), array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[2][0]) + (_e430.member_1[0][1] * _e311.member_1[2][1])) + (_e430.member_1[0][2] * _e311.member_1[2][2])), (((_e430.member_1[1][0] * _e311.member_1[2][0]) + (_e430.member_1[1][1] * _e311.member_1[2][1])) + (_e430.member_1[1][2] * _e311.member_1[2][2])), (((_e430.member_1[2][0] * _e311.member_1[2][0]) + (_e430.member_1[2][1] * _e311.member_1[2][1])) + (_e430.member_1[2][2] * _e311.member_1[2][2])))), array<f32, 3>((((_e311.member_1[0][0] * _e435) + (_e311.member_1[0][1] * _e438)) + (_e311.member_1[0][2] * _e441)), (((_e311.member_1[1][0] * _e435) + (_e311.member_1[1][1] * _e438)) + (_e311.member_1[1][2] * _e441)), (((_e311.member_1[2][0] * _e435) + (_e311.member_1[2][1] * _e438)) + (_e311.member_1[2][2] * _e441))), array<f32, 3>((((_e430.member_1[0][0] * _e435) + (_e430.member_1[0][1] * _e438)) + (_e430.member_1[0][2] * _e441)), (((_e430.member_1[1][0] * _e435) + (_e430.member_1[1][1] * _e438)) + (_e430.member_1[1][2] * _e441)), (((_e430.member_1[2][0] * _e435) + (_e430.member_1[2][1] * _e438)) + (_e430.member_1[2][2] * _e441))), array<f32, 3>(_e311.member_2[0], _e311.member_2[1], _e311.member_2[2]), array<f32, 3>(_e430.member_2[0], _e430.member_2[1], _e430.member_2[2]), ((((((_e630 + _e634) + _e639) + (((_e646 + _e651) + _e657) + ((_e664 + _e669) + _e675))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                        let _e702 = local.member[0u][0u];
+                        let _e706 = local.member[0u][1u];
+                        let _e710 = local.member[0u][2u];
+                        let _e714 = local.member[1u][0u];
+                        let _e718 = local.member[1u][1u];
+                        let _e722 = local.member[1u][2u];
+                        let _e726 = local.member[2u][0u];
+                        let _e730 = local.member[2u][1u];
+                        let _e734 = local.member[2u][2u];
+                        let _e736 = local.member_3;
+                        let _e741 = local.member_4;
+                        let _e747 = local.member_1[0u];
+                        if (_e747 < 0f) {
+                            phi_1002_ = -(_e747);
                         } else {
-                            phi_999_ = _e694;
+                            phi_1002_ = _e747;
                         }
-                        let _e747 = phi_999_;
-                        if (_e698 < 0f) {
-                            phi_1005_ = -(_e698);
-                        } else {
-                            phi_1005_ = _e698;
-                        }
-                        let _e751 = phi_1005_;
-                        let _e758 = (_e739 - (_e724[0] + (((_e743 * _e729[0]) + (_e747 * _e729[1])) + (_e751 * _e729[2]))));
-                        let _e761 = local.member_1[1u];
-                        if (_e761 < 0f) {
-                            phi_1024_ = -(_e761);
-                        } else {
-                            phi_1024_ = _e761;
-                        }
-                        let _e765 = phi_1024_;
+                        let _e751 = phi_1002_;
                         if (_e702 < 0f) {
-                            phi_1031_ = -(_e702);
+                            phi_1009_ = -(_e702);
                         } else {
-                            phi_1031_ = _e702;
+                            phi_1009_ = _e702;
                         }
-                        let _e769 = phi_1031_;
+                        let _e755 = phi_1009_;
                         if (_e706 < 0f) {
-                            phi_1037_ = -(_e706);
+                            phi_1015_ = -(_e706);
                         } else {
-                            phi_1037_ = _e706;
+                            phi_1015_ = _e706;
                         }
-                        let _e773 = phi_1037_;
+                        let _e759 = phi_1015_;
                         if (_e710 < 0f) {
-                            phi_1043_ = -(_e710);
+                            phi_1021_ = -(_e710);
                         } else {
-                            phi_1043_ = _e710;
+                            phi_1021_ = _e710;
                         }
-                        let _e777 = phi_1043_;
-                        let _e784 = (_e765 - (_e724[1] + (((_e769 * _e729[0]) + (_e773 * _e729[1])) + (_e777 * _e729[2]))));
-                        let _e787 = local.member_1[2u];
-                        if (_e787 < 0f) {
-                            phi_1062_ = -(_e787);
+                        let _e763 = phi_1021_;
+                        let _e770 = (_e751 - (_e736[0] + (((_e755 * _e741[0]) + (_e759 * _e741[1])) + (_e763 * _e741[2]))));
+                        let _e773 = local.member_1[1u];
+                        if (_e773 < 0f) {
+                            phi_1040_ = -(_e773);
                         } else {
-                            phi_1062_ = _e787;
+                            phi_1040_ = _e773;
                         }
-                        let _e791 = phi_1062_;
+                        let _e777 = phi_1040_;
                         if (_e714 < 0f) {
-                            phi_1069_ = -(_e714);
+                            phi_1047_ = -(_e714);
                         } else {
-                            phi_1069_ = _e714;
+                            phi_1047_ = _e714;
                         }
-                        let _e795 = phi_1069_;
+                        let _e781 = phi_1047_;
                         if (_e718 < 0f) {
-                            phi_1075_ = -(_e718);
+                            phi_1053_ = -(_e718);
                         } else {
-                            phi_1075_ = _e718;
+                            phi_1053_ = _e718;
                         }
-                        let _e799 = phi_1075_;
+                        let _e785 = phi_1053_;
                         if (_e722 < 0f) {
-                            phi_1081_ = -(_e722);
+                            phi_1059_ = -(_e722);
                         } else {
-                            phi_1081_ = _e722;
+                            phi_1059_ = _e722;
                         }
-                        let _e803 = phi_1081_;
-                        let _e810 = (_e791 - (_e724[2] + (((_e795 * _e729[0]) + (_e799 * _e729[1])) + (_e803 * _e729[2]))));
-                        let _e813 = local.member_2[0u];
-                        if (_e813 < 0f) {
-                            phi_1100_ = -(_e813);
+                        let _e789 = phi_1059_;
+                        let _e796 = (_e777 - (_e736[1] + (((_e781 * _e741[0]) + (_e785 * _e741[1])) + (_e789 * _e741[2]))));
+                        let _e799 = local.member_1[2u];
+                        if (_e799 < 0f) {
+                            phi_1078_ = -(_e799);
                         } else {
-                            phi_1100_ = _e813;
+                            phi_1078_ = _e799;
                         }
-                        let _e817 = phi_1100_;
-                        if (_e690 < 0f) {
-                            phi_1107_ = -(_e690);
+                        let _e803 = phi_1078_;
+                        if (_e726 < 0f) {
+                            phi_1085_ = -(_e726);
                         } else {
-                            phi_1107_ = _e690;
+                            phi_1085_ = _e726;
                         }
-                        let _e821 = phi_1107_;
+                        let _e807 = phi_1085_;
+                        if (_e730 < 0f) {
+                            phi_1091_ = -(_e730);
+                        } else {
+                            phi_1091_ = _e730;
+                        }
+                        let _e811 = phi_1091_;
+                        if (_e734 < 0f) {
+                            phi_1097_ = -(_e734);
+                        } else {
+                            phi_1097_ = _e734;
+                        }
+                        let _e815 = phi_1097_;
+                        let _e822 = (_e803 - (_e736[2] + (((_e807 * _e741[0]) + (_e811 * _e741[1])) + (_e815 * _e741[2]))));
+                        let _e825 = local.member_2[0u];
+                        if (_e825 < 0f) {
+                            phi_1116_ = -(_e825);
+                        } else {
+                            phi_1116_ = _e825;
+                        }
+                        let _e829 = phi_1116_;
                         if (_e702 < 0f) {
-                            phi_1113_ = -(_e702);
+                            phi_1123_ = -(_e702);
                         } else {
-                            phi_1113_ = _e702;
+                            phi_1123_ = _e702;
                         }
-                        let _e825 = phi_1113_;
+                        let _e833 = phi_1123_;
                         if (_e714 < 0f) {
-                            phi_1119_ = -(_e714);
+                            phi_1129_ = -(_e714);
                         } else {
-                            phi_1119_ = _e714;
+                            phi_1129_ = _e714;
                         }
-                        let _e829 = phi_1119_;
-                        let _e836 = (_e817 - (_e729[0] + (((_e821 * _e724[0]) + (_e825 * _e724[1])) + (_e829 * _e724[2]))));
-                        let _e839 = local.member_2[1u];
-                        if (_e839 < 0f) {
-                            phi_1138_ = -(_e839);
+                        let _e837 = phi_1129_;
+                        if (_e726 < 0f) {
+                            phi_1135_ = -(_e726);
                         } else {
-                            phi_1138_ = _e839;
+                            phi_1135_ = _e726;
                         }
-                        let _e843 = phi_1138_;
-                        if (_e694 < 0f) {
-                            phi_1145_ = -(_e694);
+                        let _e841 = phi_1135_;
+                        let _e848 = (_e829 - (_e741[0] + (((_e833 * _e736[0]) + (_e837 * _e736[1])) + (_e841 * _e736[2]))));
+                        let _e851 = local.member_2[1u];
+                        if (_e851 < 0f) {
+                            phi_1154_ = -(_e851);
                         } else {
-                            phi_1145_ = _e694;
+                            phi_1154_ = _e851;
                         }
-                        let _e847 = phi_1145_;
+                        let _e855 = phi_1154_;
                         if (_e706 < 0f) {
-                            phi_1151_ = -(_e706);
+                            phi_1161_ = -(_e706);
                         } else {
-                            phi_1151_ = _e706;
+                            phi_1161_ = _e706;
                         }
-                        let _e851 = phi_1151_;
+                        let _e859 = phi_1161_;
                         if (_e718 < 0f) {
-                            phi_1157_ = -(_e718);
+                            phi_1167_ = -(_e718);
                         } else {
-                            phi_1157_ = _e718;
+                            phi_1167_ = _e718;
                         }
-                        let _e855 = phi_1157_;
-                        let _e862 = (_e843 - (_e729[1] + (((_e847 * _e724[0]) + (_e851 * _e724[1])) + (_e855 * _e724[2]))));
-                        let _e865 = local.member_2[2u];
-                        if (_e865 < 0f) {
-                            phi_1176_ = -(_e865);
+                        let _e863 = phi_1167_;
+                        if (_e730 < 0f) {
+                            phi_1173_ = -(_e730);
                         } else {
-                            phi_1176_ = _e865;
+                            phi_1173_ = _e730;
                         }
-                        let _e869 = phi_1176_;
-                        if (_e698 < 0f) {
-                            phi_1183_ = -(_e698);
+                        let _e867 = phi_1173_;
+                        let _e874 = (_e855 - (_e741[1] + (((_e859 * _e736[0]) + (_e863 * _e736[1])) + (_e867 * _e736[2]))));
+                        let _e877 = local.member_2[2u];
+                        if (_e877 < 0f) {
+                            phi_1192_ = -(_e877);
                         } else {
-                            phi_1183_ = _e698;
+                            phi_1192_ = _e877;
                         }
-                        let _e873 = phi_1183_;
+                        let _e881 = phi_1192_;
                         if (_e710 < 0f) {
-                            phi_1189_ = -(_e710);
+                            phi_1199_ = -(_e710);
                         } else {
-                            phi_1189_ = _e710;
+                            phi_1199_ = _e710;
                         }
-                        let _e877 = phi_1189_;
+                        let _e885 = phi_1199_;
                         if (_e722 < 0f) {
-                            phi_1195_ = -(_e722);
+                            phi_1205_ = -(_e722);
                         } else {
-                            phi_1195_ = _e722;
+                            phi_1205_ = _e722;
                         }
-                        let _e881 = phi_1195_;
-                        let _e888 = (_e869 - (_e729[2] + (((_e873 * _e724[0]) + (_e877 * _e724[1])) + (_e881 * _e724[2]))));
-                        if (_e758 > _e784) {
-                            phi_1210_ = _e758;
+                        let _e889 = phi_1205_;
+                        if (_e734 < 0f) {
+                            phi_1211_ = -(_e734);
                         } else {
-                            phi_1210_ = _e784;
+                            phi_1211_ = _e734;
                         }
-                        let _e891 = phi_1210_;
-                        if (_e891 > _e810) {
-                            phi_1215_ = _e891;
+                        let _e893 = phi_1211_;
+                        let _e900 = (_e881 - (_e741[2] + (((_e885 * _e736[0]) + (_e889 * _e736[1])) + (_e893 * _e736[2]))));
+                        if (_e770 > _e796) {
+                            phi_1226_ = _e770;
                         } else {
-                            phi_1215_ = _e810;
+                            phi_1226_ = _e796;
                         }
-                        let _e894 = phi_1215_;
-                        if (_e836 > _e862) {
-                            phi_1220_ = _e836;
+                        let _e903 = phi_1226_;
+                        if (_e903 > _e822) {
+                            phi_1231_ = _e903;
                         } else {
-                            phi_1220_ = _e862;
+                            phi_1231_ = _e822;
                         }
-                        let _e897 = phi_1220_;
-                        if (_e897 > _e888) {
-                            phi_1225_ = _e897;
+                        let _e906 = phi_1231_;
+                        if (_e848 > _e874) {
+                            phi_1236_ = _e848;
                         } else {
-                            phi_1225_ = _e888;
+                            phi_1236_ = _e874;
                         }
-                        let _e900 = phi_1225_;
-                        if (_e894 > _e900) {
-                            phi_1230_ = _e894;
+                        let _e909 = phi_1236_;
+                        if (_e909 > _e900) {
+                            phi_1241_ = _e909;
                         } else {
-                            phi_1230_ = _e900;
+                            phi_1241_ = _e900;
                         }
-                        let _e903 = phi_1230_;
-                        let _e905 = local.member_5;
-                        if (_e903 > _e905) {
-                            phi_2543_ = true;
+                        let _e912 = phi_1241_;
+                        if (_e906 > _e912) {
+                            phi_1246_ = _e906;
                         } else {
-                            let _e910 = local.member[1u][0u];
-                            let _e913 = local.member_1[2u];
-                            let _e918 = local.member[2u][0u];
-                            let _e921 = local.member_1[1u];
-                            let _e923 = ((_e910 * _e913) - (_e918 * _e921));
-                            let _e927 = local.member[2u][0u];
-                            if (_e927 < 0f) {
-                                phi_1289_ = -(_e927);
-                            } else {
-                                phi_1289_ = _e927;
-                            }
-                            let _e931 = phi_1289_;
-                            let _e934 = local.member_3[1u];
-                            let _e939 = local.member[1u][0u];
+                            phi_1246_ = _e912;
+                        }
+                        let _e915 = phi_1246_;
+                        let _e917 = local.member_5;
+                        if (_e915 > _e917) {
+                            phi_2559_ = true;
+                        } else {
+                            let _e922 = local.member[1u][0u];
+                            let _e925 = local.member_1[2u];
+                            let _e930 = local.member[2u][0u];
+                            let _e933 = local.member_1[1u];
+                            let _e935 = ((_e922 * _e925) - (_e930 * _e933));
+                            let _e939 = local.member[2u][0u];
                             if (_e939 < 0f) {
-                                phi_1312_ = -(_e939);
+                                phi_1305_ = -(_e939);
                             } else {
-                                phi_1312_ = _e939;
+                                phi_1305_ = _e939;
                             }
-                            let _e943 = phi_1312_;
-                            let _e946 = local.member_3[2u];
-                            let _e952 = local.member[0u][2u];
-                            if (_e952 < 0f) {
-                                phi_1335_ = -(_e952);
+                            let _e943 = phi_1305_;
+                            let _e946 = local.member_3[1u];
+                            let _e951 = local.member[1u][0u];
+                            if (_e951 < 0f) {
+                                phi_1328_ = -(_e951);
                             } else {
-                                phi_1335_ = _e952;
+                                phi_1328_ = _e951;
                             }
-                            let _e956 = phi_1335_;
-                            let _e959 = local.member_4[1u];
-                            let _e964 = local.member[0u][1u];
+                            let _e955 = phi_1328_;
+                            let _e958 = local.member_3[2u];
+                            let _e964 = local.member[0u][2u];
                             if (_e964 < 0f) {
-                                phi_1357_ = -(_e964);
+                                phi_1351_ = -(_e964);
                             } else {
-                                phi_1357_ = _e964;
+                                phi_1351_ = _e964;
                             }
-                            let _e968 = phi_1357_;
-                            let _e971 = local.member_4[2u];
-                            if (_e923 < 0f) {
-                                phi_1373_ = -(_e923);
+                            let _e968 = phi_1351_;
+                            let _e971 = local.member_4[1u];
+                            let _e976 = local.member[0u][1u];
+                            if (_e976 < 0f) {
+                                phi_1373_ = -(_e976);
                             } else {
-                                phi_1373_ = _e923;
+                                phi_1373_ = _e976;
                             }
-                            let _e977 = phi_1373_;
-                            let _e979 = (_e977 - (((_e931 * _e934) + (_e943 * _e946)) + ((_e956 * _e959) + (_e968 * _e971))));
-                            let _e983 = local.member[1u][1u];
-                            let _e986 = local.member_1[2u];
-                            let _e991 = local.member[2u][1u];
-                            let _e994 = local.member_1[1u];
-                            let _e996 = ((_e983 * _e986) - (_e991 * _e994));
-                            let _e1000 = local.member[2u][1u];
-                            if (_e1000 < 0f) {
-                                phi_1428_ = -(_e1000);
+                            let _e980 = phi_1373_;
+                            let _e983 = local.member_4[2u];
+                            if (_e935 < 0f) {
+                                phi_1389_ = -(_e935);
                             } else {
-                                phi_1428_ = _e1000;
+                                phi_1389_ = _e935;
                             }
-                            let _e1004 = phi_1428_;
-                            let _e1007 = local.member_3[1u];
-                            let _e1012 = local.member[1u][1u];
+                            let _e989 = phi_1389_;
+                            let _e991 = (_e989 - (((_e943 * _e946) + (_e955 * _e958)) + ((_e968 * _e971) + (_e980 * _e983))));
+                            let _e995 = local.member[1u][1u];
+                            let _e998 = local.member_1[2u];
+                            let _e1003 = local.member[2u][1u];
+                            let _e1006 = local.member_1[1u];
+                            let _e1008 = ((_e995 * _e998) - (_e1003 * _e1006));
+                            let _e1012 = local.member[2u][1u];
                             if (_e1012 < 0f) {
-                                phi_1451_ = -(_e1012);
+                                phi_1444_ = -(_e1012);
                             } else {
-                                phi_1451_ = _e1012;
+                                phi_1444_ = _e1012;
                             }
-                            let _e1016 = phi_1451_;
-                            let _e1019 = local.member_3[2u];
-                            let _e1025 = local.member[0u][0u];
-                            if (_e1025 < 0f) {
-                                phi_1474_ = -(_e1025);
+                            let _e1016 = phi_1444_;
+                            let _e1019 = local.member_3[1u];
+                            let _e1024 = local.member[1u][1u];
+                            if (_e1024 < 0f) {
+                                phi_1467_ = -(_e1024);
                             } else {
-                                phi_1474_ = _e1025;
+                                phi_1467_ = _e1024;
                             }
-                            let _e1029 = phi_1474_;
-                            let _e1032 = local.member_4[2u];
-                            let _e1037 = local.member[0u][2u];
+                            let _e1028 = phi_1467_;
+                            let _e1031 = local.member_3[2u];
+                            let _e1037 = local.member[0u][0u];
                             if (_e1037 < 0f) {
-                                phi_1496_ = -(_e1037);
+                                phi_1490_ = -(_e1037);
                             } else {
-                                phi_1496_ = _e1037;
+                                phi_1490_ = _e1037;
                             }
-                            let _e1041 = phi_1496_;
-                            let _e1044 = local.member_4[0u];
-                            if (_e996 < 0f) {
-                                phi_1512_ = -(_e996);
+                            let _e1041 = phi_1490_;
+                            let _e1044 = local.member_4[2u];
+                            let _e1049 = local.member[0u][2u];
+                            if (_e1049 < 0f) {
+                                phi_1512_ = -(_e1049);
                             } else {
-                                phi_1512_ = _e996;
+                                phi_1512_ = _e1049;
                             }
-                            let _e1050 = phi_1512_;
-                            let _e1052 = (_e1050 - (((_e1004 * _e1007) + (_e1016 * _e1019)) + ((_e1029 * _e1032) + (_e1041 * _e1044))));
-                            let _e1056 = local.member[1u][2u];
-                            let _e1059 = local.member_1[2u];
-                            let _e1064 = local.member[2u][2u];
-                            let _e1067 = local.member_1[1u];
-                            let _e1069 = ((_e1056 * _e1059) - (_e1064 * _e1067));
-                            let _e1073 = local.member[2u][2u];
-                            if (_e1073 < 0f) {
-                                phi_1567_ = -(_e1073);
+                            let _e1053 = phi_1512_;
+                            let _e1056 = local.member_4[0u];
+                            if (_e1008 < 0f) {
+                                phi_1528_ = -(_e1008);
                             } else {
-                                phi_1567_ = _e1073;
+                                phi_1528_ = _e1008;
                             }
-                            let _e1077 = phi_1567_;
-                            let _e1080 = local.member_3[1u];
-                            let _e1085 = local.member[1u][2u];
+                            let _e1062 = phi_1528_;
+                            let _e1064 = (_e1062 - (((_e1016 * _e1019) + (_e1028 * _e1031)) + ((_e1041 * _e1044) + (_e1053 * _e1056))));
+                            let _e1068 = local.member[1u][2u];
+                            let _e1071 = local.member_1[2u];
+                            let _e1076 = local.member[2u][2u];
+                            let _e1079 = local.member_1[1u];
+                            let _e1081 = ((_e1068 * _e1071) - (_e1076 * _e1079));
+                            let _e1085 = local.member[2u][2u];
                             if (_e1085 < 0f) {
-                                phi_1590_ = -(_e1085);
+                                phi_1583_ = -(_e1085);
                             } else {
-                                phi_1590_ = _e1085;
+                                phi_1583_ = _e1085;
                             }
-                            let _e1089 = phi_1590_;
-                            let _e1092 = local.member_3[2u];
-                            let _e1098 = local.member[0u][1u];
-                            if (_e1098 < 0f) {
-                                phi_1613_ = -(_e1098);
+                            let _e1089 = phi_1583_;
+                            let _e1092 = local.member_3[1u];
+                            let _e1097 = local.member[1u][2u];
+                            if (_e1097 < 0f) {
+                                phi_1606_ = -(_e1097);
                             } else {
-                                phi_1613_ = _e1098;
+                                phi_1606_ = _e1097;
                             }
-                            let _e1102 = phi_1613_;
-                            let _e1105 = local.member_4[0u];
-                            let _e1110 = local.member[0u][0u];
+                            let _e1101 = phi_1606_;
+                            let _e1104 = local.member_3[2u];
+                            let _e1110 = local.member[0u][1u];
                             if (_e1110 < 0f) {
-                                phi_1635_ = -(_e1110);
+                                phi_1629_ = -(_e1110);
                             } else {
-                                phi_1635_ = _e1110;
+                                phi_1629_ = _e1110;
                             }
-                            let _e1114 = phi_1635_;
-                            let _e1117 = local.member_4[1u];
-                            if (_e1069 < 0f) {
-                                phi_1651_ = -(_e1069);
+                            let _e1114 = phi_1629_;
+                            let _e1117 = local.member_4[0u];
+                            let _e1122 = local.member[0u][0u];
+                            if (_e1122 < 0f) {
+                                phi_1651_ = -(_e1122);
                             } else {
-                                phi_1651_ = _e1069;
+                                phi_1651_ = _e1122;
                             }
-                            let _e1123 = phi_1651_;
-                            let _e1125 = (_e1123 - (((_e1077 * _e1080) + (_e1089 * _e1092)) + ((_e1102 * _e1105) + (_e1114 * _e1117))));
-                            let _e1129 = local.member[2u][0u];
-                            let _e1132 = local.member_1[0u];
-                            let _e1137 = local.member[0u][0u];
-                            let _e1140 = local.member_1[2u];
-                            let _e1142 = ((_e1129 * _e1132) - (_e1137 * _e1140));
-                            let _e1146 = local.member[0u][0u];
-                            if (_e1146 < 0f) {
-                                phi_1706_ = -(_e1146);
+                            let _e1126 = phi_1651_;
+                            let _e1129 = local.member_4[1u];
+                            if (_e1081 < 0f) {
+                                phi_1667_ = -(_e1081);
                             } else {
-                                phi_1706_ = _e1146;
+                                phi_1667_ = _e1081;
                             }
-                            let _e1150 = phi_1706_;
-                            let _e1153 = local.member_3[2u];
-                            let _e1158 = local.member[2u][0u];
+                            let _e1135 = phi_1667_;
+                            let _e1137 = (_e1135 - (((_e1089 * _e1092) + (_e1101 * _e1104)) + ((_e1114 * _e1117) + (_e1126 * _e1129))));
+                            let _e1141 = local.member[2u][0u];
+                            let _e1144 = local.member_1[0u];
+                            let _e1149 = local.member[0u][0u];
+                            let _e1152 = local.member_1[2u];
+                            let _e1154 = ((_e1141 * _e1144) - (_e1149 * _e1152));
+                            let _e1158 = local.member[0u][0u];
                             if (_e1158 < 0f) {
-                                phi_1729_ = -(_e1158);
+                                phi_1722_ = -(_e1158);
                             } else {
-                                phi_1729_ = _e1158;
+                                phi_1722_ = _e1158;
                             }
-                            let _e1162 = phi_1729_;
-                            let _e1165 = local.member_3[0u];
-                            let _e1171 = local.member[1u][2u];
-                            if (_e1171 < 0f) {
-                                phi_1753_ = -(_e1171);
+                            let _e1162 = phi_1722_;
+                            let _e1165 = local.member_3[2u];
+                            let _e1170 = local.member[2u][0u];
+                            if (_e1170 < 0f) {
+                                phi_1745_ = -(_e1170);
                             } else {
-                                phi_1753_ = _e1171;
+                                phi_1745_ = _e1170;
                             }
-                            let _e1175 = phi_1753_;
-                            let _e1178 = local.member_4[1u];
-                            let _e1183 = local.member[1u][1u];
+                            let _e1174 = phi_1745_;
+                            let _e1177 = local.member_3[0u];
+                            let _e1183 = local.member[1u][2u];
                             if (_e1183 < 0f) {
-                                phi_1776_ = -(_e1183);
+                                phi_1769_ = -(_e1183);
                             } else {
-                                phi_1776_ = _e1183;
+                                phi_1769_ = _e1183;
                             }
-                            let _e1187 = phi_1776_;
-                            let _e1190 = local.member_4[2u];
-                            if (_e1142 < 0f) {
-                                phi_1792_ = -(_e1142);
+                            let _e1187 = phi_1769_;
+                            let _e1190 = local.member_4[1u];
+                            let _e1195 = local.member[1u][1u];
+                            if (_e1195 < 0f) {
+                                phi_1792_ = -(_e1195);
                             } else {
-                                phi_1792_ = _e1142;
+                                phi_1792_ = _e1195;
                             }
-                            let _e1196 = phi_1792_;
-                            let _e1198 = (_e1196 - (((_e1150 * _e1153) + (_e1162 * _e1165)) + ((_e1175 * _e1178) + (_e1187 * _e1190))));
-                            let _e1202 = local.member[2u][1u];
-                            let _e1205 = local.member_1[0u];
-                            let _e1210 = local.member[0u][1u];
-                            let _e1213 = local.member_1[2u];
-                            let _e1215 = ((_e1202 * _e1205) - (_e1210 * _e1213));
-                            let _e1219 = local.member[0u][1u];
-                            if (_e1219 < 0f) {
-                                phi_1847_ = -(_e1219);
+                            let _e1199 = phi_1792_;
+                            let _e1202 = local.member_4[2u];
+                            if (_e1154 < 0f) {
+                                phi_1808_ = -(_e1154);
                             } else {
-                                phi_1847_ = _e1219;
+                                phi_1808_ = _e1154;
                             }
-                            let _e1223 = phi_1847_;
-                            let _e1226 = local.member_3[2u];
-                            let _e1231 = local.member[2u][1u];
+                            let _e1208 = phi_1808_;
+                            let _e1210 = (_e1208 - (((_e1162 * _e1165) + (_e1174 * _e1177)) + ((_e1187 * _e1190) + (_e1199 * _e1202))));
+                            let _e1214 = local.member[2u][1u];
+                            let _e1217 = local.member_1[0u];
+                            let _e1222 = local.member[0u][1u];
+                            let _e1225 = local.member_1[2u];
+                            let _e1227 = ((_e1214 * _e1217) - (_e1222 * _e1225));
+                            let _e1231 = local.member[0u][1u];
                             if (_e1231 < 0f) {
-                                phi_1870_ = -(_e1231);
+                                phi_1863_ = -(_e1231);
                             } else {
-                                phi_1870_ = _e1231;
+                                phi_1863_ = _e1231;
                             }
-                            let _e1235 = phi_1870_;
-                            let _e1238 = local.member_3[0u];
-                            let _e1244 = local.member[1u][0u];
-                            if (_e1244 < 0f) {
-                                phi_1894_ = -(_e1244);
+                            let _e1235 = phi_1863_;
+                            let _e1238 = local.member_3[2u];
+                            let _e1243 = local.member[2u][1u];
+                            if (_e1243 < 0f) {
+                                phi_1886_ = -(_e1243);
                             } else {
-                                phi_1894_ = _e1244;
+                                phi_1886_ = _e1243;
                             }
-                            let _e1248 = phi_1894_;
-                            let _e1251 = local.member_4[2u];
-                            let _e1256 = local.member[1u][2u];
+                            let _e1247 = phi_1886_;
+                            let _e1250 = local.member_3[0u];
+                            let _e1256 = local.member[1u][0u];
                             if (_e1256 < 0f) {
-                                phi_1917_ = -(_e1256);
+                                phi_1910_ = -(_e1256);
                             } else {
-                                phi_1917_ = _e1256;
+                                phi_1910_ = _e1256;
                             }
-                            let _e1260 = phi_1917_;
-                            let _e1263 = local.member_4[0u];
-                            if (_e1215 < 0f) {
-                                phi_1933_ = -(_e1215);
+                            let _e1260 = phi_1910_;
+                            let _e1263 = local.member_4[2u];
+                            let _e1268 = local.member[1u][2u];
+                            if (_e1268 < 0f) {
+                                phi_1933_ = -(_e1268);
                             } else {
-                                phi_1933_ = _e1215;
+                                phi_1933_ = _e1268;
                             }
-                            let _e1269 = phi_1933_;
-                            let _e1271 = (_e1269 - (((_e1223 * _e1226) + (_e1235 * _e1238)) + ((_e1248 * _e1251) + (_e1260 * _e1263))));
-                            let _e1275 = local.member[2u][2u];
-                            let _e1278 = local.member_1[0u];
-                            let _e1283 = local.member[0u][2u];
-                            let _e1286 = local.member_1[2u];
-                            let _e1288 = ((_e1275 * _e1278) - (_e1283 * _e1286));
-                            let _e1292 = local.member[0u][2u];
-                            if (_e1292 < 0f) {
-                                phi_1988_ = -(_e1292);
+                            let _e1272 = phi_1933_;
+                            let _e1275 = local.member_4[0u];
+                            if (_e1227 < 0f) {
+                                phi_1949_ = -(_e1227);
                             } else {
-                                phi_1988_ = _e1292;
+                                phi_1949_ = _e1227;
                             }
-                            let _e1296 = phi_1988_;
-                            let _e1299 = local.member_3[2u];
-                            let _e1304 = local.member[2u][2u];
+                            let _e1281 = phi_1949_;
+                            let _e1283 = (_e1281 - (((_e1235 * _e1238) + (_e1247 * _e1250)) + ((_e1260 * _e1263) + (_e1272 * _e1275))));
+                            let _e1287 = local.member[2u][2u];
+                            let _e1290 = local.member_1[0u];
+                            let _e1295 = local.member[0u][2u];
+                            let _e1298 = local.member_1[2u];
+                            let _e1300 = ((_e1287 * _e1290) - (_e1295 * _e1298));
+                            let _e1304 = local.member[0u][2u];
                             if (_e1304 < 0f) {
-                                phi_2011_ = -(_e1304);
+                                phi_2004_ = -(_e1304);
                             } else {
-                                phi_2011_ = _e1304;
+                                phi_2004_ = _e1304;
                             }
-                            let _e1308 = phi_2011_;
-                            let _e1311 = local.member_3[0u];
-                            let _e1317 = local.member[1u][1u];
-                            if (_e1317 < 0f) {
-                                phi_2035_ = -(_e1317);
+                            let _e1308 = phi_2004_;
+                            let _e1311 = local.member_3[2u];
+                            let _e1316 = local.member[2u][2u];
+                            if (_e1316 < 0f) {
+                                phi_2027_ = -(_e1316);
                             } else {
-                                phi_2035_ = _e1317;
+                                phi_2027_ = _e1316;
                             }
-                            let _e1321 = phi_2035_;
-                            let _e1324 = local.member_4[0u];
-                            let _e1329 = local.member[1u][0u];
+                            let _e1320 = phi_2027_;
+                            let _e1323 = local.member_3[0u];
+                            let _e1329 = local.member[1u][1u];
                             if (_e1329 < 0f) {
-                                phi_2058_ = -(_e1329);
+                                phi_2051_ = -(_e1329);
                             } else {
-                                phi_2058_ = _e1329;
+                                phi_2051_ = _e1329;
                             }
-                            let _e1333 = phi_2058_;
-                            let _e1336 = local.member_4[1u];
-                            if (_e1288 < 0f) {
-                                phi_2074_ = -(_e1288);
+                            let _e1333 = phi_2051_;
+                            let _e1336 = local.member_4[0u];
+                            let _e1341 = local.member[1u][0u];
+                            if (_e1341 < 0f) {
+                                phi_2074_ = -(_e1341);
                             } else {
-                                phi_2074_ = _e1288;
+                                phi_2074_ = _e1341;
                             }
-                            let _e1342 = phi_2074_;
-                            let _e1344 = (_e1342 - (((_e1296 * _e1299) + (_e1308 * _e1311)) + ((_e1321 * _e1324) + (_e1333 * _e1336))));
-                            let _e1348 = local.member[0u][0u];
-                            let _e1351 = local.member_1[1u];
-                            let _e1356 = local.member[1u][0u];
-                            let _e1359 = local.member_1[0u];
-                            let _e1361 = ((_e1348 * _e1351) - (_e1356 * _e1359));
-                            let _e1365 = local.member[1u][0u];
-                            if (_e1365 < 0f) {
-                                phi_2129_ = -(_e1365);
+                            let _e1345 = phi_2074_;
+                            let _e1348 = local.member_4[1u];
+                            if (_e1300 < 0f) {
+                                phi_2090_ = -(_e1300);
                             } else {
-                                phi_2129_ = _e1365;
+                                phi_2090_ = _e1300;
                             }
-                            let _e1369 = phi_2129_;
-                            let _e1372 = local.member_3[0u];
-                            let _e1377 = local.member[0u][0u];
+                            let _e1354 = phi_2090_;
+                            let _e1356 = (_e1354 - (((_e1308 * _e1311) + (_e1320 * _e1323)) + ((_e1333 * _e1336) + (_e1345 * _e1348))));
+                            let _e1360 = local.member[0u][0u];
+                            let _e1363 = local.member_1[1u];
+                            let _e1368 = local.member[1u][0u];
+                            let _e1371 = local.member_1[0u];
+                            let _e1373 = ((_e1360 * _e1363) - (_e1368 * _e1371));
+                            let _e1377 = local.member[1u][0u];
                             if (_e1377 < 0f) {
-                                phi_2152_ = -(_e1377);
+                                phi_2145_ = -(_e1377);
                             } else {
-                                phi_2152_ = _e1377;
+                                phi_2145_ = _e1377;
                             }
-                            let _e1381 = phi_2152_;
-                            let _e1384 = local.member_3[1u];
-                            let _e1390 = local.member[2u][2u];
-                            if (_e1390 < 0f) {
-                                phi_2176_ = -(_e1390);
+                            let _e1381 = phi_2145_;
+                            let _e1384 = local.member_3[0u];
+                            let _e1389 = local.member[0u][0u];
+                            if (_e1389 < 0f) {
+                                phi_2168_ = -(_e1389);
                             } else {
-                                phi_2176_ = _e1390;
+                                phi_2168_ = _e1389;
                             }
-                            let _e1394 = phi_2176_;
-                            let _e1397 = local.member_4[1u];
-                            let _e1402 = local.member[2u][1u];
+                            let _e1393 = phi_2168_;
+                            let _e1396 = local.member_3[1u];
+                            let _e1402 = local.member[2u][2u];
                             if (_e1402 < 0f) {
-                                phi_2199_ = -(_e1402);
+                                phi_2192_ = -(_e1402);
                             } else {
-                                phi_2199_ = _e1402;
+                                phi_2192_ = _e1402;
                             }
-                            let _e1406 = phi_2199_;
-                            let _e1409 = local.member_4[2u];
-                            if (_e1361 < 0f) {
-                                phi_2215_ = -(_e1361);
+                            let _e1406 = phi_2192_;
+                            let _e1409 = local.member_4[1u];
+                            let _e1414 = local.member[2u][1u];
+                            if (_e1414 < 0f) {
+                                phi_2215_ = -(_e1414);
                             } else {
-                                phi_2215_ = _e1361;
+                                phi_2215_ = _e1414;
                             }
-                            let _e1415 = phi_2215_;
-                            let _e1417 = (_e1415 - (((_e1369 * _e1372) + (_e1381 * _e1384)) + ((_e1394 * _e1397) + (_e1406 * _e1409))));
-                            let _e1421 = local.member[0u][1u];
-                            let _e1424 = local.member_1[1u];
-                            let _e1429 = local.member[1u][1u];
-                            let _e1432 = local.member_1[0u];
-                            let _e1434 = ((_e1421 * _e1424) - (_e1429 * _e1432));
-                            let _e1438 = local.member[1u][1u];
-                            if (_e1438 < 0f) {
-                                phi_2270_ = -(_e1438);
+                            let _e1418 = phi_2215_;
+                            let _e1421 = local.member_4[2u];
+                            if (_e1373 < 0f) {
+                                phi_2231_ = -(_e1373);
                             } else {
-                                phi_2270_ = _e1438;
+                                phi_2231_ = _e1373;
                             }
-                            let _e1442 = phi_2270_;
-                            let _e1445 = local.member_3[0u];
-                            let _e1450 = local.member[0u][1u];
+                            let _e1427 = phi_2231_;
+                            let _e1429 = (_e1427 - (((_e1381 * _e1384) + (_e1393 * _e1396)) + ((_e1406 * _e1409) + (_e1418 * _e1421))));
+                            let _e1433 = local.member[0u][1u];
+                            let _e1436 = local.member_1[1u];
+                            let _e1441 = local.member[1u][1u];
+                            let _e1444 = local.member_1[0u];
+                            let _e1446 = ((_e1433 * _e1436) - (_e1441 * _e1444));
+                            let _e1450 = local.member[1u][1u];
                             if (_e1450 < 0f) {
-                                phi_2293_ = -(_e1450);
+                                phi_2286_ = -(_e1450);
                             } else {
-                                phi_2293_ = _e1450;
+                                phi_2286_ = _e1450;
                             }
-                            let _e1454 = phi_2293_;
-                            let _e1457 = local.member_3[1u];
-                            let _e1463 = local.member[2u][0u];
-                            if (_e1463 < 0f) {
-                                phi_2317_ = -(_e1463);
+                            let _e1454 = phi_2286_;
+                            let _e1457 = local.member_3[0u];
+                            let _e1462 = local.member[0u][1u];
+                            if (_e1462 < 0f) {
+                                phi_2309_ = -(_e1462);
                             } else {
-                                phi_2317_ = _e1463;
+                                phi_2309_ = _e1462;
                             }
-                            let _e1467 = phi_2317_;
-                            let _e1470 = local.member_4[2u];
-                            let _e1475 = local.member[2u][2u];
+                            let _e1466 = phi_2309_;
+                            let _e1469 = local.member_3[1u];
+                            let _e1475 = local.member[2u][0u];
                             if (_e1475 < 0f) {
-                                phi_2340_ = -(_e1475);
+                                phi_2333_ = -(_e1475);
                             } else {
-                                phi_2340_ = _e1475;
+                                phi_2333_ = _e1475;
                             }
-                            let _e1479 = phi_2340_;
-                            let _e1482 = local.member_4[0u];
-                            if (_e1434 < 0f) {
-                                phi_2356_ = -(_e1434);
+                            let _e1479 = phi_2333_;
+                            let _e1482 = local.member_4[2u];
+                            let _e1487 = local.member[2u][2u];
+                            if (_e1487 < 0f) {
+                                phi_2356_ = -(_e1487);
                             } else {
-                                phi_2356_ = _e1434;
+                                phi_2356_ = _e1487;
                             }
-                            let _e1488 = phi_2356_;
-                            let _e1490 = (_e1488 - (((_e1442 * _e1445) + (_e1454 * _e1457)) + ((_e1467 * _e1470) + (_e1479 * _e1482))));
-                            let _e1494 = local.member[0u][2u];
-                            let _e1497 = local.member_1[1u];
-                            let _e1502 = local.member[1u][2u];
-                            let _e1505 = local.member_1[0u];
-                            let _e1507 = ((_e1494 * _e1497) - (_e1502 * _e1505));
-                            let _e1511 = local.member[1u][2u];
-                            if (_e1511 < 0f) {
-                                phi_2411_ = -(_e1511);
+                            let _e1491 = phi_2356_;
+                            let _e1494 = local.member_4[0u];
+                            if (_e1446 < 0f) {
+                                phi_2372_ = -(_e1446);
                             } else {
-                                phi_2411_ = _e1511;
+                                phi_2372_ = _e1446;
                             }
-                            let _e1515 = phi_2411_;
-                            let _e1518 = local.member_3[0u];
-                            let _e1523 = local.member[0u][2u];
+                            let _e1500 = phi_2372_;
+                            let _e1502 = (_e1500 - (((_e1454 * _e1457) + (_e1466 * _e1469)) + ((_e1479 * _e1482) + (_e1491 * _e1494))));
+                            let _e1506 = local.member[0u][2u];
+                            let _e1509 = local.member_1[1u];
+                            let _e1514 = local.member[1u][2u];
+                            let _e1517 = local.member_1[0u];
+                            let _e1519 = ((_e1506 * _e1509) - (_e1514 * _e1517));
+                            let _e1523 = local.member[1u][2u];
                             if (_e1523 < 0f) {
-                                phi_2434_ = -(_e1523);
+                                phi_2427_ = -(_e1523);
                             } else {
-                                phi_2434_ = _e1523;
+                                phi_2427_ = _e1523;
                             }
-                            let _e1527 = phi_2434_;
-                            let _e1530 = local.member_3[1u];
-                            let _e1536 = local.member[2u][1u];
-                            if (_e1536 < 0f) {
-                                phi_2458_ = -(_e1536);
+                            let _e1527 = phi_2427_;
+                            let _e1530 = local.member_3[0u];
+                            let _e1535 = local.member[0u][2u];
+                            if (_e1535 < 0f) {
+                                phi_2450_ = -(_e1535);
                             } else {
-                                phi_2458_ = _e1536;
+                                phi_2450_ = _e1535;
                             }
-                            let _e1540 = phi_2458_;
-                            let _e1543 = local.member_4[0u];
-                            let _e1548 = local.member[2u][0u];
+                            let _e1539 = phi_2450_;
+                            let _e1542 = local.member_3[1u];
+                            let _e1548 = local.member[2u][1u];
                             if (_e1548 < 0f) {
-                                phi_2481_ = -(_e1548);
+                                phi_2474_ = -(_e1548);
                             } else {
-                                phi_2481_ = _e1548;
+                                phi_2474_ = _e1548;
                             }
-                            let _e1552 = phi_2481_;
-                            let _e1555 = local.member_4[1u];
-                            if (_e1507 < 0f) {
-                                phi_2497_ = -(_e1507);
+                            let _e1552 = phi_2474_;
+                            let _e1555 = local.member_4[0u];
+                            let _e1560 = local.member[2u][0u];
+                            if (_e1560 < 0f) {
+                                phi_2497_ = -(_e1560);
                             } else {
-                                phi_2497_ = _e1507;
+                                phi_2497_ = _e1560;
                             }
-                            let _e1561 = phi_2497_;
-                            let _e1563 = (_e1561 - (((_e1515 * _e1518) + (_e1527 * _e1530)) + ((_e1540 * _e1543) + (_e1552 * _e1555))));
-                            if (_e979 > _e1052) {
-                                phi_2504_ = _e979;
+                            let _e1564 = phi_2497_;
+                            let _e1567 = local.member_4[1u];
+                            if (_e1519 < 0f) {
+                                phi_2513_ = -(_e1519);
                             } else {
-                                phi_2504_ = _e1052;
+                                phi_2513_ = _e1519;
                             }
-                            let _e1566 = phi_2504_;
-                            if (_e1566 > _e1125) {
-                                phi_2509_ = _e1566;
+                            let _e1573 = phi_2513_;
+                            let _e1575 = (_e1573 - (((_e1527 * _e1530) + (_e1539 * _e1542)) + ((_e1552 * _e1555) + (_e1564 * _e1567))));
+                            if (_e991 > _e1064) {
+                                phi_2520_ = _e991;
                             } else {
-                                phi_2509_ = _e1125;
+                                phi_2520_ = _e1064;
                             }
-                            let _e1569 = phi_2509_;
-                            if (_e1198 > _e1271) {
-                                phi_2514_ = _e1198;
+                            let _e1578 = phi_2520_;
+                            if (_e1578 > _e1137) {
+                                phi_2525_ = _e1578;
                             } else {
-                                phi_2514_ = _e1271;
+                                phi_2525_ = _e1137;
                             }
-                            let _e1572 = phi_2514_;
-                            if (_e1572 > _e1344) {
-                                phi_2519_ = _e1572;
+                            let _e1581 = phi_2525_;
+                            if (_e1210 > _e1283) {
+                                phi_2530_ = _e1210;
                             } else {
-                                phi_2519_ = _e1344;
+                                phi_2530_ = _e1283;
                             }
-                            let _e1575 = phi_2519_;
-                            if (_e1569 > _e1575) {
-                                phi_2524_ = _e1569;
+                            let _e1584 = phi_2530_;
+                            if (_e1584 > _e1356) {
+                                phi_2535_ = _e1584;
                             } else {
-                                phi_2524_ = _e1575;
+                                phi_2535_ = _e1356;
                             }
-                            let _e1578 = phi_2524_;
-                            if (_e1417 > _e1490) {
-                                phi_2529_ = _e1417;
+                            let _e1587 = phi_2535_;
+                            if (_e1581 > _e1587) {
+                                phi_2540_ = _e1581;
                             } else {
-                                phi_2529_ = _e1490;
+                                phi_2540_ = _e1587;
                             }
-                            let _e1581 = phi_2529_;
-                            if (_e1581 > _e1563) {
-                                phi_2534_ = _e1581;
+                            let _e1590 = phi_2540_;
+                            if (_e1429 > _e1502) {
+                                phi_2545_ = _e1429;
                             } else {
-                                phi_2534_ = _e1563;
+                                phi_2545_ = _e1502;
                             }
-                            let _e1584 = phi_2534_;
-                            if (_e1578 > _e1584) {
-                                phi_2539_ = _e1578;
+                            let _e1593 = phi_2545_;
+                            if (_e1593 > _e1575) {
+                                phi_2550_ = _e1593;
                             } else {
-                                phi_2539_ = _e1584;
+                                phi_2550_ = _e1575;
                             }
-                            let _e1587 = phi_2539_;
-                            let _e1589 = local.member_5;
-                            phi_2543_ = (_e1587 > _e1589);
+                            let _e1596 = phi_2550_;
+                            if (_e1590 > _e1596) {
+                                phi_2555_ = _e1590;
+                            } else {
+                                phi_2555_ = _e1596;
+                            }
+                            let _e1599 = phi_2555_;
+                            let _e1601 = local.member_5;
+                            phi_2559_ = (_e1599 > _e1601);
                         }
-                        let _e1592 = phi_2543_;
-                        phi_2545_ = !(_e1592);
-                        phi_2546_ = false;
+                        let _e1604 = phi_2559_;
+                        phi_2561_ = !(_e1604);
+                        phi_2562_ = false;
                     } else {
-                        phi_2545_ = bool();
-                        phi_2546_ = true;
+                        phi_2561_ = bool();
+                        phi_2562_ = true;
                     }
-                    let _e1595 = phi_2545_;
-                    let _e1597 = phi_2546_;
-                    phi_2547_ = _e1595;
-                    phi_2548_ = _e1597;
+                    let _e1607 = phi_2561_;
+                    let _e1609 = phi_2562_;
+                    phi_2563_ = _e1607;
+                    phi_2564_ = _e1609;
                 }
-                let _e1599 = phi_2547_;
-                let _e1601 = phi_2548_;
-                if _e1601 {
-                    phi_2552_ = true;
+                let _e1611 = phi_2563_;
+                let _e1613 = phi_2564_;
+                if _e1613 {
+                    phi_2568_ = true;
                 } else {
-                    phi_2552_ = _e1599;
+                    phi_2568_ = _e1611;
                 }
-                let _e1603 = phi_2552_;
-                phi_2553_ = _e1603;
+                let _e1615 = phi_2568_;
+                phi_2569_ = _e1615;
             } else {
-                phi_2553_ = false;
+                phi_2569_ = false;
             }
-            let _e1605 = phi_2553_;
-            if _e1605 {
-                let _e1633 = atomicAdd((&control.member[0u]), 1u);
-                let _e1636 = atomicMax((&output.member[0u]), (_e1633 + 1u));
-                if ((_e1633 + 1u) < _e1633) {
-                    let _e1640 = atomicAdd((&output.member[2u]), 1u);
+            let _e1617 = phi_2569_;
+            if _e1617 {
+                let _e1645 = atomicAdd((&control.member[0u]), 1u);
+                let _e1648 = atomicMax((&output.member[0u]), (_e1645 + 1u));
+                if ((_e1645 + 1u) < _e1645) {
+                    let _e1652 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e1643 = params.member.member_2.member_3;
-                if (_e1633 < _e1643) {
-                    let _e1647 = (2u * _e1633);
-                    atomicStore((&output.member[(4u + _e1647)]), _e93[0]);
-                    atomicStore((&output.member[(_e1647 + 5u)]), _e93[1]);
+                let _e1655 = params.member.member_2.member_3;
+                if (_e1645 < _e1655) {
+                    let _e1659 = (2u * _e1645);
+                    atomicStore((&output.member[(4u + _e1659)]), _e93[0]);
+                    atomicStore((&output.member[(_e1659 + 5u)]), _e93[1]);
                 }
             } else {
-                let _e1608 = params.member.member_2.member_4;
-                if (_e1608 > 0u) {
-                    let _e1611 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e1611 + 1u) < _e1611) {
-                        let _e1615 = atomicAdd((&control.member[1538u]), 1u);
+                let _e1620 = params.member.member_2.member_4;
+                if (_e1620 > 0u) {
+                    let _e1623 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e1623 + 1u) < _e1623) {
+                        let _e1627 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e1618 = params.member.member_2.member_4;
-                    if (_e1611 < _e1618) {
-                        let _e1621 = params.member.member_2.member_5;
-                        let _e1623 = params.member.member_2.member_4;
-                        let _e1626 = (2u * ((_e1621 * _e1623) + _e1611));
-                        front.member[_e1626] = _e93[0];
-                        front.member[(_e1626 + 1u)] = _e93[1];
+                    let _e1630 = params.member.member_2.member_4;
+                    if (_e1623 < _e1630) {
+                        let _e1633 = params.member.member_2.member_5;
+                        let _e1635 = params.member.member_2.member_4;
+                        let _e1638 = (2u * ((_e1633 * _e1635) + _e1623));
+                        front.member[_e1638] = _e93[0];
+                        front.member[(_e1638 + 1u)] = _e93[1];
                     }
                 }
             }

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -86,14 +86,14 @@ struct type_25 {
     member: array<atomic<u32>>,
 }
 
+@group(0) @binding(3) 
+var<storage> input: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
-@group(0) @binding(3) 
-var<storage> input: type_10;
 @group(0) @binding(4) 
 var<storage, read_write> levels: type_25;
 @group(0) @binding(5) 
@@ -103,105 +103,105 @@ var<storage, read_write> pairs: type_25;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_106_: array<u32, 2>;
-    var phi_132_: u32;
-    var phi_150_: u32;
-    var phi_170_: u32;
-    var phi_173_: type_12;
-    var phi_174_: type_12;
-    var phi_197_: type_12;
-    var phi_305_: array<u32, 2>;
-    var phi_319_: array<u32, 2>;
-    var phi_356_: array<u32, 2>;
-    var phi_358_: type_22;
-    var phi_359_: type_22;
-    var phi_360_: bool;
+    var phi_109_: array<u32, 2>;
+    var phi_135_: u32;
+    var phi_153_: u32;
+    var phi_173_: u32;
+    var phi_176_: type_9;
+    var phi_177_: type_9;
+    var phi_200_: type_9;
+    var phi_308_: array<u32, 2>;
+    var phi_322_: array<u32, 2>;
+    var phi_359_: array<u32, 2>;
     var phi_361_: type_22;
-    var phi_362_: bool;
-    var phi_378_: bool;
-    var phi_422_: bool;
-    var phi_423_: bool;
-    var phi_424_: bool;
+    var phi_362_: type_22;
+    var phi_363_: bool;
+    var phi_364_: type_22;
+    var phi_365_: bool;
+    var phi_381_: bool;
     var phi_425_: bool;
     var phi_426_: bool;
     var phi_427_: bool;
-    var phi_533_: array<u32, 2>;
-    var phi_562_: array<u32, 2>;
-    var phi_591_: array<u32, 2>;
-    var phi_620_: array<u32, 2>;
-    var phi_622_: type_22;
-    var phi_623_: bool;
-    var phi_624_: type_22;
-    var phi_625_: bool;
-    var phi_798_: array<u32, 2>;
-    var phi_830_: array<u32, 2>;
-    var phi_698_: array<u32, 2>;
-    var phi_730_: array<u32, 2>;
-    var phi_832_: type_22;
-    var phi_833_: type_22;
-    var phi_834_: type_22;
-    var phi_835_: bool;
+    var phi_428_: bool;
+    var phi_429_: bool;
+    var phi_430_: bool;
+    var phi_536_: array<u32, 2>;
+    var phi_565_: array<u32, 2>;
+    var phi_594_: array<u32, 2>;
+    var phi_623_: array<u32, 2>;
+    var phi_625_: type_22;
+    var phi_626_: bool;
+    var phi_627_: type_22;
+    var phi_628_: bool;
+    var phi_801_: array<u32, 2>;
+    var phi_833_: array<u32, 2>;
+    var phi_701_: array<u32, 2>;
+    var phi_733_: array<u32, 2>;
+    var phi_835_: type_22;
     var phi_836_: type_22;
     var phi_837_: type_22;
     var phi_838_: bool;
-    var phi_842_: type_22;
-    var phi_860_: bool;
-    var phi_861_: bool;
-    var phi_865_: u32;
-    var phi_866_: u32;
-    var phi_872_: array<u32, 2>;
-    var phi_873_: array<u32, 2>;
-    var phi_874_: array<u32, 2>;
+    var phi_839_: type_22;
+    var phi_840_: type_22;
+    var phi_841_: bool;
+    var phi_845_: type_22;
+    var phi_863_: bool;
+    var phi_864_: bool;
+    var phi_868_: u32;
+    var phi_869_: u32;
     var phi_875_: array<u32, 2>;
     var phi_876_: array<u32, 2>;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_897_: u32;
-    var phi_898_: u32;
-    var phi_907_: u32;
+    var phi_877_: array<u32, 2>;
+    var phi_878_: array<u32, 2>;
+    var phi_879_: array<u32, 2>;
+    var phi_895_: bool;
+    var phi_896_: bool;
+    var phi_900_: u32;
+    var phi_901_: u32;
     var phi_910_: u32;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_931_: u32;
-    var phi_932_: u32;
-    var phi_941_: u32;
+    var phi_913_: u32;
+    var phi_929_: bool;
+    var phi_930_: bool;
+    var phi_934_: u32;
+    var phi_935_: u32;
     var phi_944_: u32;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_965_: u32;
-    var phi_966_: u32;
-    var phi_975_: u32;
+    var phi_947_: u32;
+    var phi_963_: bool;
+    var phi_964_: bool;
+    var phi_968_: u32;
+    var phi_969_: u32;
     var phi_978_: u32;
-    var phi_994_: bool;
-    var phi_995_: bool;
-    var phi_999_: u32;
-    var phi_1000_: u32;
-    var phi_1009_: u32;
+    var phi_981_: u32;
+    var phi_997_: bool;
+    var phi_998_: bool;
+    var phi_1002_: u32;
+    var phi_1003_: u32;
     var phi_1012_: u32;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1083_: u32;
-    var phi_1084_: u32;
-    var phi_1147_: type_12;
-    var phi_1152_: type_12;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1254_: type_12;
-    var phi_1259_: type_12;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: u32;
-    var phi_1298_: u32;
-    var phi_1361_: type_12;
-    var phi_1366_: type_12;
-    var phi_1399_: bool;
-    var phi_1400_: bool;
-    var phi_1404_: u32;
-    var phi_1405_: u32;
-    var phi_1468_: type_12;
-    var phi_1473_: type_12;
+    var phi_1015_: u32;
+    var phi_1081_: bool;
+    var phi_1082_: bool;
+    var phi_1086_: u32;
+    var phi_1087_: u32;
+    var phi_1150_: type_9;
+    var phi_1155_: type_9;
+    var phi_1188_: bool;
+    var phi_1189_: bool;
+    var phi_1193_: u32;
+    var phi_1194_: u32;
+    var phi_1257_: type_9;
+    var phi_1262_: type_9;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1300_: u32;
+    var phi_1301_: u32;
+    var phi_1364_: type_9;
+    var phi_1369_: type_9;
+    var phi_1402_: bool;
+    var phi_1403_: bool;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1471_: type_9;
+    var phi_1476_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -215,737 +215,738 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e45 = (_e29.x * _e29.y);
     let _e48 = params.member.member_2.member;
     let _e51 = params.member.member_1.member_1;
-    if (_e48 == 0u) {
-        phi_106_ = array<u32, 2>(0u, 2u);
+    let _e54 = params.member.member_2.member;
+    if (_e54 == 0u) {
+        phi_109_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_106_ = array<u32, 2>(1u, 1u);
+        phi_109_ = array<u32, 2>(1u, 1u);
     }
-    let _e54 = phi_106_;
-    let _e60 = params.member.member.member[_e54[0]];
-    let _e61 = (_e60 - 1u);
-    let _e65 = params.member.member.member[_e54[1]];
-    let _e66 = (_e65 - 1u);
-    let _e69 = params.member.member_2.member_1;
-    if (_e69 == 0u) {
-        phi_132_ = 1u;
+    let _e57 = phi_109_;
+    let _e63 = params.member.member.member[_e57[0]];
+    let _e64 = (_e63 - 1u);
+    let _e68 = params.member.member.member[_e57[1]];
+    let _e69 = (_e68 - 1u);
+    let _e72 = params.member.member_2.member_1;
+    if (_e72 == 0u) {
+        phi_135_ = 1u;
     } else {
-        phi_132_ = 0u;
+        phi_135_ = 0u;
     }
-    let _e72 = phi_132_;
-    let _e74 = atomicLoad((&levels.member[_e51]));
-    let _e77 = params.member.member_1.member_2;
-    if (_e77 < _e74) {
-        phi_150_ = _e77;
+    let _e75 = phi_135_;
+    let _e77 = atomicLoad((&levels.member[_e51]));
+    let _e80 = params.member.member_1.member_2;
+    if (_e80 < _e77) {
+        phi_153_ = _e80;
     } else {
-        phi_150_ = _e74;
+        phi_153_ = _e77;
     }
-    let _e80 = phi_150_;
-    let _e83 = params.member.member_1.member_2;
-    let _e84 = (_e45 * 128u);
-    if (_e84 == 0u) {
+    let _e83 = phi_153_;
+    let _e86 = params.member.member_1.member_2;
+    let _e87 = (_e45 * 128u);
+    if (_e87 == 0u) {
         return;
     }
-    let _e86 = (_e83 / _e84);
-    if (_e84 == 0u) {
+    let _e89 = (_e86 / _e87);
+    if (_e87 == 0u) {
         return;
     }
-    if ((_e83 % _e84) > 0u) {
-        phi_170_ = (_e86 + 1u);
+    if ((_e86 % _e87) > 0u) {
+        phi_173_ = (_e89 + 1u);
     } else {
-        phi_170_ = _e86;
+        phi_173_ = _e89;
     }
-    let _e92 = phi_170_;
-    phi_173_ = type_12(0u, _e92);
+    let _e95 = phi_173_;
+    phi_176_ = type_9(0u, _e95);
     loop {
-        let _e95 = phi_173_;
-        if (_e95.member < _e95.member_1) {
-            phi_174_ = type_12((_e95.member + 1u), _e95.member_1);
-            phi_197_ = type_12(1u, _e95.member);
+        let _e98 = phi_176_;
+        if (_e98.member < _e98.member_1) {
+            phi_177_ = type_9((_e98.member + 1u), _e98.member_1);
+            phi_200_ = type_9(1u, _e98.member);
         } else {
-            phi_174_ = _e95;
-            phi_197_ = type_12(0u, type_12().member_1);
+            phi_177_ = _e98;
+            phi_200_ = type_9(0u, type_9().member_1);
         }
-        let _e107 = phi_174_;
-        let _e109 = phi_197_;
-        let _e113 = (bitcast<i32>(_e109.member) != 0i);
-        if _e113 {
-            let _e117 = (((((_e28.y * _e29.x) + _e28.x) + (_e109.member_1 * _e45)) * 128u) + _e30);
+        let _e110 = phi_177_;
+        let _e112 = phi_200_;
+        let _e116 = (bitcast<i32>(_e112.member) != 0i);
+        if _e116 {
+            let _e120 = (((((_e28.y * _e29.x) + _e28.x) + (_e112.member_1 * _e45)) * 128u) + _e30);
             if (_e30 == 0u) {
                 atomicStore((&counters[0u]), 0u);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e117 < _e80) {
-                let _e122 = (2u * _e117);
-                let _e125 = input.member[(4u + _e122)];
-                let _e128 = input.member[(_e122 + 5u)];
-                let _e131 = a_nodes.member[_e125];
-                let _e133 = b_nodes.member[_e128];
+            if (_e120 < _e83) {
+                let _e125 = (2u * _e120);
+                let _e128 = input.member[(4u + _e125)];
+                let _e131 = input.member[(_e125 + 5u)];
+                let _e134 = a_nodes.member[_e128];
+                let _e136 = b_nodes.member[_e131];
                 if (_e48 == 1u) {
-                    if (_e125 == _e128) {
-                        if (_e131.member_3 == 4294967295u) {
-                            phi_358_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    if (_e128 == _e131) {
+                        if (_e134.member_3 == 4294967295u) {
+                            phi_361_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         } else {
-                            let _e139 = a_nodes.member[_e131.member_1];
-                            let _e142 = a_nodes.member[_e131.member_3];
-                            if !((_e139.member_3 == 4294967295u)) {
-                                phi_305_ = array<u32, 2>(_e131.member_1, _e131.member_1);
-                            } else {
-                                phi_305_ = array<u32, 2>(4294967295u, 4294967295u);
-                            }
-                            let _e149 = phi_305_;
-                            let _e156 = type_22(array<array<u32, 2>, 4>(_e149, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                            let _e168 = type_22(array<array<u32, 2>, 4>(_e156.member[0], array<u32, 2>(_e131.member_1, _e156.member[1][1]), _e156.member[2], _e156.member[3]), _e156.member_1);
-                            let _e169 = array<u32, 2>(_e131.member_1, _e131.member_3);
-                            let _e176 = type_22(array<array<u32, 2>, 4>(_e168.member[0], _e169, _e168.member[2], _e168.member[3]), _e168.member_1);
+                            let _e142 = a_nodes.member[_e134.member_1];
+                            let _e145 = a_nodes.member[_e134.member_3];
                             if !((_e142.member_3 == 4294967295u)) {
-                                phi_319_ = array<u32, 2>(_e131.member_3, _e131.member_3);
+                                phi_308_ = array<u32, 2>(_e134.member_1, _e134.member_1);
                             } else {
-                                phi_319_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_308_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e183 = phi_319_;
-                            let _e190 = type_22(array<array<u32, 2>, 4>(_e176.member[0], _e176.member[1], _e183, _e176.member[3]), _e176.member_1);
-                            let _e193 = type_22(_e190.member, _e190.member);
-                            if ((((((_e139.member[0] <= _e142.member_2[0]) && (_e142.member[0] <= _e139.member_2[0])) && (_e139.member[1] <= _e142.member_2[1])) && (_e142.member[1] <= _e139.member_2[1])) && (_e139.member[2] <= _e142.member_2[2])) && (_e142.member[2] <= _e139.member_2[2])) {
-                                phi_356_ = _e169;
+                            let _e152 = phi_308_;
+                            let _e159 = type_22(array<array<u32, 2>, 4>(_e152, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                            let _e171 = type_22(array<array<u32, 2>, 4>(_e159.member[0], array<u32, 2>(_e134.member_1, _e159.member[1][1]), _e159.member[2], _e159.member[3]), _e159.member_1);
+                            let _e172 = array<u32, 2>(_e134.member_1, _e134.member_3);
+                            let _e179 = type_22(array<array<u32, 2>, 4>(_e171.member[0], _e172, _e171.member[2], _e171.member[3]), _e171.member_1);
+                            if !((_e145.member_3 == 4294967295u)) {
+                                phi_322_ = array<u32, 2>(_e134.member_3, _e134.member_3);
                             } else {
-                                phi_356_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_322_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e222 = phi_356_;
-                            phi_358_ = type_22(_e193.member, array<array<u32, 2>, 4>(_e193.member_1[0], _e222, _e193.member_1[2], _e193.member_1[3]));
+                            let _e186 = phi_322_;
+                            let _e193 = type_22(array<array<u32, 2>, 4>(_e179.member[0], _e179.member[1], _e186, _e179.member[3]), _e179.member_1);
+                            let _e196 = type_22(_e193.member, _e193.member);
+                            if ((((((_e142.member[0] <= _e145.member_2[0]) && (_e145.member[0] <= _e142.member_2[0])) && (_e142.member[1] <= _e145.member_2[1])) && (_e145.member[1] <= _e142.member_2[1])) && (_e142.member[2] <= _e145.member_2[2])) && (_e145.member[2] <= _e142.member_2[2])) {
+                                phi_359_ = _e172;
+                            } else {
+                                phi_359_ = array<u32, 2>(4294967295u, 4294967295u);
+                            }
+                            let _e225 = phi_359_;
+                            phi_361_ = type_22(_e196.member, array<array<u32, 2>, 4>(_e196.member_1[0], _e225, _e196.member_1[2], _e196.member_1[3]));
                         }
-                        let _e231 = phi_358_;
-                        phi_359_ = _e231;
-                        phi_360_ = false;
+                        let _e234 = phi_361_;
+                        phi_362_ = _e234;
+                        phi_363_ = false;
                     } else {
-                        phi_359_ = type_22();
-                        phi_360_ = true;
+                        phi_362_ = type_22();
+                        phi_363_ = true;
                     }
-                    let _e233 = phi_359_;
-                    let _e235 = phi_360_;
-                    phi_361_ = _e233;
-                    phi_362_ = _e235;
+                    let _e236 = phi_362_;
+                    let _e238 = phi_363_;
+                    phi_364_ = _e236;
+                    phi_365_ = _e238;
                 } else {
-                    phi_361_ = type_22();
-                    phi_362_ = true;
+                    phi_364_ = type_22();
+                    phi_365_ = true;
                 }
-                let _e237 = phi_361_;
-                let _e239 = phi_362_;
-                if _e239 {
-                    let _e242 = !((_e131.member_3 == 4294967295u));
-                    let _e245 = !((_e133.member_3 == 4294967295u));
-                    if _e242 {
-                        phi_378_ = true;
+                let _e240 = phi_364_;
+                let _e242 = phi_365_;
+                if _e242 {
+                    let _e245 = !((_e134.member_3 == 4294967295u));
+                    let _e248 = !((_e136.member_3 == 4294967295u));
+                    if _e245 {
+                        phi_381_ = true;
                     } else {
-                        phi_378_ = _e245;
+                        phi_381_ = _e248;
                     }
-                    let _e247 = phi_378_;
-                    if _e247 {
-                        if _e242 {
-                            if _e245 {
-                                if (_e72 == 0u) {
-                                    let _e275 = ((((_e133.member_2[0] - _e133.member[0]) * (_e133.member_2[1] - _e133.member[1])) * (_e133.member_2[2] - _e133.member[2])) > (((_e131.member_2[0] - _e131.member[0]) * (_e131.member_2[1] - _e131.member[1])) * (_e131.member_2[2] - _e131.member[2])));
-                                    phi_422_ = _e275;
-                                    phi_423_ = !(_e275);
+                    let _e250 = phi_381_;
+                    if _e250 {
+                        if _e245 {
+                            if _e248 {
+                                if (_e75 == 0u) {
+                                    let _e278 = ((((_e136.member_2[0] - _e136.member[0]) * (_e136.member_2[1] - _e136.member[1])) * (_e136.member_2[2] - _e136.member[2])) > (((_e134.member_2[0] - _e134.member[0]) * (_e134.member_2[1] - _e134.member[1])) * (_e134.member_2[2] - _e134.member[2])));
+                                    phi_425_ = _e278;
+                                    phi_426_ = !(_e278);
                                 } else {
-                                    phi_422_ = _e245;
-                                    phi_423_ = _e242;
+                                    phi_425_ = _e248;
+                                    phi_426_ = _e245;
                                 }
-                                let _e278 = phi_422_;
-                                let _e280 = phi_423_;
-                                phi_424_ = _e278;
-                                phi_425_ = _e280;
+                                let _e281 = phi_425_;
+                                let _e283 = phi_426_;
+                                phi_427_ = _e281;
+                                phi_428_ = _e283;
                             } else {
-                                phi_424_ = _e245;
-                                phi_425_ = _e242;
+                                phi_427_ = _e248;
+                                phi_428_ = _e245;
                             }
-                            let _e282 = phi_424_;
-                            let _e284 = phi_425_;
-                            phi_426_ = _e282;
-                            phi_427_ = _e284;
+                            let _e285 = phi_427_;
+                            let _e287 = phi_428_;
+                            phi_429_ = _e285;
+                            phi_430_ = _e287;
                         } else {
-                            phi_426_ = _e245;
-                            phi_427_ = _e242;
+                            phi_429_ = _e248;
+                            phi_430_ = _e245;
                         }
-                        let _e286 = phi_426_;
-                        let _e288 = phi_427_;
-                        if _e288 {
-                            if _e286 {
-                                let _e291 = a_nodes.member[_e131.member_1];
-                                let _e296 = a_nodes.member[_e131.member_3];
-                                let _e301 = b_nodes.member[_e133.member_1];
-                                let _e306 = b_nodes.member[_e133.member_3];
-                                let _e311 = array<u32, 2>(_e131.member_1, _e133.member_1);
-                                let _e314 = array<u32, 2>(_e131.member_1, _e133.member_3);
-                                let _e317 = array<u32, 2>(_e131.member_3, _e133.member_1);
-                                let _e320 = array<u32, 2>(_e131.member_3, _e133.member_3);
-                                if ((((((_e291.member[0] <= _e301.member_2[0]) && (_e301.member[0] <= _e291.member_2[0])) && (_e291.member[1] <= _e301.member_2[1])) && (_e301.member[1] <= _e291.member_2[1])) && (_e291.member[2] <= _e301.member_2[2])) && (_e301.member[2] <= _e291.member_2[2])) {
-                                    phi_533_ = _e311;
+                        let _e289 = phi_429_;
+                        let _e291 = phi_430_;
+                        if _e291 {
+                            if _e289 {
+                                let _e294 = a_nodes.member[_e134.member_1];
+                                let _e299 = a_nodes.member[_e134.member_3];
+                                let _e304 = b_nodes.member[_e136.member_1];
+                                let _e309 = b_nodes.member[_e136.member_3];
+                                let _e314 = array<u32, 2>(_e134.member_1, _e136.member_1);
+                                let _e317 = array<u32, 2>(_e134.member_1, _e136.member_3);
+                                let _e320 = array<u32, 2>(_e134.member_3, _e136.member_1);
+                                let _e323 = array<u32, 2>(_e134.member_3, _e136.member_3);
+                                if ((((((_e294.member[0] <= _e304.member_2[0]) && (_e304.member[0] <= _e294.member_2[0])) && (_e294.member[1] <= _e304.member_2[1])) && (_e304.member[1] <= _e294.member_2[1])) && (_e294.member[2] <= _e304.member_2[2])) && (_e304.member[2] <= _e294.member_2[2])) {
+                                    phi_536_ = _e314;
                                 } else {
-                                    phi_533_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_536_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e346 = phi_533_;
-                                if ((((((_e291.member[0] <= _e306.member_2[0]) && (_e306.member[0] <= _e291.member_2[0])) && (_e291.member[1] <= _e306.member_2[1])) && (_e306.member[1] <= _e291.member_2[1])) && (_e291.member[2] <= _e306.member_2[2])) && (_e306.member[2] <= _e291.member_2[2])) {
-                                    phi_562_ = _e314;
+                                let _e349 = phi_536_;
+                                if ((((((_e294.member[0] <= _e309.member_2[0]) && (_e309.member[0] <= _e294.member_2[0])) && (_e294.member[1] <= _e309.member_2[1])) && (_e309.member[1] <= _e294.member_2[1])) && (_e294.member[2] <= _e309.member_2[2])) && (_e309.member[2] <= _e294.member_2[2])) {
+                                    phi_565_ = _e317;
                                 } else {
-                                    phi_562_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_565_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e371 = phi_562_;
-                                if ((((((_e296.member[0] <= _e301.member_2[0]) && (_e301.member[0] <= _e296.member_2[0])) && (_e296.member[1] <= _e301.member_2[1])) && (_e301.member[1] <= _e296.member_2[1])) && (_e296.member[2] <= _e301.member_2[2])) && (_e301.member[2] <= _e296.member_2[2])) {
-                                    phi_591_ = _e317;
+                                let _e374 = phi_565_;
+                                if ((((((_e299.member[0] <= _e304.member_2[0]) && (_e304.member[0] <= _e299.member_2[0])) && (_e299.member[1] <= _e304.member_2[1])) && (_e304.member[1] <= _e299.member_2[1])) && (_e299.member[2] <= _e304.member_2[2])) && (_e304.member[2] <= _e299.member_2[2])) {
+                                    phi_594_ = _e320;
                                 } else {
-                                    phi_591_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_594_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e396 = phi_591_;
-                                if ((((((_e296.member[0] <= _e306.member_2[0]) && (_e306.member[0] <= _e296.member_2[0])) && (_e296.member[1] <= _e306.member_2[1])) && (_e306.member[1] <= _e296.member_2[1])) && (_e296.member[2] <= _e306.member_2[2])) && (_e306.member[2] <= _e296.member_2[2])) {
-                                    phi_620_ = _e320;
+                                let _e399 = phi_594_;
+                                if ((((((_e299.member[0] <= _e309.member_2[0]) && (_e309.member[0] <= _e299.member_2[0])) && (_e299.member[1] <= _e309.member_2[1])) && (_e309.member[1] <= _e299.member_2[1])) && (_e299.member[2] <= _e309.member_2[2])) && (_e309.member[2] <= _e299.member_2[2])) {
+                                    phi_623_ = _e323;
                                 } else {
-                                    phi_620_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_623_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e421 = phi_620_;
-                                phi_622_ = type_22(array<array<u32, 2>, 4>(_e311, _e314, _e317, _e320), array<array<u32, 2>, 4>(_e346, _e371, _e396, _e421));
-                                phi_623_ = false;
+                                let _e424 = phi_623_;
+                                phi_625_ = type_22(array<array<u32, 2>, 4>(_e314, _e317, _e320, _e323), array<array<u32, 2>, 4>(_e349, _e374, _e399, _e424));
+                                phi_626_ = false;
                             } else {
-                                phi_622_ = type_22();
-                                phi_623_ = true;
+                                phi_625_ = type_22();
+                                phi_626_ = true;
                             }
-                            let _e425 = phi_622_;
-                            let _e427 = phi_623_;
-                            phi_624_ = _e425;
-                            phi_625_ = _e427;
+                            let _e428 = phi_625_;
+                            let _e430 = phi_626_;
+                            phi_627_ = _e428;
+                            phi_628_ = _e430;
                         } else {
-                            phi_624_ = type_22();
-                            phi_625_ = true;
+                            phi_627_ = type_22();
+                            phi_628_ = true;
                         }
-                        let _e429 = phi_624_;
-                        let _e431 = phi_625_;
-                        if _e431 {
-                            if _e288 {
-                                let _e530 = a_nodes.member[_e131.member_1];
-                                let _e535 = a_nodes.member[_e131.member_3];
-                                let _e539 = array<u32, 2>(_e131.member_1, _e128);
-                                let _e541 = array<u32, 2>(_e131.member_3, _e128);
-                                let _e548 = type_22(array<array<u32, 2>, 4>(_e539, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e555 = type_22(array<array<u32, 2>, 4>(_e548.member[0], _e541, _e548.member[2], _e548.member[3]), _e548.member_1);
-                                if ((((((_e530.member[0] <= _e133.member_2[0]) && (_e133.member[0] <= _e530.member_2[0])) && (_e530.member[1] <= _e133.member_2[1])) && (_e133.member[1] <= _e530.member_2[1])) && (_e530.member[2] <= _e133.member_2[2])) && (_e133.member[2] <= _e530.member_2[2])) {
-                                    phi_698_ = _e539;
+                        let _e432 = phi_627_;
+                        let _e434 = phi_628_;
+                        if _e434 {
+                            if _e291 {
+                                let _e533 = a_nodes.member[_e134.member_1];
+                                let _e538 = a_nodes.member[_e134.member_3];
+                                let _e542 = array<u32, 2>(_e134.member_1, _e131);
+                                let _e544 = array<u32, 2>(_e134.member_3, _e131);
+                                let _e551 = type_22(array<array<u32, 2>, 4>(_e542, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e558 = type_22(array<array<u32, 2>, 4>(_e551.member[0], _e544, _e551.member[2], _e551.member[3]), _e551.member_1);
+                                if ((((((_e533.member[0] <= _e136.member_2[0]) && (_e136.member[0] <= _e533.member_2[0])) && (_e533.member[1] <= _e136.member_2[1])) && (_e136.member[1] <= _e533.member_2[1])) && (_e533.member[2] <= _e136.member_2[2])) && (_e136.member[2] <= _e533.member_2[2])) {
+                                    phi_701_ = _e542;
                                 } else {
-                                    phi_698_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_701_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e582 = phi_698_;
-                                let _e589 = type_22(_e555.member, array<array<u32, 2>, 4>(_e582, _e555.member_1[1], _e555.member_1[2], _e555.member_1[3]));
-                                if ((((((_e535.member[0] <= _e133.member_2[0]) && (_e133.member[0] <= _e535.member_2[0])) && (_e535.member[1] <= _e133.member_2[1])) && (_e133.member[1] <= _e535.member_2[1])) && (_e535.member[2] <= _e133.member_2[2])) && (_e133.member[2] <= _e535.member_2[2])) {
-                                    phi_730_ = _e541;
+                                let _e585 = phi_701_;
+                                let _e592 = type_22(_e558.member, array<array<u32, 2>, 4>(_e585, _e558.member_1[1], _e558.member_1[2], _e558.member_1[3]));
+                                if ((((((_e538.member[0] <= _e136.member_2[0]) && (_e136.member[0] <= _e538.member_2[0])) && (_e538.member[1] <= _e136.member_2[1])) && (_e136.member[1] <= _e538.member_2[1])) && (_e538.member[2] <= _e136.member_2[2])) && (_e136.member[2] <= _e538.member_2[2])) {
+                                    phi_733_ = _e544;
                                 } else {
-                                    phi_730_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_733_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e616 = phi_730_;
-                                phi_832_ = type_22(_e589.member, array<array<u32, 2>, 4>(_e589.member_1[0], _e616, _e589.member_1[2], _e589.member_1[3]));
+                                let _e619 = phi_733_;
+                                phi_835_ = type_22(_e592.member, array<array<u32, 2>, 4>(_e592.member_1[0], _e619, _e592.member_1[2], _e592.member_1[3]));
                             } else {
-                                let _e434 = b_nodes.member[_e133.member_1];
-                                let _e439 = b_nodes.member[_e133.member_3];
-                                let _e443 = array<u32, 2>(_e125, _e133.member_1);
-                                let _e445 = array<u32, 2>(_e125, _e133.member_3);
-                                let _e452 = type_22(array<array<u32, 2>, 4>(_e443, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e459 = type_22(array<array<u32, 2>, 4>(_e452.member[0], _e445, _e452.member[2], _e452.member[3]), _e452.member_1);
-                                if ((((((_e131.member[0] <= _e434.member_2[0]) && (_e434.member[0] <= _e131.member_2[0])) && (_e131.member[1] <= _e434.member_2[1])) && (_e434.member[1] <= _e131.member_2[1])) && (_e131.member[2] <= _e434.member_2[2])) && (_e434.member[2] <= _e131.member_2[2])) {
-                                    phi_798_ = _e443;
+                                let _e437 = b_nodes.member[_e136.member_1];
+                                let _e442 = b_nodes.member[_e136.member_3];
+                                let _e446 = array<u32, 2>(_e128, _e136.member_1);
+                                let _e448 = array<u32, 2>(_e128, _e136.member_3);
+                                let _e455 = type_22(array<array<u32, 2>, 4>(_e446, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e462 = type_22(array<array<u32, 2>, 4>(_e455.member[0], _e448, _e455.member[2], _e455.member[3]), _e455.member_1);
+                                if ((((((_e134.member[0] <= _e437.member_2[0]) && (_e437.member[0] <= _e134.member_2[0])) && (_e134.member[1] <= _e437.member_2[1])) && (_e437.member[1] <= _e134.member_2[1])) && (_e134.member[2] <= _e437.member_2[2])) && (_e437.member[2] <= _e134.member_2[2])) {
+                                    phi_801_ = _e446;
                                 } else {
-                                    phi_798_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_801_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e486 = phi_798_;
-                                let _e493 = type_22(_e459.member, array<array<u32, 2>, 4>(_e486, _e459.member_1[1], _e459.member_1[2], _e459.member_1[3]));
-                                if ((((((_e131.member[0] <= _e439.member_2[0]) && (_e439.member[0] <= _e131.member_2[0])) && (_e131.member[1] <= _e439.member_2[1])) && (_e439.member[1] <= _e131.member_2[1])) && (_e131.member[2] <= _e439.member_2[2])) && (_e439.member[2] <= _e131.member_2[2])) {
-                                    phi_830_ = _e445;
+                                let _e489 = phi_801_;
+                                let _e496 = type_22(_e462.member, array<array<u32, 2>, 4>(_e489, _e462.member_1[1], _e462.member_1[2], _e462.member_1[3]));
+                                if ((((((_e134.member[0] <= _e442.member_2[0]) && (_e442.member[0] <= _e134.member_2[0])) && (_e134.member[1] <= _e442.member_2[1])) && (_e442.member[1] <= _e134.member_2[1])) && (_e134.member[2] <= _e442.member_2[2])) && (_e442.member[2] <= _e134.member_2[2])) {
+                                    phi_833_ = _e448;
                                 } else {
-                                    phi_830_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_833_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e520 = phi_830_;
-                                phi_832_ = type_22(_e493.member, array<array<u32, 2>, 4>(_e493.member_1[0], _e520, _e493.member_1[2], _e493.member_1[3]));
+                                let _e523 = phi_833_;
+                                phi_835_ = type_22(_e496.member, array<array<u32, 2>, 4>(_e496.member_1[0], _e523, _e496.member_1[2], _e496.member_1[3]));
                             }
-                            let _e625 = phi_832_;
-                            phi_833_ = _e625;
+                            let _e628 = phi_835_;
+                            phi_836_ = _e628;
                         } else {
-                            phi_833_ = _e429;
+                            phi_836_ = _e432;
                         }
-                        let _e627 = phi_833_;
-                        phi_834_ = _e627;
-                        phi_835_ = false;
+                        let _e630 = phi_836_;
+                        phi_837_ = _e630;
+                        phi_838_ = false;
                     } else {
-                        phi_834_ = type_22();
-                        phi_835_ = true;
+                        phi_837_ = type_22();
+                        phi_838_ = true;
                     }
-                    let _e629 = phi_834_;
-                    let _e631 = phi_835_;
-                    phi_836_ = _e629;
-                    phi_837_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                    phi_838_ = _e631;
+                    let _e632 = phi_837_;
+                    let _e634 = phi_838_;
+                    phi_839_ = _e632;
+                    phi_840_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    phi_841_ = _e634;
                 } else {
-                    phi_836_ = type_22();
-                    phi_837_ = _e237;
-                    phi_838_ = true;
+                    phi_839_ = type_22();
+                    phi_840_ = _e240;
+                    phi_841_ = true;
                 }
-                let _e633 = phi_836_;
-                let _e635 = phi_837_;
-                let _e637 = phi_838_;
-                if _e637 {
-                    phi_842_ = _e635;
+                let _e636 = phi_839_;
+                let _e638 = phi_840_;
+                let _e640 = phi_841_;
+                if _e640 {
+                    phi_845_ = _e638;
                 } else {
-                    phi_842_ = _e633;
+                    phi_845_ = _e636;
                 }
-                let _e639 = phi_842_;
-                if (_e125 == 4294967295u) {
-                    phi_866_ = 0u;
+                let _e642 = phi_845_;
+                if (_e128 == 4294967295u) {
+                    phi_869_ = 0u;
                 } else {
-                    if (_e125 >= _e61) {
-                        if (_e128 >= _e66) {
-                            phi_860_ = false;
+                    if (_e128 >= _e64) {
+                        if (_e131 >= _e69) {
+                            phi_863_ = false;
                         } else {
-                            phi_860_ = true;
+                            phi_863_ = true;
                         }
-                        let _e649 = phi_860_;
-                        phi_861_ = _e649;
+                        let _e652 = phi_863_;
+                        phi_864_ = _e652;
                     } else {
-                        phi_861_ = true;
+                        phi_864_ = true;
                     }
-                    let _e651 = phi_861_;
-                    if _e651 {
-                        phi_865_ = 1u;
+                    let _e654 = phi_864_;
+                    if _e654 {
+                        phi_868_ = 1u;
                     } else {
-                        phi_865_ = 2u;
+                        phi_868_ = 2u;
                     }
-                    let _e653 = phi_865_;
-                    phi_866_ = _e653;
+                    let _e656 = phi_868_;
+                    phi_869_ = _e656;
                 }
-                let _e655 = phi_866_;
-                if (_e655 == 2u) {
-                    phi_872_ = array<u32, 2>(_e125, _e128);
+                let _e658 = phi_869_;
+                if (_e658 == 2u) {
+                    phi_875_ = array<u32, 2>(_e128, _e131);
                 } else {
-                    phi_872_ = _e639.member_1[0];
+                    phi_875_ = _e642.member_1[0];
                 }
-                let _e659 = phi_872_;
-                phi_873_ = _e639.member_1[3];
-                phi_874_ = _e639.member_1[2];
-                phi_875_ = _e639.member_1[1];
-                phi_876_ = _e659;
+                let _e662 = phi_875_;
+                phi_876_ = _e642.member_1[3];
+                phi_877_ = _e642.member_1[2];
+                phi_878_ = _e642.member_1[1];
+                phi_879_ = _e662;
             } else {
-                phi_873_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_874_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_875_ = array<u32, 2>(4294967295u, 4294967295u);
                 phi_876_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_877_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_878_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_879_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e661 = phi_873_;
-            let _e663 = phi_874_;
-            let _e665 = phi_875_;
-            let _e667 = phi_876_;
-            if (_e667[0] == 4294967295u) {
-                phi_898_ = 0u;
+            let _e664 = phi_876_;
+            let _e666 = phi_877_;
+            let _e668 = phi_878_;
+            let _e670 = phi_879_;
+            if (_e670[0] == 4294967295u) {
+                phi_901_ = 0u;
             } else {
-                if (_e667[0] >= _e61) {
-                    if (_e667[1] >= _e66) {
-                        phi_892_ = false;
+                if (_e670[0] >= _e64) {
+                    if (_e670[1] >= _e69) {
+                        phi_895_ = false;
                     } else {
-                        phi_892_ = true;
+                        phi_895_ = true;
                     }
-                    let _e675 = phi_892_;
-                    phi_893_ = _e675;
+                    let _e678 = phi_895_;
+                    phi_896_ = _e678;
                 } else {
-                    phi_893_ = true;
+                    phi_896_ = true;
                 }
-                let _e677 = phi_893_;
-                if _e677 {
-                    phi_897_ = 1u;
+                let _e680 = phi_896_;
+                if _e680 {
+                    phi_900_ = 1u;
                 } else {
-                    phi_897_ = 2u;
+                    phi_900_ = 2u;
                 }
-                let _e679 = phi_897_;
-                phi_898_ = _e679;
+                let _e682 = phi_900_;
+                phi_901_ = _e682;
             }
-            let _e681 = phi_898_;
-            if (_e681 == 0u) {
-                phi_910_ = 0u;
+            let _e684 = phi_901_;
+            if (_e684 == 0u) {
+                phi_913_ = 0u;
             } else {
-                if (_e681 == 1u) {
-                    phi_907_ = 0u;
+                if (_e684 == 1u) {
+                    phi_910_ = 0u;
                 } else {
-                    phi_907_ = 1u;
+                    phi_910_ = 1u;
                 }
-                let _e685 = phi_907_;
-                let _e687 = atomicAdd((&counters[_e685]), 1u);
-                phi_910_ = _e687;
+                let _e688 = phi_910_;
+                let _e690 = atomicAdd((&counters[_e688]), 1u);
+                phi_913_ = _e690;
             }
-            let _e689 = phi_910_;
-            if (_e665[0] == 4294967295u) {
-                phi_932_ = 0u;
+            let _e692 = phi_913_;
+            if (_e668[0] == 4294967295u) {
+                phi_935_ = 0u;
             } else {
-                if (_e665[0] >= _e61) {
-                    if (_e665[1] >= _e66) {
-                        phi_926_ = false;
+                if (_e668[0] >= _e64) {
+                    if (_e668[1] >= _e69) {
+                        phi_929_ = false;
                     } else {
-                        phi_926_ = true;
+                        phi_929_ = true;
                     }
-                    let _e697 = phi_926_;
-                    phi_927_ = _e697;
+                    let _e700 = phi_929_;
+                    phi_930_ = _e700;
                 } else {
-                    phi_927_ = true;
+                    phi_930_ = true;
                 }
-                let _e699 = phi_927_;
-                if _e699 {
-                    phi_931_ = 1u;
+                let _e702 = phi_930_;
+                if _e702 {
+                    phi_934_ = 1u;
                 } else {
-                    phi_931_ = 2u;
+                    phi_934_ = 2u;
                 }
-                let _e701 = phi_931_;
-                phi_932_ = _e701;
+                let _e704 = phi_934_;
+                phi_935_ = _e704;
             }
-            let _e703 = phi_932_;
-            if (_e703 == 0u) {
-                phi_944_ = 0u;
+            let _e706 = phi_935_;
+            if (_e706 == 0u) {
+                phi_947_ = 0u;
             } else {
-                if (_e703 == 1u) {
-                    phi_941_ = 0u;
+                if (_e706 == 1u) {
+                    phi_944_ = 0u;
                 } else {
-                    phi_941_ = 1u;
+                    phi_944_ = 1u;
                 }
-                let _e707 = phi_941_;
-                let _e709 = atomicAdd((&counters[_e707]), 1u);
-                phi_944_ = _e709;
+                let _e710 = phi_944_;
+                let _e712 = atomicAdd((&counters[_e710]), 1u);
+                phi_947_ = _e712;
             }
-            let _e711 = phi_944_;
-            if (_e663[0] == 4294967295u) {
-                phi_966_ = 0u;
+            let _e714 = phi_947_;
+            if (_e666[0] == 4294967295u) {
+                phi_969_ = 0u;
             } else {
-                if (_e663[0] >= _e61) {
-                    if (_e663[1] >= _e66) {
-                        phi_960_ = false;
+                if (_e666[0] >= _e64) {
+                    if (_e666[1] >= _e69) {
+                        phi_963_ = false;
                     } else {
-                        phi_960_ = true;
+                        phi_963_ = true;
                     }
-                    let _e719 = phi_960_;
-                    phi_961_ = _e719;
+                    let _e722 = phi_963_;
+                    phi_964_ = _e722;
                 } else {
-                    phi_961_ = true;
+                    phi_964_ = true;
                 }
-                let _e721 = phi_961_;
-                if _e721 {
-                    phi_965_ = 1u;
+                let _e724 = phi_964_;
+                if _e724 {
+                    phi_968_ = 1u;
                 } else {
-                    phi_965_ = 2u;
+                    phi_968_ = 2u;
                 }
-                let _e723 = phi_965_;
-                phi_966_ = _e723;
+                let _e726 = phi_968_;
+                phi_969_ = _e726;
             }
-            let _e725 = phi_966_;
-            if (_e725 == 0u) {
-                phi_978_ = 0u;
+            let _e728 = phi_969_;
+            if (_e728 == 0u) {
+                phi_981_ = 0u;
             } else {
-                if (_e725 == 1u) {
-                    phi_975_ = 0u;
+                if (_e728 == 1u) {
+                    phi_978_ = 0u;
                 } else {
-                    phi_975_ = 1u;
+                    phi_978_ = 1u;
                 }
-                let _e729 = phi_975_;
-                let _e731 = atomicAdd((&counters[_e729]), 1u);
-                phi_978_ = _e731;
+                let _e732 = phi_978_;
+                let _e734 = atomicAdd((&counters[_e732]), 1u);
+                phi_981_ = _e734;
             }
-            let _e733 = phi_978_;
-            if (_e661[0] == 4294967295u) {
-                phi_1000_ = 0u;
+            let _e736 = phi_981_;
+            if (_e664[0] == 4294967295u) {
+                phi_1003_ = 0u;
             } else {
-                if (_e661[0] >= _e61) {
-                    if (_e661[1] >= _e66) {
-                        phi_994_ = false;
+                if (_e664[0] >= _e64) {
+                    if (_e664[1] >= _e69) {
+                        phi_997_ = false;
                     } else {
-                        phi_994_ = true;
+                        phi_997_ = true;
                     }
-                    let _e741 = phi_994_;
-                    phi_995_ = _e741;
+                    let _e744 = phi_997_;
+                    phi_998_ = _e744;
                 } else {
-                    phi_995_ = true;
+                    phi_998_ = true;
                 }
-                let _e743 = phi_995_;
-                if _e743 {
-                    phi_999_ = 1u;
+                let _e746 = phi_998_;
+                if _e746 {
+                    phi_1002_ = 1u;
                 } else {
-                    phi_999_ = 2u;
+                    phi_1002_ = 2u;
                 }
-                let _e745 = phi_999_;
-                phi_1000_ = _e745;
+                let _e748 = phi_1002_;
+                phi_1003_ = _e748;
             }
-            let _e747 = phi_1000_;
-            if (_e747 == 0u) {
-                phi_1012_ = 0u;
+            let _e750 = phi_1003_;
+            if (_e750 == 0u) {
+                phi_1015_ = 0u;
             } else {
-                if (_e747 == 1u) {
-                    phi_1009_ = 0u;
+                if (_e750 == 1u) {
+                    phi_1012_ = 0u;
                 } else {
-                    phi_1009_ = 1u;
+                    phi_1012_ = 1u;
                 }
-                let _e751 = phi_1009_;
-                let _e753 = atomicAdd((&counters[_e751]), 1u);
-                phi_1012_ = _e753;
+                let _e754 = phi_1012_;
+                let _e756 = atomicAdd((&counters[_e754]), 1u);
+                phi_1015_ = _e756;
             }
-            let _e755 = phi_1012_;
+            let _e758 = phi_1015_;
             workgroupBarrier();
             if (_e30 == 0u) {
-                let _e758 = atomicLoad((&counters[0u]));
-                let _e760 = atomicLoad((&counters[1u]));
-                if (_e758 > 0u) {
-                    let _e764 = atomicAdd((&levels.member[(_e51 + 1u)]), _e758);
-                    let _e767 = atomicMax((&output.member[0u]), (_e764 + _e758));
-                    if ((_e764 + _e758) < _e764) {
-                        let _e771 = atomicAdd((&output.member[2u]), 1u);
+                let _e761 = atomicLoad((&counters[0u]));
+                let _e763 = atomicLoad((&counters[1u]));
+                if (_e761 > 0u) {
+                    let _e767 = atomicAdd((&levels.member[(_e51 + 1u)]), _e761);
+                    let _e770 = atomicMax((&output.member[0u]), (_e767 + _e761));
+                    if ((_e767 + _e761) < _e767) {
+                        let _e774 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e764);
+                    atomicStore((&counters[2u]), _e767);
                 }
-                if (_e760 > 0u) {
-                    let _e775 = atomicAdd((&pairs.member[0u]), _e760);
-                    if ((_e775 + _e760) < _e775) {
-                        let _e779 = atomicAdd((&pairs.member[2u]), 1u);
+                if (_e763 > 0u) {
+                    let _e778 = atomicAdd((&pairs.member[0u]), _e763);
+                    if ((_e778 + _e763) < _e778) {
+                        let _e782 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    atomicStore((&counters[3u]), _e775);
+                    atomicStore((&counters[3u]), _e778);
                 }
             }
             workgroupBarrier();
-            let _e782 = atomicLoad((&counters[2u]));
-            let _e784 = atomicLoad((&counters[3u]));
-            if (_e667[0] == 4294967295u) {
-                phi_1084_ = 0u;
+            let _e785 = atomicLoad((&counters[2u]));
+            let _e787 = atomicLoad((&counters[3u]));
+            if (_e670[0] == 4294967295u) {
+                phi_1087_ = 0u;
             } else {
-                if (_e667[0] >= _e61) {
-                    if (_e667[1] >= _e66) {
-                        phi_1078_ = false;
+                if (_e670[0] >= _e64) {
+                    if (_e670[1] >= _e69) {
+                        phi_1081_ = false;
                     } else {
-                        phi_1078_ = true;
+                        phi_1081_ = true;
                     }
-                    let _e792 = phi_1078_;
-                    phi_1079_ = _e792;
+                    let _e795 = phi_1081_;
+                    phi_1082_ = _e795;
                 } else {
-                    phi_1079_ = true;
+                    phi_1082_ = true;
                 }
-                let _e794 = phi_1079_;
-                if _e794 {
-                    phi_1083_ = 1u;
+                let _e797 = phi_1082_;
+                if _e797 {
+                    phi_1086_ = 1u;
                 } else {
-                    phi_1083_ = 2u;
+                    phi_1086_ = 2u;
                 }
-                let _e796 = phi_1083_;
-                phi_1084_ = _e796;
+                let _e799 = phi_1086_;
+                phi_1087_ = _e799;
             }
-            let _e798 = phi_1084_;
-            if (_e798 == 1u) {
-                let _e837 = params.member.member_2.member_3;
-                let _e838 = (_e782 + _e689);
-                if (_e838 < _e837) {
-                    let _e840 = (2u * _e838);
-                    atomicStore((&output.member[(4u + _e840)]), _e667[0]);
-                    atomicStore((&output.member[(_e840 + 5u)]), _e667[1]);
+            let _e801 = phi_1087_;
+            if (_e801 == 1u) {
+                let _e840 = params.member.member_2.member_3;
+                let _e841 = (_e785 + _e692);
+                if (_e841 < _e840) {
+                    let _e843 = (2u * _e841);
+                    atomicStore((&output.member[(4u + _e843)]), _e670[0]);
+                    atomicStore((&output.member[(_e843 + 5u)]), _e670[1]);
                 }
             } else {
-                if (_e798 == 2u) {
-                    let _e803 = a_nodes.member[_e667[0]];
-                    let _e807 = b_nodes.member[_e667[1]];
-                    let _e811 = params.member.member_2.member;
-                    if (_e811 == 1u) {
-                        if (_e803.member_1 < _e807.member_1) {
-                            phi_1147_ = type_12(_e803.member_1, _e807.member_1);
+                if (_e801 == 2u) {
+                    let _e806 = a_nodes.member[_e670[0]];
+                    let _e810 = b_nodes.member[_e670[1]];
+                    let _e814 = params.member.member_2.member;
+                    if (_e814 == 1u) {
+                        if (_e806.member_1 < _e810.member_1) {
+                            phi_1150_ = type_9(_e806.member_1, _e810.member_1);
                         } else {
-                            phi_1147_ = type_12(_e807.member_1, _e803.member_1);
+                            phi_1150_ = type_9(_e810.member_1, _e806.member_1);
                         }
-                        let _e818 = phi_1147_;
-                        phi_1152_ = _e818;
+                        let _e821 = phi_1150_;
+                        phi_1155_ = _e821;
                     } else {
-                        phi_1152_ = type_12(_e803.member_1, _e807.member_1);
+                        phi_1155_ = type_9(_e806.member_1, _e810.member_1);
                     }
-                    let _e820 = phi_1152_;
-                    let _e823 = params.member.member_1.member_3;
-                    let _e824 = (_e784 + _e689);
-                    if (_e824 < _e823) {
-                        let _e828 = (2u * _e824);
-                        atomicStore((&pairs.member[(4u + _e828)]), _e820.member);
-                        atomicStore((&pairs.member[(_e828 + 5u)]), _e820.member_1);
+                    let _e823 = phi_1155_;
+                    let _e826 = params.member.member_1.member_3;
+                    let _e827 = (_e787 + _e692);
+                    if (_e827 < _e826) {
+                        let _e831 = (2u * _e827);
+                        atomicStore((&pairs.member[(4u + _e831)]), _e823.member);
+                        atomicStore((&pairs.member[(_e831 + 5u)]), _e823.member_1);
                     }
                 }
             }
-            if (_e665[0] == 4294967295u) {
-                phi_1191_ = 0u;
+            if (_e668[0] == 4294967295u) {
+                phi_1194_ = 0u;
             } else {
-                if (_e665[0] >= _e61) {
-                    if (_e665[1] >= _e66) {
-                        phi_1185_ = false;
+                if (_e668[0] >= _e64) {
+                    if (_e668[1] >= _e69) {
+                        phi_1188_ = false;
                     } else {
-                        phi_1185_ = true;
+                        phi_1188_ = true;
                     }
-                    let _e852 = phi_1185_;
-                    phi_1186_ = _e852;
+                    let _e855 = phi_1188_;
+                    phi_1189_ = _e855;
                 } else {
-                    phi_1186_ = true;
+                    phi_1189_ = true;
                 }
-                let _e854 = phi_1186_;
-                if _e854 {
-                    phi_1190_ = 1u;
+                let _e857 = phi_1189_;
+                if _e857 {
+                    phi_1193_ = 1u;
                 } else {
-                    phi_1190_ = 2u;
+                    phi_1193_ = 2u;
                 }
-                let _e856 = phi_1190_;
-                phi_1191_ = _e856;
+                let _e859 = phi_1193_;
+                phi_1194_ = _e859;
             }
-            let _e858 = phi_1191_;
-            if (_e858 == 1u) {
-                let _e897 = params.member.member_2.member_3;
-                let _e898 = (_e782 + _e711);
-                if (_e898 < _e897) {
-                    let _e900 = (2u * _e898);
-                    atomicStore((&output.member[(4u + _e900)]), _e665[0]);
-                    atomicStore((&output.member[(_e900 + 5u)]), _e665[1]);
+            let _e861 = phi_1194_;
+            if (_e861 == 1u) {
+                let _e900 = params.member.member_2.member_3;
+                let _e901 = (_e785 + _e714);
+                if (_e901 < _e900) {
+                    let _e903 = (2u * _e901);
+                    atomicStore((&output.member[(4u + _e903)]), _e668[0]);
+                    atomicStore((&output.member[(_e903 + 5u)]), _e668[1]);
                 }
             } else {
-                if (_e858 == 2u) {
-                    let _e863 = a_nodes.member[_e665[0]];
-                    let _e867 = b_nodes.member[_e665[1]];
-                    let _e871 = params.member.member_2.member;
-                    if (_e871 == 1u) {
-                        if (_e863.member_1 < _e867.member_1) {
-                            phi_1254_ = type_12(_e863.member_1, _e867.member_1);
+                if (_e861 == 2u) {
+                    let _e866 = a_nodes.member[_e668[0]];
+                    let _e870 = b_nodes.member[_e668[1]];
+                    let _e874 = params.member.member_2.member;
+                    if (_e874 == 1u) {
+                        if (_e866.member_1 < _e870.member_1) {
+                            phi_1257_ = type_9(_e866.member_1, _e870.member_1);
                         } else {
-                            phi_1254_ = type_12(_e867.member_1, _e863.member_1);
+                            phi_1257_ = type_9(_e870.member_1, _e866.member_1);
                         }
-                        let _e878 = phi_1254_;
-                        phi_1259_ = _e878;
+                        let _e881 = phi_1257_;
+                        phi_1262_ = _e881;
                     } else {
-                        phi_1259_ = type_12(_e863.member_1, _e867.member_1);
+                        phi_1262_ = type_9(_e866.member_1, _e870.member_1);
                     }
-                    let _e880 = phi_1259_;
-                    let _e883 = params.member.member_1.member_3;
-                    let _e884 = (_e784 + _e711);
-                    if (_e884 < _e883) {
-                        let _e888 = (2u * _e884);
-                        atomicStore((&pairs.member[(4u + _e888)]), _e880.member);
-                        atomicStore((&pairs.member[(_e888 + 5u)]), _e880.member_1);
+                    let _e883 = phi_1262_;
+                    let _e886 = params.member.member_1.member_3;
+                    let _e887 = (_e787 + _e714);
+                    if (_e887 < _e886) {
+                        let _e891 = (2u * _e887);
+                        atomicStore((&pairs.member[(4u + _e891)]), _e883.member);
+                        atomicStore((&pairs.member[(_e891 + 5u)]), _e883.member_1);
                     }
                 }
             }
-            if (_e663[0] == 4294967295u) {
-                phi_1298_ = 0u;
+            if (_e666[0] == 4294967295u) {
+                phi_1301_ = 0u;
             } else {
-                if (_e663[0] >= _e61) {
-                    if (_e663[1] >= _e66) {
-                        phi_1292_ = false;
+                if (_e666[0] >= _e64) {
+                    if (_e666[1] >= _e69) {
+                        phi_1295_ = false;
                     } else {
-                        phi_1292_ = true;
+                        phi_1295_ = true;
                     }
-                    let _e912 = phi_1292_;
-                    phi_1293_ = _e912;
+                    let _e915 = phi_1295_;
+                    phi_1296_ = _e915;
                 } else {
-                    phi_1293_ = true;
+                    phi_1296_ = true;
                 }
-                let _e914 = phi_1293_;
-                if _e914 {
-                    phi_1297_ = 1u;
+                let _e917 = phi_1296_;
+                if _e917 {
+                    phi_1300_ = 1u;
                 } else {
-                    phi_1297_ = 2u;
+                    phi_1300_ = 2u;
                 }
-                let _e916 = phi_1297_;
-                phi_1298_ = _e916;
+                let _e919 = phi_1300_;
+                phi_1301_ = _e919;
             }
-            let _e918 = phi_1298_;
-            if (_e918 == 1u) {
-                let _e957 = params.member.member_2.member_3;
-                let _e958 = (_e782 + _e733);
-                if (_e958 < _e957) {
-                    let _e960 = (2u * _e958);
-                    atomicStore((&output.member[(4u + _e960)]), _e663[0]);
-                    atomicStore((&output.member[(_e960 + 5u)]), _e663[1]);
+            let _e921 = phi_1301_;
+            if (_e921 == 1u) {
+                let _e960 = params.member.member_2.member_3;
+                let _e961 = (_e785 + _e736);
+                if (_e961 < _e960) {
+                    let _e963 = (2u * _e961);
+                    atomicStore((&output.member[(4u + _e963)]), _e666[0]);
+                    atomicStore((&output.member[(_e963 + 5u)]), _e666[1]);
                 }
             } else {
-                if (_e918 == 2u) {
-                    let _e923 = a_nodes.member[_e663[0]];
-                    let _e927 = b_nodes.member[_e663[1]];
-                    let _e931 = params.member.member_2.member;
-                    if (_e931 == 1u) {
-                        if (_e923.member_1 < _e927.member_1) {
-                            phi_1361_ = type_12(_e923.member_1, _e927.member_1);
+                if (_e921 == 2u) {
+                    let _e926 = a_nodes.member[_e666[0]];
+                    let _e930 = b_nodes.member[_e666[1]];
+                    let _e934 = params.member.member_2.member;
+                    if (_e934 == 1u) {
+                        if (_e926.member_1 < _e930.member_1) {
+                            phi_1364_ = type_9(_e926.member_1, _e930.member_1);
                         } else {
-                            phi_1361_ = type_12(_e927.member_1, _e923.member_1);
+                            phi_1364_ = type_9(_e930.member_1, _e926.member_1);
                         }
-                        let _e938 = phi_1361_;
-                        phi_1366_ = _e938;
+                        let _e941 = phi_1364_;
+                        phi_1369_ = _e941;
                     } else {
-                        phi_1366_ = type_12(_e923.member_1, _e927.member_1);
+                        phi_1369_ = type_9(_e926.member_1, _e930.member_1);
                     }
-                    let _e940 = phi_1366_;
-                    let _e943 = params.member.member_1.member_3;
-                    let _e944 = (_e784 + _e733);
-                    if (_e944 < _e943) {
-                        let _e948 = (2u * _e944);
-                        atomicStore((&pairs.member[(4u + _e948)]), _e940.member);
-                        atomicStore((&pairs.member[(_e948 + 5u)]), _e940.member_1);
+                    let _e943 = phi_1369_;
+                    let _e946 = params.member.member_1.member_3;
+                    let _e947 = (_e787 + _e736);
+                    if (_e947 < _e946) {
+                        let _e951 = (2u * _e947);
+                        atomicStore((&pairs.member[(4u + _e951)]), _e943.member);
+                        atomicStore((&pairs.member[(_e951 + 5u)]), _e943.member_1);
                     }
                 }
             }
-            if (_e661[0] == 4294967295u) {
-                phi_1405_ = 0u;
+            if (_e664[0] == 4294967295u) {
+                phi_1408_ = 0u;
             } else {
-                if (_e661[0] >= _e61) {
-                    if (_e661[1] >= _e66) {
-                        phi_1399_ = false;
+                if (_e664[0] >= _e64) {
+                    if (_e664[1] >= _e69) {
+                        phi_1402_ = false;
                     } else {
-                        phi_1399_ = true;
+                        phi_1402_ = true;
                     }
-                    let _e972 = phi_1399_;
-                    phi_1400_ = _e972;
+                    let _e975 = phi_1402_;
+                    phi_1403_ = _e975;
                 } else {
-                    phi_1400_ = true;
+                    phi_1403_ = true;
                 }
-                let _e974 = phi_1400_;
-                if _e974 {
-                    phi_1404_ = 1u;
+                let _e977 = phi_1403_;
+                if _e977 {
+                    phi_1407_ = 1u;
                 } else {
-                    phi_1404_ = 2u;
+                    phi_1407_ = 2u;
                 }
-                let _e976 = phi_1404_;
-                phi_1405_ = _e976;
+                let _e979 = phi_1407_;
+                phi_1408_ = _e979;
             }
-            let _e978 = phi_1405_;
-            if (_e978 == 1u) {
-                let _e1017 = params.member.member_2.member_3;
-                let _e1018 = (_e782 + _e755);
-                if (_e1018 < _e1017) {
-                    let _e1020 = (2u * _e1018);
-                    atomicStore((&output.member[(4u + _e1020)]), _e661[0]);
-                    atomicStore((&output.member[(_e1020 + 5u)]), _e661[1]);
+            let _e981 = phi_1408_;
+            if (_e981 == 1u) {
+                let _e1020 = params.member.member_2.member_3;
+                let _e1021 = (_e785 + _e758);
+                if (_e1021 < _e1020) {
+                    let _e1023 = (2u * _e1021);
+                    atomicStore((&output.member[(4u + _e1023)]), _e664[0]);
+                    atomicStore((&output.member[(_e1023 + 5u)]), _e664[1]);
                 }
             } else {
-                if (_e978 == 2u) {
-                    let _e983 = a_nodes.member[_e661[0]];
-                    let _e987 = b_nodes.member[_e661[1]];
-                    let _e991 = params.member.member_2.member;
-                    if (_e991 == 1u) {
-                        if (_e983.member_1 < _e987.member_1) {
-                            phi_1468_ = type_12(_e983.member_1, _e987.member_1);
+                if (_e981 == 2u) {
+                    let _e986 = a_nodes.member[_e664[0]];
+                    let _e990 = b_nodes.member[_e664[1]];
+                    let _e994 = params.member.member_2.member;
+                    if (_e994 == 1u) {
+                        if (_e986.member_1 < _e990.member_1) {
+                            phi_1471_ = type_9(_e986.member_1, _e990.member_1);
                         } else {
-                            phi_1468_ = type_12(_e987.member_1, _e983.member_1);
+                            phi_1471_ = type_9(_e990.member_1, _e986.member_1);
                         }
-                        let _e998 = phi_1468_;
-                        phi_1473_ = _e998;
+                        let _e1001 = phi_1471_;
+                        phi_1476_ = _e1001;
                     } else {
-                        phi_1473_ = type_12(_e983.member_1, _e987.member_1);
+                        phi_1476_ = type_9(_e986.member_1, _e990.member_1);
                     }
-                    let _e1000 = phi_1473_;
-                    let _e1003 = params.member.member_1.member_3;
-                    let _e1004 = (_e784 + _e755);
-                    if (_e1004 < _e1003) {
-                        let _e1008 = (2u * _e1004);
-                        atomicStore((&pairs.member[(4u + _e1008)]), _e1000.member);
-                        atomicStore((&pairs.member[(_e1008 + 5u)]), _e1000.member_1);
+                    let _e1003 = phi_1476_;
+                    let _e1006 = params.member.member_1.member_3;
+                    let _e1007 = (_e787 + _e758);
+                    if (_e1007 < _e1006) {
+                        let _e1011 = (2u * _e1007);
+                        atomicStore((&pairs.member[(4u + _e1011)]), _e1003.member);
+                        atomicStore((&pairs.member[(_e1011 + 5u)]), _e1003.member_1);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_173_ = _e107;
-            break if !(_e113);
+            phi_176_ = _e110;
+            break if !(_e116);
         }
     }
     return;

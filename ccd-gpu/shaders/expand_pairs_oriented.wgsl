@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -108,12 +108,10 @@ struct type_29 {
     member_2: array<f32, 3>,
 }
 
-struct type_32 {
+struct type_33 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(6) 
-var<storage, read_write> output: type_32;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(1) 
@@ -121,240 +119,244 @@ var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(6) 
+var<storage, read_write> output: type_33;
 @group(0) @binding(3) 
 var<storage> oriented: type_28;
 @group(0) @binding(4) 
-var<storage> input: type_10;
+var<storage> input: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> levels: type_32;
+var<storage, read_write> levels: type_33;
 @group(0) @binding(7) 
-var<storage, read_write> pairs: type_32;
+var<storage, read_write> pairs: type_33;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_24;
     var local_1: array<array<u32, 2>, 4>;
-    var phi_146_: array<u32, 2>;
-    var phi_188_: u32;
-    var phi_206_: u32;
-    var phi_226_: u32;
-    var phi_229_: type_12;
-    var phi_230_: type_12;
-    var phi_253_: type_12;
-    var phi_361_: array<u32, 2>;
-    var phi_375_: array<u32, 2>;
-    var phi_412_: array<u32, 2>;
-    var phi_414_: type_22;
-    var phi_415_: type_22;
-    var phi_416_: bool;
-    var phi_417_: type_22;
-    var phi_418_: bool;
-    var phi_434_: bool;
-    var phi_478_: bool;
-    var phi_479_: bool;
-    var phi_480_: bool;
-    var phi_481_: bool;
-    var phi_482_: bool;
-    var phi_483_: bool;
-    var phi_589_: array<u32, 2>;
-    var phi_618_: array<u32, 2>;
-    var phi_647_: array<u32, 2>;
-    var phi_676_: array<u32, 2>;
-    var phi_678_: type_22;
-    var phi_679_: bool;
-    var phi_680_: type_22;
-    var phi_681_: bool;
-    var phi_854_: array<u32, 2>;
-    var phi_886_: array<u32, 2>;
-    var phi_754_: array<u32, 2>;
-    var phi_786_: array<u32, 2>;
-    var phi_888_: type_22;
-    var phi_889_: type_22;
-    var phi_890_: type_22;
-    var phi_891_: bool;
-    var phi_892_: type_22;
-    var phi_893_: type_22;
-    var phi_894_: bool;
-    var phi_898_: type_22;
-    var phi_920_: type_12;
-    var phi_921_: type_12;
-    var phi_944_: type_12;
-    var phi_973_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_1059_: f32;
-    var phi_1065_: f32;
-    var phi_1071_: f32;
-    var phi_1077_: f32;
-    var phi_1083_: f32;
-    var phi_1089_: f32;
-    var phi_1107_: f32;
-    var phi_1112_: f32;
+    var phi_149_: array<u32, 2>;
+    var phi_175_: u32;
+    var phi_193_: u32;
+    var phi_213_: u32;
+    var phi_216_: type_9;
+    var phi_217_: type_9;
+    var phi_240_: type_9;
+    var phi_348_: array<u32, 2>;
+    var phi_362_: array<u32, 2>;
+    var phi_399_: array<u32, 2>;
+    var phi_401_: type_22;
+    var phi_402_: type_22;
+    var phi_403_: bool;
+    var phi_404_: type_22;
+    var phi_405_: bool;
+    var phi_421_: bool;
+    var phi_465_: bool;
+    var phi_466_: bool;
+    var phi_467_: bool;
+    var phi_468_: bool;
+    var phi_469_: bool;
+    var phi_470_: bool;
+    var phi_576_: array<u32, 2>;
+    var phi_605_: array<u32, 2>;
+    var phi_634_: array<u32, 2>;
+    var phi_663_: array<u32, 2>;
+    var phi_665_: type_22;
+    var phi_666_: bool;
+    var phi_667_: type_22;
+    var phi_668_: bool;
+    var phi_841_: array<u32, 2>;
+    var phi_873_: array<u32, 2>;
+    var phi_741_: array<u32, 2>;
+    var phi_773_: array<u32, 2>;
+    var phi_875_: type_22;
+    var phi_876_: type_22;
+    var phi_877_: type_22;
+    var phi_878_: bool;
+    var phi_879_: type_22;
+    var phi_880_: type_22;
+    var phi_881_: bool;
+    var phi_885_: type_22;
+    var phi_900_: array<u32, 2>;
+    var phi_928_: array<u32, 2>;
+    var phi_966_: type_9;
+    var phi_967_: type_9;
+    var phi_990_: type_9;
+    var phi_1019_: bool;
+    var phi_1031_: bool;
+    var phi_1032_: bool;
+    var phi_1105_: f32;
+    var phi_1111_: f32;
     var phi_1117_: f32;
-    var phi_1133_: type_29;
-    var phi_1203_: f32;
-    var phi_1209_: f32;
-    var phi_1215_: f32;
-    var phi_1221_: f32;
-    var phi_1227_: f32;
-    var phi_1233_: f32;
-    var phi_1251_: f32;
-    var phi_1256_: f32;
+    var phi_1123_: f32;
+    var phi_1129_: f32;
+    var phi_1135_: f32;
+    var phi_1153_: f32;
+    var phi_1158_: f32;
+    var phi_1163_: f32;
+    var phi_1179_: type_29;
+    var phi_1249_: f32;
+    var phi_1255_: f32;
     var phi_1261_: f32;
-    var phi_1277_: type_29;
-    var phi_1467_: f32;
-    var phi_1473_: f32;
-    var phi_1480_: f32;
-    var phi_1489_: f32;
-    var phi_1496_: f32;
-    var phi_1504_: f32;
+    var phi_1267_: f32;
+    var phi_1273_: f32;
+    var phi_1279_: f32;
+    var phi_1297_: f32;
+    var phi_1302_: f32;
+    var phi_1307_: f32;
+    var phi_1323_: type_29;
     var phi_1513_: f32;
-    var phi_1520_: f32;
-    var phi_1528_: f32;
-    var phi_1621_: f32;
-    var phi_1628_: f32;
-    var phi_1634_: f32;
-    var phi_1640_: f32;
-    var phi_1659_: f32;
-    var phi_1666_: f32;
-    var phi_1672_: f32;
-    var phi_1678_: f32;
-    var phi_1697_: f32;
-    var phi_1704_: f32;
-    var phi_1710_: f32;
-    var phi_1716_: f32;
-    var phi_1735_: f32;
-    var phi_1742_: f32;
-    var phi_1748_: f32;
-    var phi_1754_: f32;
-    var phi_1773_: f32;
-    var phi_1780_: f32;
-    var phi_1786_: f32;
-    var phi_1792_: f32;
-    var phi_1811_: f32;
-    var phi_1818_: f32;
-    var phi_1824_: f32;
-    var phi_1830_: f32;
-    var phi_1845_: f32;
-    var phi_1850_: f32;
-    var phi_1855_: f32;
-    var phi_1860_: f32;
-    var phi_1865_: f32;
-    var phi_1924_: f32;
-    var phi_1947_: f32;
+    var phi_1519_: f32;
+    var phi_1526_: f32;
+    var phi_1535_: f32;
+    var phi_1542_: f32;
+    var phi_1550_: f32;
+    var phi_1559_: f32;
+    var phi_1566_: f32;
+    var phi_1574_: f32;
+    var phi_1667_: f32;
+    var phi_1674_: f32;
+    var phi_1680_: f32;
+    var phi_1686_: f32;
+    var phi_1705_: f32;
+    var phi_1712_: f32;
+    var phi_1718_: f32;
+    var phi_1724_: f32;
+    var phi_1743_: f32;
+    var phi_1750_: f32;
+    var phi_1756_: f32;
+    var phi_1762_: f32;
+    var phi_1781_: f32;
+    var phi_1788_: f32;
+    var phi_1794_: f32;
+    var phi_1800_: f32;
+    var phi_1819_: f32;
+    var phi_1826_: f32;
+    var phi_1832_: f32;
+    var phi_1838_: f32;
+    var phi_1857_: f32;
+    var phi_1864_: f32;
+    var phi_1870_: f32;
+    var phi_1876_: f32;
+    var phi_1891_: f32;
+    var phi_1896_: f32;
+    var phi_1901_: f32;
+    var phi_1906_: f32;
+    var phi_1911_: f32;
     var phi_1970_: f32;
-    var phi_1992_: f32;
-    var phi_2008_: f32;
-    var phi_2063_: f32;
-    var phi_2086_: f32;
+    var phi_1993_: f32;
+    var phi_2016_: f32;
+    var phi_2038_: f32;
+    var phi_2054_: f32;
     var phi_2109_: f32;
-    var phi_2131_: f32;
-    var phi_2147_: f32;
-    var phi_2202_: f32;
-    var phi_2225_: f32;
+    var phi_2132_: f32;
+    var phi_2155_: f32;
+    var phi_2177_: f32;
+    var phi_2193_: f32;
     var phi_2248_: f32;
-    var phi_2270_: f32;
-    var phi_2286_: f32;
-    var phi_2341_: f32;
-    var phi_2364_: f32;
-    var phi_2388_: f32;
-    var phi_2411_: f32;
-    var phi_2427_: f32;
-    var phi_2482_: f32;
-    var phi_2505_: f32;
-    var phi_2529_: f32;
-    var phi_2552_: f32;
-    var phi_2568_: f32;
-    var phi_2623_: f32;
-    var phi_2646_: f32;
-    var phi_2670_: f32;
-    var phi_2693_: f32;
-    var phi_2709_: f32;
-    var phi_2764_: f32;
-    var phi_2787_: f32;
-    var phi_2811_: f32;
-    var phi_2834_: f32;
-    var phi_2850_: f32;
-    var phi_2905_: f32;
-    var phi_2928_: f32;
-    var phi_2952_: f32;
-    var phi_2975_: f32;
-    var phi_2991_: f32;
-    var phi_3046_: f32;
-    var phi_3069_: f32;
-    var phi_3093_: f32;
-    var phi_3116_: f32;
-    var phi_3132_: f32;
+    var phi_2271_: f32;
+    var phi_2294_: f32;
+    var phi_2316_: f32;
+    var phi_2332_: f32;
+    var phi_2387_: f32;
+    var phi_2410_: f32;
+    var phi_2434_: f32;
+    var phi_2457_: f32;
+    var phi_2473_: f32;
+    var phi_2528_: f32;
+    var phi_2551_: f32;
+    var phi_2575_: f32;
+    var phi_2598_: f32;
+    var phi_2614_: f32;
+    var phi_2669_: f32;
+    var phi_2692_: f32;
+    var phi_2716_: f32;
+    var phi_2739_: f32;
+    var phi_2755_: f32;
+    var phi_2810_: f32;
+    var phi_2833_: f32;
+    var phi_2857_: f32;
+    var phi_2880_: f32;
+    var phi_2896_: f32;
+    var phi_2951_: f32;
+    var phi_2974_: f32;
+    var phi_2998_: f32;
+    var phi_3021_: f32;
+    var phi_3037_: f32;
+    var phi_3092_: f32;
+    var phi_3115_: f32;
     var phi_3139_: f32;
-    var phi_3144_: f32;
-    var phi_3149_: f32;
-    var phi_3154_: f32;
-    var phi_3159_: f32;
-    var phi_3164_: f32;
-    var phi_3169_: f32;
-    var phi_3174_: f32;
-    var phi_3178_: bool;
-    var phi_3180_: bool;
-    var phi_3181_: bool;
-    var phi_3182_: bool;
-    var phi_3183_: bool;
-    var phi_3187_: bool;
-    var phi_3231_: bool;
-    var phi_3232_: bool;
-    var phi_3236_: u32;
-    var phi_3237_: u32;
-    var phi_3243_: array<u32, 2>;
-    var phi_3244_: array<u32, 2>;
-    var phi_3245_: array<u32, 2>;
-    var phi_3246_: array<u32, 2>;
-    var phi_3247_: array<u32, 2>;
-    var phi_3263_: bool;
-    var phi_3264_: bool;
-    var phi_3268_: u32;
-    var phi_3269_: u32;
-    var phi_3278_: u32;
-    var phi_3281_: u32;
-    var phi_3297_: bool;
-    var phi_3298_: bool;
-    var phi_3302_: u32;
-    var phi_3303_: u32;
-    var phi_3312_: u32;
+    var phi_3162_: f32;
+    var phi_3178_: f32;
+    var phi_3185_: f32;
+    var phi_3190_: f32;
+    var phi_3195_: f32;
+    var phi_3200_: f32;
+    var phi_3205_: f32;
+    var phi_3210_: f32;
+    var phi_3215_: f32;
+    var phi_3220_: f32;
+    var phi_3224_: bool;
+    var phi_3226_: bool;
+    var phi_3227_: bool;
+    var phi_3228_: bool;
+    var phi_3229_: bool;
+    var phi_3233_: bool;
+    var phi_3277_: bool;
+    var phi_3278_: bool;
+    var phi_3282_: u32;
+    var phi_3283_: u32;
+    var phi_3289_: array<u32, 2>;
+    var phi_3290_: array<u32, 2>;
+    var phi_3291_: array<u32, 2>;
+    var phi_3292_: array<u32, 2>;
+    var phi_3293_: array<u32, 2>;
+    var phi_3309_: bool;
+    var phi_3310_: bool;
+    var phi_3314_: u32;
     var phi_3315_: u32;
-    var phi_3331_: bool;
-    var phi_3332_: bool;
-    var phi_3336_: u32;
-    var phi_3337_: u32;
-    var phi_3346_: u32;
+    var phi_3324_: u32;
+    var phi_3327_: u32;
+    var phi_3343_: bool;
+    var phi_3344_: bool;
+    var phi_3348_: u32;
     var phi_3349_: u32;
-    var phi_3365_: bool;
-    var phi_3366_: bool;
-    var phi_3370_: u32;
-    var phi_3371_: u32;
-    var phi_3380_: u32;
+    var phi_3358_: u32;
+    var phi_3361_: u32;
+    var phi_3377_: bool;
+    var phi_3378_: bool;
+    var phi_3382_: u32;
     var phi_3383_: u32;
-    var phi_3449_: bool;
-    var phi_3450_: bool;
-    var phi_3454_: u32;
-    var phi_3455_: u32;
-    var phi_3518_: type_12;
-    var phi_3523_: type_12;
-    var phi_3556_: bool;
-    var phi_3557_: bool;
-    var phi_3561_: u32;
-    var phi_3562_: u32;
-    var phi_3625_: type_12;
-    var phi_3630_: type_12;
-    var phi_3663_: bool;
-    var phi_3664_: bool;
-    var phi_3668_: u32;
-    var phi_3669_: u32;
-    var phi_3732_: type_12;
-    var phi_3737_: type_12;
-    var phi_3770_: bool;
-    var phi_3771_: bool;
-    var phi_3775_: u32;
-    var phi_3776_: u32;
-    var phi_3839_: type_12;
-    var phi_3844_: type_12;
+    var phi_3392_: u32;
+    var phi_3395_: u32;
+    var phi_3411_: bool;
+    var phi_3412_: bool;
+    var phi_3416_: u32;
+    var phi_3417_: u32;
+    var phi_3426_: u32;
+    var phi_3429_: u32;
+    var phi_3495_: bool;
+    var phi_3496_: bool;
+    var phi_3500_: u32;
+    var phi_3501_: u32;
+    var phi_3564_: type_9;
+    var phi_3569_: type_9;
+    var phi_3602_: bool;
+    var phi_3603_: bool;
+    var phi_3607_: u32;
+    var phi_3608_: u32;
+    var phi_3671_: type_9;
+    var phi_3676_: type_9;
+    var phi_3709_: bool;
+    var phi_3710_: bool;
+    var phi_3714_: u32;
+    var phi_3715_: u32;
+    var phi_3778_: type_9;
+    var phi_3783_: type_9;
+    var phi_3816_: bool;
+    var phi_3817_: bool;
+    var phi_3821_: u32;
+    var phi_3822_: u32;
+    var phi_3885_: type_9;
+    var phi_3890_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -368,1664 +370,1684 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e62 = (_e45.x * _e45.y);
     let _e65 = params.member.member_2.member;
     let _e68 = params.member.member_1.member_1;
-    if (_e65 == 0u) {
-        phi_146_ = array<u32, 2>(0u, 2u);
+    let _e71 = params.member.member_2.member;
+    if (_e71 == 0u) {
+        phi_149_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_146_ = array<u32, 2>(1u, 1u);
+        phi_149_ = array<u32, 2>(1u, 1u);
     }
-    let _e71 = phi_146_;
-    let _e77 = params.member.member.member[_e71[0]];
-    let _e78 = (_e77 - 1u);
-    let _e82 = params.member.member.member[_e71[1]];
-    let _e83 = (_e82 - 1u);
-    let _e87 = params.member.member.member_2[_e71[0]];
-    let _e91 = params.member.member.member_2[_e71[1]];
-    let _e94 = params.member.member_2.member_1;
-    if (_e94 == 0u) {
-        phi_188_ = 1u;
+    let _e74 = phi_149_;
+    let _e80 = params.member.member.member[_e74[0]];
+    let _e81 = (_e80 - 1u);
+    let _e85 = params.member.member.member[_e74[1]];
+    let _e86 = (_e85 - 1u);
+    let _e89 = params.member.member_2.member_1;
+    if (_e89 == 0u) {
+        phi_175_ = 1u;
     } else {
-        phi_188_ = 0u;
+        phi_175_ = 0u;
     }
-    let _e97 = phi_188_;
-    let _e99 = atomicLoad((&levels.member[_e68]));
-    let _e102 = params.member.member_1.member_2;
-    if (_e102 < _e99) {
-        phi_206_ = _e102;
+    let _e92 = phi_175_;
+    let _e94 = atomicLoad((&levels.member[_e68]));
+    let _e97 = params.member.member_1.member_2;
+    if (_e97 < _e94) {
+        phi_193_ = _e97;
     } else {
-        phi_206_ = _e99;
+        phi_193_ = _e94;
     }
-    let _e105 = phi_206_;
-    let _e108 = params.member.member_1.member_2;
-    let _e109 = (_e62 * 128u);
-    if (_e109 == 0u) {
+    let _e100 = phi_193_;
+    let _e103 = params.member.member_1.member_2;
+    let _e104 = (_e62 * 128u);
+    if (_e104 == 0u) {
         return;
     }
-    let _e111 = (_e108 / _e109);
-    if (_e109 == 0u) {
+    let _e106 = (_e103 / _e104);
+    if (_e104 == 0u) {
         return;
     }
-    if ((_e108 % _e109) > 0u) {
-        phi_226_ = (_e111 + 1u);
+    if ((_e103 % _e104) > 0u) {
+        phi_213_ = (_e106 + 1u);
     } else {
-        phi_226_ = _e111;
+        phi_213_ = _e106;
     }
-    let _e117 = phi_226_;
-    phi_229_ = type_12(0u, _e117);
+    let _e112 = phi_213_;
+    phi_216_ = type_9(0u, _e112);
     loop {
-        let _e120 = phi_229_;
-        if (_e120.member < _e120.member_1) {
-            phi_230_ = type_12((_e120.member + 1u), _e120.member_1);
-            phi_253_ = type_12(1u, _e120.member);
+        let _e115 = phi_216_;
+        if (_e115.member < _e115.member_1) {
+            phi_217_ = type_9((_e115.member + 1u), _e115.member_1);
+            phi_240_ = type_9(1u, _e115.member);
         } else {
-            phi_230_ = _e120;
-            phi_253_ = type_12(0u, type_12().member_1);
+            phi_217_ = _e115;
+            phi_240_ = type_9(0u, type_9().member_1);
         }
-        let _e132 = phi_230_;
-        let _e134 = phi_253_;
-        let _e138 = (bitcast<i32>(_e134.member) != 0i);
-        if _e138 {
-            let _e142 = (((((_e44.y * _e45.x) + _e44.x) + (_e134.member_1 * _e62)) * 128u) + _e46);
+        let _e127 = phi_217_;
+        let _e129 = phi_240_;
+        let _e133 = (bitcast<i32>(_e129.member) != 0i);
+        if _e133 {
+            let _e137 = (((((_e44.y * _e45.x) + _e44.x) + (_e129.member_1 * _e62)) * 128u) + _e46);
             if (_e46 == 0u) {
                 atomicStore((&counters[0u]), 0u);
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e142 < _e105) {
-                let _e147 = (2u * _e142);
-                let _e150 = input.member[(4u + _e147)];
-                let _e153 = input.member[(_e147 + 5u)];
-                let _e156 = a_nodes.member[_e150];
-                let _e158 = b_nodes.member[_e153];
+            if (_e137 < _e100) {
+                let _e142 = (2u * _e137);
+                let _e145 = input.member[(4u + _e142)];
+                let _e148 = input.member[(_e142 + 5u)];
+                let _e151 = a_nodes.member[_e145];
+                let _e153 = b_nodes.member[_e148];
                 if (_e65 == 1u) {
-                    if (_e150 == _e153) {
-                        if (_e156.member_3 == 4294967295u) {
-                            phi_414_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    if (_e145 == _e148) {
+                        if (_e151.member_3 == 4294967295u) {
+                            phi_401_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         } else {
-                            let _e164 = a_nodes.member[_e156.member_1];
-                            let _e167 = a_nodes.member[_e156.member_3];
-                            if !((_e164.member_3 == 4294967295u)) {
-                                phi_361_ = array<u32, 2>(_e156.member_1, _e156.member_1);
+                            let _e159 = a_nodes.member[_e151.member_1];
+                            let _e162 = a_nodes.member[_e151.member_3];
+                            if !((_e159.member_3 == 4294967295u)) {
+                                phi_348_ = array<u32, 2>(_e151.member_1, _e151.member_1);
                             } else {
-                                phi_361_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_348_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e174 = phi_361_;
-                            let _e181 = type_22(array<array<u32, 2>, 4>(_e174, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                            let _e193 = type_22(array<array<u32, 2>, 4>(_e181.member[0], array<u32, 2>(_e156.member_1, _e181.member[1][1]), _e181.member[2], _e181.member[3]), _e181.member_1);
-                            let _e194 = array<u32, 2>(_e156.member_1, _e156.member_3);
-                            let _e201 = type_22(array<array<u32, 2>, 4>(_e193.member[0], _e194, _e193.member[2], _e193.member[3]), _e193.member_1);
-                            if !((_e167.member_3 == 4294967295u)) {
-                                phi_375_ = array<u32, 2>(_e156.member_3, _e156.member_3);
+                            let _e169 = phi_348_;
+                            let _e176 = type_22(array<array<u32, 2>, 4>(_e169, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                            let _e188 = type_22(array<array<u32, 2>, 4>(_e176.member[0], array<u32, 2>(_e151.member_1, _e176.member[1][1]), _e176.member[2], _e176.member[3]), _e176.member_1);
+                            let _e189 = array<u32, 2>(_e151.member_1, _e151.member_3);
+                            let _e196 = type_22(array<array<u32, 2>, 4>(_e188.member[0], _e189, _e188.member[2], _e188.member[3]), _e188.member_1);
+                            if !((_e162.member_3 == 4294967295u)) {
+                                phi_362_ = array<u32, 2>(_e151.member_3, _e151.member_3);
                             } else {
-                                phi_375_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_362_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e208 = phi_375_;
-                            let _e215 = type_22(array<array<u32, 2>, 4>(_e201.member[0], _e201.member[1], _e208, _e201.member[3]), _e201.member_1);
-                            let _e218 = type_22(_e215.member, _e215.member);
-                            if ((((((_e164.member[0] <= _e167.member_2[0]) && (_e167.member[0] <= _e164.member_2[0])) && (_e164.member[1] <= _e167.member_2[1])) && (_e167.member[1] <= _e164.member_2[1])) && (_e164.member[2] <= _e167.member_2[2])) && (_e167.member[2] <= _e164.member_2[2])) {
-                                phi_412_ = _e194;
+                            let _e203 = phi_362_;
+                            let _e210 = type_22(array<array<u32, 2>, 4>(_e196.member[0], _e196.member[1], _e203, _e196.member[3]), _e196.member_1);
+                            let _e213 = type_22(_e210.member, _e210.member);
+                            if ((((((_e159.member[0] <= _e162.member_2[0]) && (_e162.member[0] <= _e159.member_2[0])) && (_e159.member[1] <= _e162.member_2[1])) && (_e162.member[1] <= _e159.member_2[1])) && (_e159.member[2] <= _e162.member_2[2])) && (_e162.member[2] <= _e159.member_2[2])) {
+                                phi_399_ = _e189;
                             } else {
-                                phi_412_ = array<u32, 2>(4294967295u, 4294967295u);
+                                phi_399_ = array<u32, 2>(4294967295u, 4294967295u);
                             }
-                            let _e247 = phi_412_;
-                            phi_414_ = type_22(_e218.member, array<array<u32, 2>, 4>(_e218.member_1[0], _e247, _e218.member_1[2], _e218.member_1[3]));
+                            let _e242 = phi_399_;
+                            phi_401_ = type_22(_e213.member, array<array<u32, 2>, 4>(_e213.member_1[0], _e242, _e213.member_1[2], _e213.member_1[3]));
                         }
-                        let _e256 = phi_414_;
-                        phi_415_ = _e256;
-                        phi_416_ = false;
+                        let _e251 = phi_401_;
+                        phi_402_ = _e251;
+                        phi_403_ = false;
                     } else {
-                        phi_415_ = type_22();
-                        phi_416_ = true;
+                        phi_402_ = type_22();
+                        phi_403_ = true;
                     }
-                    let _e258 = phi_415_;
-                    let _e260 = phi_416_;
-                    phi_417_ = _e258;
-                    phi_418_ = _e260;
+                    let _e253 = phi_402_;
+                    let _e255 = phi_403_;
+                    phi_404_ = _e253;
+                    phi_405_ = _e255;
                 } else {
-                    phi_417_ = type_22();
-                    phi_418_ = true;
+                    phi_404_ = type_22();
+                    phi_405_ = true;
                 }
-                let _e262 = phi_417_;
-                let _e264 = phi_418_;
-                if _e264 {
-                    let _e267 = !((_e156.member_3 == 4294967295u));
-                    let _e270 = !((_e158.member_3 == 4294967295u));
+                let _e257 = phi_404_;
+                let _e259 = phi_405_;
+                if _e259 {
+                    let _e262 = !((_e151.member_3 == 4294967295u));
+                    let _e265 = !((_e153.member_3 == 4294967295u));
+                    if _e262 {
+                        phi_421_ = true;
+                    } else {
+                        phi_421_ = _e265;
+                    }
+                    let _e267 = phi_421_;
                     if _e267 {
-                        phi_434_ = true;
-                    } else {
-                        phi_434_ = _e270;
-                    }
-                    let _e272 = phi_434_;
-                    if _e272 {
-                        if _e267 {
-                            if _e270 {
-                                if (_e97 == 0u) {
-                                    let _e300 = ((((_e158.member_2[0] - _e158.member[0]) * (_e158.member_2[1] - _e158.member[1])) * (_e158.member_2[2] - _e158.member[2])) > (((_e156.member_2[0] - _e156.member[0]) * (_e156.member_2[1] - _e156.member[1])) * (_e156.member_2[2] - _e156.member[2])));
-                                    phi_478_ = _e300;
-                                    phi_479_ = !(_e300);
+                        if _e262 {
+                            if _e265 {
+                                if (_e92 == 0u) {
+                                    let _e295 = ((((_e153.member_2[0] - _e153.member[0]) * (_e153.member_2[1] - _e153.member[1])) * (_e153.member_2[2] - _e153.member[2])) > (((_e151.member_2[0] - _e151.member[0]) * (_e151.member_2[1] - _e151.member[1])) * (_e151.member_2[2] - _e151.member[2])));
+                                    phi_465_ = _e295;
+                                    phi_466_ = !(_e295);
                                 } else {
-                                    phi_478_ = _e270;
-                                    phi_479_ = _e267;
+                                    phi_465_ = _e265;
+                                    phi_466_ = _e262;
                                 }
-                                let _e303 = phi_478_;
-                                let _e305 = phi_479_;
-                                phi_480_ = _e303;
-                                phi_481_ = _e305;
+                                let _e298 = phi_465_;
+                                let _e300 = phi_466_;
+                                phi_467_ = _e298;
+                                phi_468_ = _e300;
                             } else {
-                                phi_480_ = _e270;
-                                phi_481_ = _e267;
+                                phi_467_ = _e265;
+                                phi_468_ = _e262;
                             }
-                            let _e307 = phi_480_;
-                            let _e309 = phi_481_;
-                            phi_482_ = _e307;
-                            phi_483_ = _e309;
+                            let _e302 = phi_467_;
+                            let _e304 = phi_468_;
+                            phi_469_ = _e302;
+                            phi_470_ = _e304;
                         } else {
-                            phi_482_ = _e270;
-                            phi_483_ = _e267;
+                            phi_469_ = _e265;
+                            phi_470_ = _e262;
                         }
-                        let _e311 = phi_482_;
-                        let _e313 = phi_483_;
-                        if _e313 {
-                            if _e311 {
-                                let _e316 = a_nodes.member[_e156.member_1];
-                                let _e321 = a_nodes.member[_e156.member_3];
-                                let _e326 = b_nodes.member[_e158.member_1];
-                                let _e331 = b_nodes.member[_e158.member_3];
-                                let _e336 = array<u32, 2>(_e156.member_1, _e158.member_1);
-                                let _e339 = array<u32, 2>(_e156.member_1, _e158.member_3);
-                                let _e342 = array<u32, 2>(_e156.member_3, _e158.member_1);
-                                let _e345 = array<u32, 2>(_e156.member_3, _e158.member_3);
+                        let _e306 = phi_469_;
+                        let _e308 = phi_470_;
+                        if _e308 {
+                            if _e306 {
+                                let _e311 = a_nodes.member[_e151.member_1];
+                                let _e316 = a_nodes.member[_e151.member_3];
+                                let _e321 = b_nodes.member[_e153.member_1];
+                                let _e326 = b_nodes.member[_e153.member_3];
+                                let _e331 = array<u32, 2>(_e151.member_1, _e153.member_1);
+                                let _e334 = array<u32, 2>(_e151.member_1, _e153.member_3);
+                                let _e337 = array<u32, 2>(_e151.member_3, _e153.member_1);
+                                let _e340 = array<u32, 2>(_e151.member_3, _e153.member_3);
+                                if ((((((_e311.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e311.member_2[0])) && (_e311.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e311.member_2[1])) && (_e311.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e311.member_2[2])) {
+                                    phi_576_ = _e331;
+                                } else {
+                                    phi_576_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e366 = phi_576_;
+                                if ((((((_e311.member[0] <= _e326.member_2[0]) && (_e326.member[0] <= _e311.member_2[0])) && (_e311.member[1] <= _e326.member_2[1])) && (_e326.member[1] <= _e311.member_2[1])) && (_e311.member[2] <= _e326.member_2[2])) && (_e326.member[2] <= _e311.member_2[2])) {
+                                    phi_605_ = _e334;
+                                } else {
+                                    phi_605_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e391 = phi_605_;
+                                if ((((((_e316.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e316.member_2[0])) && (_e316.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e316.member_2[1])) && (_e316.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e316.member_2[2])) {
+                                    phi_634_ = _e337;
+                                } else {
+                                    phi_634_ = array<u32, 2>(4294967295u, 4294967295u);
+                                }
+                                let _e416 = phi_634_;
                                 if ((((((_e316.member[0] <= _e326.member_2[0]) && (_e326.member[0] <= _e316.member_2[0])) && (_e316.member[1] <= _e326.member_2[1])) && (_e326.member[1] <= _e316.member_2[1])) && (_e316.member[2] <= _e326.member_2[2])) && (_e326.member[2] <= _e316.member_2[2])) {
-                                    phi_589_ = _e336;
+                                    phi_663_ = _e340;
                                 } else {
-                                    phi_589_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_663_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e371 = phi_589_;
-                                if ((((((_e316.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e316.member_2[0])) && (_e316.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e316.member_2[1])) && (_e316.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e316.member_2[2])) {
-                                    phi_618_ = _e339;
-                                } else {
-                                    phi_618_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e396 = phi_618_;
-                                if ((((((_e321.member[0] <= _e326.member_2[0]) && (_e326.member[0] <= _e321.member_2[0])) && (_e321.member[1] <= _e326.member_2[1])) && (_e326.member[1] <= _e321.member_2[1])) && (_e321.member[2] <= _e326.member_2[2])) && (_e326.member[2] <= _e321.member_2[2])) {
-                                    phi_647_ = _e342;
-                                } else {
-                                    phi_647_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e421 = phi_647_;
-                                if ((((((_e321.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e321.member_2[0])) && (_e321.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e321.member_2[1])) && (_e321.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e321.member_2[2])) {
-                                    phi_676_ = _e345;
-                                } else {
-                                    phi_676_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e446 = phi_676_;
-                                phi_678_ = type_22(array<array<u32, 2>, 4>(_e336, _e339, _e342, _e345), array<array<u32, 2>, 4>(_e371, _e396, _e421, _e446));
-                                phi_679_ = false;
+                                let _e441 = phi_663_;
+                                phi_665_ = type_22(array<array<u32, 2>, 4>(_e331, _e334, _e337, _e340), array<array<u32, 2>, 4>(_e366, _e391, _e416, _e441));
+                                phi_666_ = false;
                             } else {
-                                phi_678_ = type_22();
-                                phi_679_ = true;
+                                phi_665_ = type_22();
+                                phi_666_ = true;
                             }
-                            let _e450 = phi_678_;
-                            let _e452 = phi_679_;
-                            phi_680_ = _e450;
-                            phi_681_ = _e452;
+                            let _e445 = phi_665_;
+                            let _e447 = phi_666_;
+                            phi_667_ = _e445;
+                            phi_668_ = _e447;
                         } else {
-                            phi_680_ = type_22();
-                            phi_681_ = true;
+                            phi_667_ = type_22();
+                            phi_668_ = true;
                         }
-                        let _e454 = phi_680_;
-                        let _e456 = phi_681_;
-                        if _e456 {
-                            if _e313 {
-                                let _e555 = a_nodes.member[_e156.member_1];
-                                let _e560 = a_nodes.member[_e156.member_3];
-                                let _e564 = array<u32, 2>(_e156.member_1, _e153);
-                                let _e566 = array<u32, 2>(_e156.member_3, _e153);
-                                let _e573 = type_22(array<array<u32, 2>, 4>(_e564, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e580 = type_22(array<array<u32, 2>, 4>(_e573.member[0], _e566, _e573.member[2], _e573.member[3]), _e573.member_1);
-                                if ((((((_e555.member[0] <= _e158.member_2[0]) && (_e158.member[0] <= _e555.member_2[0])) && (_e555.member[1] <= _e158.member_2[1])) && (_e158.member[1] <= _e555.member_2[1])) && (_e555.member[2] <= _e158.member_2[2])) && (_e158.member[2] <= _e555.member_2[2])) {
-                                    phi_754_ = _e564;
+                        let _e449 = phi_667_;
+                        let _e451 = phi_668_;
+                        if _e451 {
+                            if _e308 {
+                                let _e550 = a_nodes.member[_e151.member_1];
+                                let _e555 = a_nodes.member[_e151.member_3];
+                                let _e559 = array<u32, 2>(_e151.member_1, _e148);
+                                let _e561 = array<u32, 2>(_e151.member_3, _e148);
+                                let _e568 = type_22(array<array<u32, 2>, 4>(_e559, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e575 = type_22(array<array<u32, 2>, 4>(_e568.member[0], _e561, _e568.member[2], _e568.member[3]), _e568.member_1);
+                                if ((((((_e550.member[0] <= _e153.member_2[0]) && (_e153.member[0] <= _e550.member_2[0])) && (_e550.member[1] <= _e153.member_2[1])) && (_e153.member[1] <= _e550.member_2[1])) && (_e550.member[2] <= _e153.member_2[2])) && (_e153.member[2] <= _e550.member_2[2])) {
+                                    phi_741_ = _e559;
                                 } else {
-                                    phi_754_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_741_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e607 = phi_754_;
-                                let _e614 = type_22(_e580.member, array<array<u32, 2>, 4>(_e607, _e580.member_1[1], _e580.member_1[2], _e580.member_1[3]));
-                                if ((((((_e560.member[0] <= _e158.member_2[0]) && (_e158.member[0] <= _e560.member_2[0])) && (_e560.member[1] <= _e158.member_2[1])) && (_e158.member[1] <= _e560.member_2[1])) && (_e560.member[2] <= _e158.member_2[2])) && (_e158.member[2] <= _e560.member_2[2])) {
-                                    phi_786_ = _e566;
+                                let _e602 = phi_741_;
+                                let _e609 = type_22(_e575.member, array<array<u32, 2>, 4>(_e602, _e575.member_1[1], _e575.member_1[2], _e575.member_1[3]));
+                                if ((((((_e555.member[0] <= _e153.member_2[0]) && (_e153.member[0] <= _e555.member_2[0])) && (_e555.member[1] <= _e153.member_2[1])) && (_e153.member[1] <= _e555.member_2[1])) && (_e555.member[2] <= _e153.member_2[2])) && (_e153.member[2] <= _e555.member_2[2])) {
+                                    phi_773_ = _e561;
                                 } else {
-                                    phi_786_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_773_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e641 = phi_786_;
-                                phi_888_ = type_22(_e614.member, array<array<u32, 2>, 4>(_e614.member_1[0], _e641, _e614.member_1[2], _e614.member_1[3]));
+                                let _e636 = phi_773_;
+                                phi_875_ = type_22(_e609.member, array<array<u32, 2>, 4>(_e609.member_1[0], _e636, _e609.member_1[2], _e609.member_1[3]));
                             } else {
-                                let _e459 = b_nodes.member[_e158.member_1];
-                                let _e464 = b_nodes.member[_e158.member_3];
-                                let _e468 = array<u32, 2>(_e150, _e158.member_1);
-                                let _e470 = array<u32, 2>(_e150, _e158.member_3);
-                                let _e477 = type_22(array<array<u32, 2>, 4>(_e468, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e484 = type_22(array<array<u32, 2>, 4>(_e477.member[0], _e470, _e477.member[2], _e477.member[3]), _e477.member_1);
-                                if ((((((_e156.member[0] <= _e459.member_2[0]) && (_e459.member[0] <= _e156.member_2[0])) && (_e156.member[1] <= _e459.member_2[1])) && (_e459.member[1] <= _e156.member_2[1])) && (_e156.member[2] <= _e459.member_2[2])) && (_e459.member[2] <= _e156.member_2[2])) {
-                                    phi_854_ = _e468;
+                                let _e454 = b_nodes.member[_e153.member_1];
+                                let _e459 = b_nodes.member[_e153.member_3];
+                                let _e463 = array<u32, 2>(_e145, _e153.member_1);
+                                let _e465 = array<u32, 2>(_e145, _e153.member_3);
+                                let _e472 = type_22(array<array<u32, 2>, 4>(_e463, type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e479 = type_22(array<array<u32, 2>, 4>(_e472.member[0], _e465, _e472.member[2], _e472.member[3]), _e472.member_1);
+                                if ((((((_e151.member[0] <= _e454.member_2[0]) && (_e454.member[0] <= _e151.member_2[0])) && (_e151.member[1] <= _e454.member_2[1])) && (_e454.member[1] <= _e151.member_2[1])) && (_e151.member[2] <= _e454.member_2[2])) && (_e454.member[2] <= _e151.member_2[2])) {
+                                    phi_841_ = _e463;
                                 } else {
-                                    phi_854_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_841_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e511 = phi_854_;
-                                let _e518 = type_22(_e484.member, array<array<u32, 2>, 4>(_e511, _e484.member_1[1], _e484.member_1[2], _e484.member_1[3]));
-                                if ((((((_e156.member[0] <= _e464.member_2[0]) && (_e464.member[0] <= _e156.member_2[0])) && (_e156.member[1] <= _e464.member_2[1])) && (_e464.member[1] <= _e156.member_2[1])) && (_e156.member[2] <= _e464.member_2[2])) && (_e464.member[2] <= _e156.member_2[2])) {
-                                    phi_886_ = _e470;
+                                let _e506 = phi_841_;
+                                let _e513 = type_22(_e479.member, array<array<u32, 2>, 4>(_e506, _e479.member_1[1], _e479.member_1[2], _e479.member_1[3]));
+                                if ((((((_e151.member[0] <= _e459.member_2[0]) && (_e459.member[0] <= _e151.member_2[0])) && (_e151.member[1] <= _e459.member_2[1])) && (_e459.member[1] <= _e151.member_2[1])) && (_e151.member[2] <= _e459.member_2[2])) && (_e459.member[2] <= _e151.member_2[2])) {
+                                    phi_873_ = _e465;
                                 } else {
-                                    phi_886_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_873_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e545 = phi_886_;
-                                phi_888_ = type_22(_e518.member, array<array<u32, 2>, 4>(_e518.member_1[0], _e545, _e518.member_1[2], _e518.member_1[3]));
+                                let _e540 = phi_873_;
+                                phi_875_ = type_22(_e513.member, array<array<u32, 2>, 4>(_e513.member_1[0], _e540, _e513.member_1[2], _e513.member_1[3]));
                             }
-                            let _e650 = phi_888_;
-                            phi_889_ = _e650;
+                            let _e645 = phi_875_;
+                            phi_876_ = _e645;
                         } else {
-                            phi_889_ = _e454;
+                            phi_876_ = _e449;
                         }
-                        let _e652 = phi_889_;
-                        phi_890_ = _e652;
-                        phi_891_ = false;
+                        let _e647 = phi_876_;
+                        phi_877_ = _e647;
+                        phi_878_ = false;
                     } else {
-                        phi_890_ = type_22();
-                        phi_891_ = true;
+                        phi_877_ = type_22();
+                        phi_878_ = true;
                     }
-                    let _e654 = phi_890_;
-                    let _e656 = phi_891_;
-                    phi_892_ = _e654;
-                    phi_893_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                    phi_894_ = _e656;
+                    let _e649 = phi_877_;
+                    let _e651 = phi_878_;
+                    phi_879_ = _e649;
+                    phi_880_ = type_22(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                    phi_881_ = _e651;
                 } else {
-                    phi_892_ = type_22();
-                    phi_893_ = _e262;
-                    phi_894_ = true;
+                    phi_879_ = type_22();
+                    phi_880_ = _e257;
+                    phi_881_ = true;
                 }
-                let _e658 = phi_892_;
-                let _e660 = phi_893_;
-                let _e662 = phi_894_;
-                if _e662 {
-                    phi_898_ = _e660;
+                let _e653 = phi_879_;
+                let _e655 = phi_880_;
+                let _e657 = phi_881_;
+                if _e657 {
+                    phi_885_ = _e655;
                 } else {
-                    phi_898_ = _e658;
+                    phi_885_ = _e653;
                 }
-                let _e664 = phi_898_;
-                local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e664.member_1[0][0], _e664.member_1[0][1]), array<u32, 2>(_e664.member_1[1][0], _e664.member_1[1][1]), array<u32, 2>(_e664.member_1[2][0], _e664.member_1[2][1]), array<u32, 2>(_e664.member_1[3][0], _e664.member_1[3][1]));
-                phi_920_ = type_12(0u, 4u);
+                let _e659 = phi_885_;
+                let _e663 = params.member.member_2.member;
+                let _e667 = params.member.member_2.member;
+                if (_e667 == 0u) {
+                    phi_900_ = array<u32, 2>(0u, 2u);
+                } else {
+                    phi_900_ = array<u32, 2>(1u, 1u);
+                }
+                let _e670 = phi_900_;
+                let _e676 = params.member.member.member[_e670[0]];
+                let _e677 = (_e676 - 1u);
+                let _e681 = params.member.member.member[_e670[1]];
+                let _e682 = (_e681 - 1u);
+                let _e685 = params.member.member_2.member;
+                if (_e685 == 0u) {
+                    phi_928_ = array<u32, 2>(0u, 2u);
+                } else {
+                    phi_928_ = array<u32, 2>(1u, 1u);
+                }
+                let _e688 = phi_928_;
+                let _e694 = params.member.member.member_2[_e688[0]];
+                let _e698 = params.member.member.member_2[_e688[1]];
+                local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e659.member_1[0][0], _e659.member_1[0][1]), array<u32, 2>(_e659.member_1[1][0], _e659.member_1[1][1]), array<u32, 2>(_e659.member_1[2][0], _e659.member_1[2][1]), array<u32, 2>(_e659.member_1[3][0], _e659.member_1[3][1]));
+                phi_966_ = type_9(0u, 4u);
                 loop {
-                    let _e685 = phi_920_;
-                    if (_e685.member < _e685.member_1) {
-                        phi_921_ = type_12((_e685.member + 1u), _e685.member_1);
-                        phi_944_ = type_12(1u, _e685.member);
+                    let _e717 = phi_966_;
+                    if (_e717.member < _e717.member_1) {
+                        phi_967_ = type_9((_e717.member + 1u), _e717.member_1);
+                        phi_990_ = type_9(1u, _e717.member);
                     } else {
-                        phi_921_ = _e685;
-                        phi_944_ = type_12(0u, type_12().member_1);
+                        phi_967_ = _e717;
+                        phi_990_ = type_9(0u, type_9().member_1);
                     }
-                    let _e697 = phi_921_;
-                    let _e699 = phi_944_;
-                    let _e703 = (bitcast<i32>(_e699.member) != 0i);
-                    if _e703 {
-                        let _e705 = local_1[_e699.member_1];
-                        if (_e705[0] != 4294967295u) {
-                            if (_e65 == 1u) {
-                                phi_973_ = (_e705[0] == _e705[1]);
+                    let _e729 = phi_967_;
+                    let _e731 = phi_990_;
+                    let _e735 = (bitcast<i32>(_e731.member) != 0i);
+                    if _e735 {
+                        let _e737 = local_1[_e731.member_1];
+                        if (_e737[0] != 4294967295u) {
+                            if (_e663 == 1u) {
+                                phi_1019_ = (_e737[0] == _e737[1]);
                             } else {
-                                phi_973_ = false;
+                                phi_1019_ = false;
                             }
-                            let _e711 = phi_973_;
-                            if _e711 {
-                                phi_3182_ = bool();
-                                phi_3183_ = true;
+                            let _e743 = phi_1019_;
+                            if _e743 {
+                                phi_3228_ = bool();
+                                phi_3229_ = true;
                             } else {
-                                if (_e705[0] >= _e78) {
-                                    if (_e705[1] >= _e83) {
-                                        phi_985_ = false;
+                                if (_e737[0] >= _e677) {
+                                    if (_e737[1] >= _e682) {
+                                        phi_1031_ = false;
                                     } else {
-                                        phi_985_ = true;
+                                        phi_1031_ = true;
                                     }
-                                    let _e715 = phi_985_;
-                                    phi_986_ = _e715;
+                                    let _e747 = phi_1031_;
+                                    phi_1032_ = _e747;
                                 } else {
-                                    phi_986_ = true;
+                                    phi_1032_ = true;
                                 }
-                                let _e717 = phi_986_;
-                                if _e717 {
-                                    if (_e705[0] < _e78) {
-                                        let _e797 = oriented.member[(_e87 + _e705[0])];
-                                        phi_1133_ = type_29(array<f32, 3>(_e797.member.x, _e797.member.y, _e797.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e797.member.w, _e797.member_1.x, _e797.member_1.y), array<f32, 3>(_e797.member_1.z, _e797.member_1.w, _e797.member_2.x), array<f32, 3>(_e797.member_2.y, _e797.member_2.z, _e797.member_2.w)), array<f32, 3>(_e797.member_3.x, _e797.member_3.y, _e797.member_3.z));
+                                let _e749 = phi_1032_;
+                                if _e749 {
+                                    if (_e737[0] < _e677) {
+                                        let _e829 = oriented.member[(_e694 + _e737[0])];
+                                        phi_1179_ = type_29(array<f32, 3>(_e829.member.x, _e829.member.y, _e829.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e829.member.w, _e829.member_1.x, _e829.member_1.y), array<f32, 3>(_e829.member_1.z, _e829.member_1.w, _e829.member_2.x), array<f32, 3>(_e829.member_2.y, _e829.member_2.z, _e829.member_2.w)), array<f32, 3>(_e829.member_3.x, _e829.member_3.y, _e829.member_3.z));
                                     } else {
-                                        let _e720 = a_nodes.member[_e705[0]];
-                                        let _e735 = ((_e720.member[0] * 0.5f) + (_e720.member_2[0] * 0.5f));
-                                        let _e736 = ((_e720.member[1] * 0.5f) + (_e720.member_2[1] * 0.5f));
-                                        let _e737 = ((_e720.member[2] * 0.5f) + (_e720.member_2[2] * 0.5f));
-                                        if (_e735 < _e720.member_2[0]) {
-                                            phi_1059_ = _e735;
+                                        let _e752 = a_nodes.member[_e737[0]];
+                                        let _e767 = ((_e752.member[0] * 0.5f) + (_e752.member_2[0] * 0.5f));
+                                        let _e768 = ((_e752.member[1] * 0.5f) + (_e752.member_2[1] * 0.5f));
+                                        let _e769 = ((_e752.member[2] * 0.5f) + (_e752.member_2[2] * 0.5f));
+                                        if (_e767 < _e752.member_2[0]) {
+                                            phi_1105_ = _e767;
                                         } else {
-                                            phi_1059_ = _e720.member_2[0];
+                                            phi_1105_ = _e752.member_2[0];
                                         }
-                                        let _e741 = phi_1059_;
-                                        if (_e736 < _e720.member_2[1]) {
-                                            phi_1065_ = _e736;
+                                        let _e773 = phi_1105_;
+                                        if (_e768 < _e752.member_2[1]) {
+                                            phi_1111_ = _e768;
                                         } else {
-                                            phi_1065_ = _e720.member_2[1];
+                                            phi_1111_ = _e752.member_2[1];
                                         }
-                                        let _e745 = phi_1065_;
-                                        if (_e737 < _e720.member_2[2]) {
-                                            phi_1071_ = _e737;
+                                        let _e777 = phi_1111_;
+                                        if (_e769 < _e752.member_2[2]) {
+                                            phi_1117_ = _e769;
                                         } else {
-                                            phi_1071_ = _e720.member_2[2];
+                                            phi_1117_ = _e752.member_2[2];
                                         }
-                                        let _e749 = phi_1071_;
-                                        if (_e741 > _e720.member[0]) {
-                                            phi_1077_ = _e741;
+                                        let _e781 = phi_1117_;
+                                        if (_e773 > _e752.member[0]) {
+                                            phi_1123_ = _e773;
                                         } else {
-                                            phi_1077_ = _e720.member[0];
+                                            phi_1123_ = _e752.member[0];
                                         }
-                                        let _e753 = phi_1077_;
-                                        if (_e745 > _e720.member[1]) {
-                                            phi_1083_ = _e745;
+                                        let _e785 = phi_1123_;
+                                        if (_e777 > _e752.member[1]) {
+                                            phi_1129_ = _e777;
                                         } else {
-                                            phi_1083_ = _e720.member[1];
+                                            phi_1129_ = _e752.member[1];
                                         }
-                                        let _e757 = phi_1083_;
-                                        if (_e749 > _e720.member[2]) {
-                                            phi_1089_ = _e749;
+                                        let _e789 = phi_1129_;
+                                        if (_e781 > _e752.member[2]) {
+                                            phi_1135_ = _e781;
                                         } else {
-                                            phi_1089_ = _e720.member[2];
+                                            phi_1135_ = _e752.member[2];
                                         }
-                                        let _e761 = phi_1089_;
-                                        let _e764 = (_e720.member_2[0] - _e753);
-                                        let _e766 = (_e720.member_2[1] - _e757);
-                                        let _e768 = (_e720.member_2[2] - _e761);
-                                        let _e770 = (_e753 - _e720.member[0]);
-                                        let _e772 = (_e757 - _e720.member[1]);
-                                        let _e774 = (_e761 - _e720.member[2]);
-                                        if (_e764 > _e770) {
-                                            phi_1107_ = _e764;
+                                        let _e793 = phi_1135_;
+                                        let _e796 = (_e752.member_2[0] - _e785);
+                                        let _e798 = (_e752.member_2[1] - _e789);
+                                        let _e800 = (_e752.member_2[2] - _e793);
+                                        let _e802 = (_e785 - _e752.member[0]);
+                                        let _e804 = (_e789 - _e752.member[1]);
+                                        let _e806 = (_e793 - _e752.member[2]);
+                                        if (_e796 > _e802) {
+                                            phi_1153_ = _e796;
                                         } else {
-                                            phi_1107_ = _e770;
+                                            phi_1153_ = _e802;
                                         }
-                                        let _e777 = phi_1107_;
-                                        if (_e766 > _e772) {
-                                            phi_1112_ = _e766;
+                                        let _e809 = phi_1153_;
+                                        if (_e798 > _e804) {
+                                            phi_1158_ = _e798;
                                         } else {
-                                            phi_1112_ = _e772;
+                                            phi_1158_ = _e804;
                                         }
-                                        let _e780 = phi_1112_;
-                                        if (_e768 > _e774) {
-                                            phi_1117_ = _e768;
+                                        let _e812 = phi_1158_;
+                                        if (_e800 > _e806) {
+                                            phi_1163_ = _e800;
                                         } else {
-                                            phi_1117_ = _e774;
+                                            phi_1163_ = _e806;
                                         }
-                                        let _e783 = phi_1117_;
-                                        let _e785 = (1f + (0.000000059604645f * 4f));
-                                        let _e789 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                        phi_1133_ = type_29(array<f32, 3>(_e753, _e757, _e761), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e777 * _e785) + _e789), ((_e780 * _e785) + _e789), ((_e783 * _e785) + _e789)));
+                                        let _e815 = phi_1163_;
+                                        let _e817 = (1f + (0.000000059604645f * 4f));
+                                        let _e821 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                        phi_1179_ = type_29(array<f32, 3>(_e785, _e789, _e793), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e809 * _e817) + _e821), ((_e812 * _e817) + _e821), ((_e815 * _e817) + _e821)));
                                     }
-                                    let _e836 = phi_1133_;
-                                    if (_e705[1] < _e83) {
-                                        let _e916 = oriented.member[(_e91 + _e705[1])];
-                                        phi_1277_ = type_29(array<f32, 3>(_e916.member.x, _e916.member.y, _e916.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e916.member.w, _e916.member_1.x, _e916.member_1.y), array<f32, 3>(_e916.member_1.z, _e916.member_1.w, _e916.member_2.x), array<f32, 3>(_e916.member_2.y, _e916.member_2.z, _e916.member_2.w)), array<f32, 3>(_e916.member_3.x, _e916.member_3.y, _e916.member_3.z));
+                                    let _e868 = phi_1179_;
+                                    if (_e737[1] < _e682) {
+                                        let _e948 = oriented.member[(_e698 + _e737[1])];
+                                        phi_1323_ = type_29(array<f32, 3>(_e948.member.x, _e948.member.y, _e948.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e948.member.w, _e948.member_1.x, _e948.member_1.y), array<f32, 3>(_e948.member_1.z, _e948.member_1.w, _e948.member_2.x), array<f32, 3>(_e948.member_2.y, _e948.member_2.z, _e948.member_2.w)), array<f32, 3>(_e948.member_3.x, _e948.member_3.y, _e948.member_3.z));
                                     } else {
-                                        let _e839 = b_nodes.member[_e705[1]];
-                                        let _e854 = ((_e839.member[0] * 0.5f) + (_e839.member_2[0] * 0.5f));
-                                        let _e855 = ((_e839.member[1] * 0.5f) + (_e839.member_2[1] * 0.5f));
-                                        let _e856 = ((_e839.member[2] * 0.5f) + (_e839.member_2[2] * 0.5f));
-                                        if (_e854 < _e839.member_2[0]) {
-                                            phi_1203_ = _e854;
+                                        let _e871 = b_nodes.member[_e737[1]];
+                                        let _e886 = ((_e871.member[0] * 0.5f) + (_e871.member_2[0] * 0.5f));
+                                        let _e887 = ((_e871.member[1] * 0.5f) + (_e871.member_2[1] * 0.5f));
+                                        let _e888 = ((_e871.member[2] * 0.5f) + (_e871.member_2[2] * 0.5f));
+                                        if (_e886 < _e871.member_2[0]) {
+                                            phi_1249_ = _e886;
                                         } else {
-                                            phi_1203_ = _e839.member_2[0];
+                                            phi_1249_ = _e871.member_2[0];
                                         }
-                                        let _e860 = phi_1203_;
-                                        if (_e855 < _e839.member_2[1]) {
-                                            phi_1209_ = _e855;
+                                        let _e892 = phi_1249_;
+                                        if (_e887 < _e871.member_2[1]) {
+                                            phi_1255_ = _e887;
                                         } else {
-                                            phi_1209_ = _e839.member_2[1];
+                                            phi_1255_ = _e871.member_2[1];
                                         }
-                                        let _e864 = phi_1209_;
-                                        if (_e856 < _e839.member_2[2]) {
-                                            phi_1215_ = _e856;
+                                        let _e896 = phi_1255_;
+                                        if (_e888 < _e871.member_2[2]) {
+                                            phi_1261_ = _e888;
                                         } else {
-                                            phi_1215_ = _e839.member_2[2];
+                                            phi_1261_ = _e871.member_2[2];
                                         }
-                                        let _e868 = phi_1215_;
-                                        if (_e860 > _e839.member[0]) {
-                                            phi_1221_ = _e860;
+                                        let _e900 = phi_1261_;
+                                        if (_e892 > _e871.member[0]) {
+                                            phi_1267_ = _e892;
                                         } else {
-                                            phi_1221_ = _e839.member[0];
+                                            phi_1267_ = _e871.member[0];
                                         }
-                                        let _e872 = phi_1221_;
-                                        if (_e864 > _e839.member[1]) {
-                                            phi_1227_ = _e864;
+                                        let _e904 = phi_1267_;
+                                        if (_e896 > _e871.member[1]) {
+                                            phi_1273_ = _e896;
                                         } else {
-                                            phi_1227_ = _e839.member[1];
+                                            phi_1273_ = _e871.member[1];
                                         }
-                                        let _e876 = phi_1227_;
-                                        if (_e868 > _e839.member[2]) {
-                                            phi_1233_ = _e868;
+                                        let _e908 = phi_1273_;
+                                        if (_e900 > _e871.member[2]) {
+                                            phi_1279_ = _e900;
                                         } else {
-                                            phi_1233_ = _e839.member[2];
+                                            phi_1279_ = _e871.member[2];
                                         }
-                                        let _e880 = phi_1233_;
-                                        let _e883 = (_e839.member_2[0] - _e872);
-                                        let _e885 = (_e839.member_2[1] - _e876);
-                                        let _e887 = (_e839.member_2[2] - _e880);
-                                        let _e889 = (_e872 - _e839.member[0]);
-                                        let _e891 = (_e876 - _e839.member[1]);
-                                        let _e893 = (_e880 - _e839.member[2]);
-                                        if (_e883 > _e889) {
-                                            phi_1251_ = _e883;
+                                        let _e912 = phi_1279_;
+                                        let _e915 = (_e871.member_2[0] - _e904);
+                                        let _e917 = (_e871.member_2[1] - _e908);
+                                        let _e919 = (_e871.member_2[2] - _e912);
+                                        let _e921 = (_e904 - _e871.member[0]);
+                                        let _e923 = (_e908 - _e871.member[1]);
+                                        let _e925 = (_e912 - _e871.member[2]);
+                                        if (_e915 > _e921) {
+                                            phi_1297_ = _e915;
                                         } else {
-                                            phi_1251_ = _e889;
+                                            phi_1297_ = _e921;
                                         }
-                                        let _e896 = phi_1251_;
-                                        if (_e885 > _e891) {
-                                            phi_1256_ = _e885;
+                                        let _e928 = phi_1297_;
+                                        if (_e917 > _e923) {
+                                            phi_1302_ = _e917;
                                         } else {
-                                            phi_1256_ = _e891;
+                                            phi_1302_ = _e923;
                                         }
-                                        let _e899 = phi_1256_;
-                                        if (_e887 > _e893) {
-                                            phi_1261_ = _e887;
+                                        let _e931 = phi_1302_;
+                                        if (_e919 > _e925) {
+                                            phi_1307_ = _e919;
                                         } else {
-                                            phi_1261_ = _e893;
+                                            phi_1307_ = _e925;
                                         }
-                                        let _e902 = phi_1261_;
-                                        let _e904 = (1f + (0.000000059604645f * 4f));
-                                        let _e908 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                        phi_1277_ = type_29(array<f32, 3>(_e872, _e876, _e880), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e896 * _e904) + _e908), ((_e899 * _e904) + _e908), ((_e902 * _e904) + _e908)));
+                                        let _e934 = phi_1307_;
+                                        let _e936 = (1f + (0.000000059604645f * 4f));
+                                        let _e940 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                        phi_1323_ = type_29(array<f32, 3>(_e904, _e908, _e912), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e928 * _e936) + _e940), ((_e931 * _e936) + _e940), ((_e934 * _e936) + _e940)));
                                     }
-                                    let _e955 = phi_1277_;
-                                    let _e960 = (_e955.member[0] - _e836.member[0]);
-                                    let _e963 = (_e955.member[1] - _e836.member[1]);
-                                    let _e966 = (_e955.member[2] - _e836.member[2]);
-                                    if (_e960 < 0f) {
-                                        phi_1467_ = -(_e960);
+                                    let _e987 = phi_1323_;
+                                    let _e992 = (_e987.member[0] - _e868.member[0]);
+                                    let _e995 = (_e987.member[1] - _e868.member[1]);
+                                    let _e998 = (_e987.member[2] - _e868.member[2]);
+                                    if (_e992 < 0f) {
+                                        phi_1513_ = -(_e992);
                                     } else {
-                                        phi_1467_ = _e960;
+                                        phi_1513_ = _e992;
                                     }
-                                    let _e1155 = phi_1467_;
-                                    if (_e963 < 0f) {
-                                        phi_1473_ = -(_e963);
+                                    let _e1187 = phi_1513_;
+                                    if (_e995 < 0f) {
+                                        phi_1519_ = -(_e995);
                                     } else {
-                                        phi_1473_ = _e963;
+                                        phi_1519_ = _e995;
                                     }
-                                    let _e1159 = phi_1473_;
-                                    if (_e966 < 0f) {
-                                        phi_1480_ = -(_e966);
+                                    let _e1191 = phi_1519_;
+                                    if (_e998 < 0f) {
+                                        phi_1526_ = -(_e998);
                                     } else {
-                                        phi_1480_ = _e966;
+                                        phi_1526_ = _e998;
                                     }
-                                    let _e1164 = phi_1480_;
-                                    if (_e836.member_2[0] < 0f) {
-                                        phi_1489_ = -(_e836.member_2[0]);
+                                    let _e1196 = phi_1526_;
+                                    if (_e868.member_2[0] < 0f) {
+                                        phi_1535_ = -(_e868.member_2[0]);
                                     } else {
-                                        phi_1489_ = _e836.member_2[0];
+                                        phi_1535_ = _e868.member_2[0];
                                     }
-                                    let _e1171 = phi_1489_;
-                                    if (_e836.member_2[1] < 0f) {
-                                        phi_1496_ = -(_e836.member_2[1]);
+                                    let _e1203 = phi_1535_;
+                                    if (_e868.member_2[1] < 0f) {
+                                        phi_1542_ = -(_e868.member_2[1]);
                                     } else {
-                                        phi_1496_ = _e836.member_2[1];
+                                        phi_1542_ = _e868.member_2[1];
                                     }
-                                    let _e1176 = phi_1496_;
-                                    if (_e836.member_2[2] < 0f) {
-                                        phi_1504_ = -(_e836.member_2[2]);
+                                    let _e1208 = phi_1542_;
+                                    if (_e868.member_2[2] < 0f) {
+                                        phi_1550_ = -(_e868.member_2[2]);
                                     } else {
-                                        phi_1504_ = _e836.member_2[2];
+                                        phi_1550_ = _e868.member_2[2];
                                     }
-                                    let _e1182 = phi_1504_;
-                                    if (_e955.member_2[0] < 0f) {
-                                        phi_1513_ = -(_e955.member_2[0]);
+                                    let _e1214 = phi_1550_;
+                                    if (_e987.member_2[0] < 0f) {
+                                        phi_1559_ = -(_e987.member_2[0]);
                                     } else {
-                                        phi_1513_ = _e955.member_2[0];
+                                        phi_1559_ = _e987.member_2[0];
                                     }
-                                    let _e1189 = phi_1513_;
-                                    if (_e955.member_2[1] < 0f) {
-                                        phi_1520_ = -(_e955.member_2[1]);
+                                    let _e1221 = phi_1559_;
+                                    if (_e987.member_2[1] < 0f) {
+                                        phi_1566_ = -(_e987.member_2[1]);
                                     } else {
-                                        phi_1520_ = _e955.member_2[1];
+                                        phi_1566_ = _e987.member_2[1];
                                     }
-                                    let _e1194 = phi_1520_;
-                                    if (_e955.member_2[2] < 0f) {
-                                        phi_1528_ = -(_e955.member_2[2]);
+                                    let _e1226 = phi_1566_;
+                                    if (_e987.member_2[2] < 0f) {
+                                        phi_1574_ = -(_e987.member_2[2]);
                                     } else {
-                                        phi_1528_ = _e955.member_2[2];
+                                        phi_1574_ = _e987.member_2[2];
                                     }
-                                    let _e1200 = phi_1528_;
-                                    local = type_24(array<array<f32, 3>, 3>(array<f32, 3>((((_e955.member_1[0][0] * _e836.member_1[0][0]) + (_e955.member_1[0][1] * _e836.member_1[0][1])) + (_e955.member_1[0][2] * _e836.member_1[0][2])), (((_e955.member_1[1][0] * _e836.member_1[0][0]) + (_e955.member_1[1][1] * _e836.member_1[0][1])) + (_e955.member_1[1][2] * _e836.member_1[0][2])), (((_e955.member_1[2][0] * _e836.member_1[0][0]) + (_e955.member_1[2][1] * _e836.member_1[0][1])) + (_e955.member_1[2][2] * _e836.member_1[0][2]))), array<f32, 3>((((_e955.member_1[0][0] * _e836.member_1[1][0]) + (_e955.member_1[0][1] * _e836.member_1[1][1])) + (_e955.member_1[0][2] * _e836.member_1[1][2])), (((_e955.member_1[1][0] * _e836.member_1[1][0]) + (_e955.member_1[1][1] * _e836.member_1[1][1])) + (_e955.member_1[1][2] * _e836.member_1[1][2])), (((_e955.member_1[2][0] * _e836.member_1[1][0]) + (_e955.member_1[2][1] * _e836.member_1[1][1])) + (_e955.member_1[2][2] * _e836.member_1[1][2]))), array<f32, 3>((((_e955.member_1[0][0] * _e836.member_1[2][0]) + (_e955.member_1[0][1] * _e836.member_1[2][1])) + (_e955.member_1[0][2] * _e836.member_1[2][2])), (((_e955.member_1[1][0] * _e836.member_1[2][0]) + (_e955.member_1[1][1] * _e836.member_1[2][1])) + (_e955.member_1[1][2] * _e836.member_1[2][2])), (((_e955.member_1[2][0] * _e836.member_1[2][0]) + (_e955.member_1[2][1] * _e836.member_1[2][1])) + (_e955.member_1[2][2] * _e836.member_1[2][2])))), array<f32, 3>((((_e836.member_1[0][0] * _e960) + (_e836.member_1[0][1] * _e963)) + (_e836.member_1[0][2] * _e966)), (((_e836.member_1[1][0] * _e960) + (_e836.member_1[1][1] * _e963)) + (_e836.member_1[1][2] * _e966)), (((_e836.member_1[2][0] * _e960) + (_e836.member_1[2][1] * _e963)) + (_e836.member_1[2][2] * _e966))), array<f32, 3>((((_e955.member_1[0][0] * _e960) + (_e955.member_1[0][1] * _e963)) + (_e955.member_1[0][2] * _e966)), (((_e955.member_1[1][0] * _e960) + (_e955.member_1[1][1] * _e963)) + (_e955.member_1[1][2] * _e966)), (((_e955.member_1[2][0] * _e960) + (_e955.member_1[2][1] * _e963)) + (_e955.member_1[2][2] * _e966))), array<f32, 3>(_e836.member_2[0], _e836.member_2[1], _e836.member_2[2]), array<f32, 3>(_e955.member_2[0], _e955.member_2[1], _e955.member_2[2]), ((((((_e1155 + _e1159) + _e1164) + (((_e1171 + _e1176) + _e1182) + ((_e1189 + _e1194) + _e1200))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                                    let _e1227 = local.member[0u][0u];
-                                    let _e1231 = local.member[0u][1u];
-                                    let _e1235 = local.member[0u][2u];
-                                    let _e1239 = local.member[1u][0u];
-                                    let _e1243 = local.member[1u][1u];
-                                    let _e1247 = local.member[1u][2u];
-                                    let _e1251 = local.member[2u][0u];
-                                    let _e1255 = local.member[2u][1u];
-                                    let _e1259 = local.member[2u][2u];
-                                    let _e1261 = local.member_3;
-                                    let _e1266 = local.member_4;
-                                    let _e1272 = local.member_1[0u];
-                                    if (_e1272 < 0f) {
-                                        phi_1621_ = -(_e1272);
+                                    let _e1232 = phi_1574_;
+                                    local = type_24(array<array<f32, 3>, 3>(array<f32, 3>((((_e987.member_1[0][0] * _e868.member_1[0][0]) + (_e987.member_1[0][1] * _e868.member_1[0][1])) + (_e987.member_1[0][2] * _e868.member_1[0][2])), (((_e987.member_1[1][0] * _e868.member_1[0][0]) + (_e987.member_1[1][1] * _e868.member_1[0][1])) + (_e987.member_1[1][2] * _e868.member_1[0][2])), (((_e987.member_1[2][0] * _e868.member_1[0][0]) + (_e987.member_1[2][1] * _e868.member_1[0][1])) + (_e987.member_1[2][2] * _e868.member_1[0][2]))), array<f32, 3>((((_e987.member_1[0][0] * _e868.member_1[1][0]) + (_e987.member_1[0][1] * _e868.member_1[1][1])) + (_e987.member_1[0][2] * _e868.member_1[1][2])), (((_e987.member_1[1][0] * _e868.member_1[1][0]) + (_e987.member_1[1][1] * _e868.member_1[1][1])) + (_e987.member_1[1][2] * _e868.member_1[1][2])), (((_e987.member_1[2][0] * _e868.member_1[1][0]) + (_e987.member_1[2][1] * _e868.member_1[1][1])) + (_e987.member_1[2][2] * _e868.member_1[1][2]))), array<f32, 3>((((_e987.member_1[0][0] * _e868.member_1[2][0]) + (_e987.member_1[0][1] * _e868.member_1[2][1])) + (_e987.member_1[0][2] * _e868.member_1[2][2])), (((_e987.member_1[1][0] * _e868.member_1[2][0]) + (_e987.member_1[1][1] * _e868.member_1[2][1])) + (_e987.member_1[1][2] * _e868.member_1[2][2])), (((_e987.member_1[2][0] * _e868.member_1[2][0]) + (_e987.member_1[2][1] * _e868.member_1[2][1])) + (_e987.member_1[2][2] * _e868.member_1[2][2])))), array<f32, 3>((((_e868.member_1[0][0] * _e992) + (_e868.member_1[0][1] * _e995)) + (_e868.member_1[0][2] * _e998)), (((_e868.member_1[1][0] * _e992) + (_e868.member_1[1][1] * _e995)) + (_e868.member_1[1][2] * _e998)), (((_e868.member_1[2][0] * _e992) + (_e868.member_1[2][1] * _e995)) + (_e868.member_1[2][2] * _e998))), array<f32, 3>((((_e987.member_1[0][0] * _e992) + (_e987.member_1[0][1] * _e995)) + (_e987.member_1[0][2] * _e998)), (((_e987.member_1[1][0] * _e992) + (_e987.member_1[1][1] * _e995)) + (_e987.member_1[1][2] * _e998)), (((_e987.member_1[2][0] * _e992) + (_e987.member_1[2][1] * _e995)) + (_e987.member_1[2][2] * _e998))), array<f32, 3>(_e868.member_2[0], _e868.member_2[1], _e868.member_2[2]), array<f32, 3>(_e987.member_2[0], _e987.member_2[1], _e987.member_2[2]), ((((((_e1187 + _e1191) + _e1196) + (((_e1203 + _e1208) + _e1214) + ((_e1221 + _e1226) + _e1232))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                    let _e1259 = local.member[0u][0u];
+                                    let _e1263 = local.member[0u][1u];
+                                    let _e1267 = local.member[0u][2u];
+                                    let _e1271 = local.member[1u][0u];
+                                    let _e1275 = local.member[1u][1u];
+                                    let _e1279 = local.member[1u][2u];
+                                    let _e1283 = local.member[2u][0u];
+                                    let _e1287 = local.member[2u][1u];
+                                    let _e1291 = local.member[2u][2u];
+                                    let _e1293 = local.member_3;
+                                    let _e1298 = local.member_4;
+                                    let _e1304 = local.member_1[0u];
+                                    if (_e1304 < 0f) {
+                                        phi_1667_ = -(_e1304);
                                     } else {
-                                        phi_1621_ = _e1272;
+                                        phi_1667_ = _e1304;
                                     }
-                                    let _e1276 = phi_1621_;
-                                    if (_e1227 < 0f) {
-                                        phi_1628_ = -(_e1227);
-                                    } else {
-                                        phi_1628_ = _e1227;
-                                    }
-                                    let _e1280 = phi_1628_;
-                                    if (_e1231 < 0f) {
-                                        phi_1634_ = -(_e1231);
-                                    } else {
-                                        phi_1634_ = _e1231;
-                                    }
-                                    let _e1284 = phi_1634_;
-                                    if (_e1235 < 0f) {
-                                        phi_1640_ = -(_e1235);
-                                    } else {
-                                        phi_1640_ = _e1235;
-                                    }
-                                    let _e1288 = phi_1640_;
-                                    let _e1295 = (_e1276 - (_e1261[0] + (((_e1280 * _e1266[0]) + (_e1284 * _e1266[1])) + (_e1288 * _e1266[2]))));
-                                    let _e1298 = local.member_1[1u];
-                                    if (_e1298 < 0f) {
-                                        phi_1659_ = -(_e1298);
-                                    } else {
-                                        phi_1659_ = _e1298;
-                                    }
-                                    let _e1302 = phi_1659_;
-                                    if (_e1239 < 0f) {
-                                        phi_1666_ = -(_e1239);
-                                    } else {
-                                        phi_1666_ = _e1239;
-                                    }
-                                    let _e1306 = phi_1666_;
-                                    if (_e1243 < 0f) {
-                                        phi_1672_ = -(_e1243);
-                                    } else {
-                                        phi_1672_ = _e1243;
-                                    }
-                                    let _e1310 = phi_1672_;
-                                    if (_e1247 < 0f) {
-                                        phi_1678_ = -(_e1247);
-                                    } else {
-                                        phi_1678_ = _e1247;
-                                    }
-                                    let _e1314 = phi_1678_;
-                                    let _e1321 = (_e1302 - (_e1261[1] + (((_e1306 * _e1266[0]) + (_e1310 * _e1266[1])) + (_e1314 * _e1266[2]))));
-                                    let _e1324 = local.member_1[2u];
-                                    if (_e1324 < 0f) {
-                                        phi_1697_ = -(_e1324);
-                                    } else {
-                                        phi_1697_ = _e1324;
-                                    }
-                                    let _e1328 = phi_1697_;
-                                    if (_e1251 < 0f) {
-                                        phi_1704_ = -(_e1251);
-                                    } else {
-                                        phi_1704_ = _e1251;
-                                    }
-                                    let _e1332 = phi_1704_;
-                                    if (_e1255 < 0f) {
-                                        phi_1710_ = -(_e1255);
-                                    } else {
-                                        phi_1710_ = _e1255;
-                                    }
-                                    let _e1336 = phi_1710_;
+                                    let _e1308 = phi_1667_;
                                     if (_e1259 < 0f) {
-                                        phi_1716_ = -(_e1259);
+                                        phi_1674_ = -(_e1259);
                                     } else {
-                                        phi_1716_ = _e1259;
+                                        phi_1674_ = _e1259;
                                     }
-                                    let _e1340 = phi_1716_;
-                                    let _e1347 = (_e1328 - (_e1261[2] + (((_e1332 * _e1266[0]) + (_e1336 * _e1266[1])) + (_e1340 * _e1266[2]))));
-                                    let _e1350 = local.member_2[0u];
-                                    if (_e1350 < 0f) {
-                                        phi_1735_ = -(_e1350);
+                                    let _e1312 = phi_1674_;
+                                    if (_e1263 < 0f) {
+                                        phi_1680_ = -(_e1263);
                                     } else {
-                                        phi_1735_ = _e1350;
+                                        phi_1680_ = _e1263;
                                     }
-                                    let _e1354 = phi_1735_;
-                                    if (_e1227 < 0f) {
-                                        phi_1742_ = -(_e1227);
+                                    let _e1316 = phi_1680_;
+                                    if (_e1267 < 0f) {
+                                        phi_1686_ = -(_e1267);
                                     } else {
-                                        phi_1742_ = _e1227;
+                                        phi_1686_ = _e1267;
                                     }
-                                    let _e1358 = phi_1742_;
-                                    if (_e1239 < 0f) {
-                                        phi_1748_ = -(_e1239);
+                                    let _e1320 = phi_1686_;
+                                    let _e1327 = (_e1308 - (_e1293[0] + (((_e1312 * _e1298[0]) + (_e1316 * _e1298[1])) + (_e1320 * _e1298[2]))));
+                                    let _e1330 = local.member_1[1u];
+                                    if (_e1330 < 0f) {
+                                        phi_1705_ = -(_e1330);
                                     } else {
-                                        phi_1748_ = _e1239;
+                                        phi_1705_ = _e1330;
                                     }
-                                    let _e1362 = phi_1748_;
-                                    if (_e1251 < 0f) {
-                                        phi_1754_ = -(_e1251);
+                                    let _e1334 = phi_1705_;
+                                    if (_e1271 < 0f) {
+                                        phi_1712_ = -(_e1271);
                                     } else {
-                                        phi_1754_ = _e1251;
+                                        phi_1712_ = _e1271;
                                     }
-                                    let _e1366 = phi_1754_;
-                                    let _e1373 = (_e1354 - (_e1266[0] + (((_e1358 * _e1261[0]) + (_e1362 * _e1261[1])) + (_e1366 * _e1261[2]))));
-                                    let _e1376 = local.member_2[1u];
-                                    if (_e1376 < 0f) {
-                                        phi_1773_ = -(_e1376);
+                                    let _e1338 = phi_1712_;
+                                    if (_e1275 < 0f) {
+                                        phi_1718_ = -(_e1275);
                                     } else {
-                                        phi_1773_ = _e1376;
+                                        phi_1718_ = _e1275;
                                     }
-                                    let _e1380 = phi_1773_;
-                                    if (_e1231 < 0f) {
-                                        phi_1780_ = -(_e1231);
+                                    let _e1342 = phi_1718_;
+                                    if (_e1279 < 0f) {
+                                        phi_1724_ = -(_e1279);
                                     } else {
-                                        phi_1780_ = _e1231;
+                                        phi_1724_ = _e1279;
                                     }
-                                    let _e1384 = phi_1780_;
-                                    if (_e1243 < 0f) {
-                                        phi_1786_ = -(_e1243);
+                                    let _e1346 = phi_1724_;
+                                    let _e1353 = (_e1334 - (_e1293[1] + (((_e1338 * _e1298[0]) + (_e1342 * _e1298[1])) + (_e1346 * _e1298[2]))));
+                                    let _e1356 = local.member_1[2u];
+                                    if (_e1356 < 0f) {
+                                        phi_1743_ = -(_e1356);
                                     } else {
-                                        phi_1786_ = _e1243;
+                                        phi_1743_ = _e1356;
                                     }
-                                    let _e1388 = phi_1786_;
-                                    if (_e1255 < 0f) {
-                                        phi_1792_ = -(_e1255);
+                                    let _e1360 = phi_1743_;
+                                    if (_e1283 < 0f) {
+                                        phi_1750_ = -(_e1283);
                                     } else {
-                                        phi_1792_ = _e1255;
+                                        phi_1750_ = _e1283;
                                     }
-                                    let _e1392 = phi_1792_;
-                                    let _e1399 = (_e1380 - (_e1266[1] + (((_e1384 * _e1261[0]) + (_e1388 * _e1261[1])) + (_e1392 * _e1261[2]))));
-                                    let _e1402 = local.member_2[2u];
-                                    if (_e1402 < 0f) {
-                                        phi_1811_ = -(_e1402);
+                                    let _e1364 = phi_1750_;
+                                    if (_e1287 < 0f) {
+                                        phi_1756_ = -(_e1287);
                                     } else {
-                                        phi_1811_ = _e1402;
+                                        phi_1756_ = _e1287;
                                     }
-                                    let _e1406 = phi_1811_;
-                                    if (_e1235 < 0f) {
-                                        phi_1818_ = -(_e1235);
+                                    let _e1368 = phi_1756_;
+                                    if (_e1291 < 0f) {
+                                        phi_1762_ = -(_e1291);
                                     } else {
-                                        phi_1818_ = _e1235;
+                                        phi_1762_ = _e1291;
                                     }
-                                    let _e1410 = phi_1818_;
-                                    if (_e1247 < 0f) {
-                                        phi_1824_ = -(_e1247);
+                                    let _e1372 = phi_1762_;
+                                    let _e1379 = (_e1360 - (_e1293[2] + (((_e1364 * _e1298[0]) + (_e1368 * _e1298[1])) + (_e1372 * _e1298[2]))));
+                                    let _e1382 = local.member_2[0u];
+                                    if (_e1382 < 0f) {
+                                        phi_1781_ = -(_e1382);
                                     } else {
-                                        phi_1824_ = _e1247;
+                                        phi_1781_ = _e1382;
                                     }
-                                    let _e1414 = phi_1824_;
+                                    let _e1386 = phi_1781_;
                                     if (_e1259 < 0f) {
-                                        phi_1830_ = -(_e1259);
+                                        phi_1788_ = -(_e1259);
                                     } else {
-                                        phi_1830_ = _e1259;
+                                        phi_1788_ = _e1259;
                                     }
-                                    let _e1418 = phi_1830_;
-                                    let _e1425 = (_e1406 - (_e1266[2] + (((_e1410 * _e1261[0]) + (_e1414 * _e1261[1])) + (_e1418 * _e1261[2]))));
-                                    if (_e1295 > _e1321) {
-                                        phi_1845_ = _e1295;
+                                    let _e1390 = phi_1788_;
+                                    if (_e1271 < 0f) {
+                                        phi_1794_ = -(_e1271);
                                     } else {
-                                        phi_1845_ = _e1321;
+                                        phi_1794_ = _e1271;
                                     }
-                                    let _e1428 = phi_1845_;
-                                    if (_e1428 > _e1347) {
-                                        phi_1850_ = _e1428;
+                                    let _e1394 = phi_1794_;
+                                    if (_e1283 < 0f) {
+                                        phi_1800_ = -(_e1283);
                                     } else {
-                                        phi_1850_ = _e1347;
+                                        phi_1800_ = _e1283;
                                     }
-                                    let _e1431 = phi_1850_;
-                                    if (_e1373 > _e1399) {
-                                        phi_1855_ = _e1373;
+                                    let _e1398 = phi_1800_;
+                                    let _e1405 = (_e1386 - (_e1298[0] + (((_e1390 * _e1293[0]) + (_e1394 * _e1293[1])) + (_e1398 * _e1293[2]))));
+                                    let _e1408 = local.member_2[1u];
+                                    if (_e1408 < 0f) {
+                                        phi_1819_ = -(_e1408);
                                     } else {
-                                        phi_1855_ = _e1399;
+                                        phi_1819_ = _e1408;
                                     }
-                                    let _e1434 = phi_1855_;
-                                    if (_e1434 > _e1425) {
-                                        phi_1860_ = _e1434;
+                                    let _e1412 = phi_1819_;
+                                    if (_e1263 < 0f) {
+                                        phi_1826_ = -(_e1263);
                                     } else {
-                                        phi_1860_ = _e1425;
+                                        phi_1826_ = _e1263;
                                     }
-                                    let _e1437 = phi_1860_;
-                                    if (_e1431 > _e1437) {
-                                        phi_1865_ = _e1431;
+                                    let _e1416 = phi_1826_;
+                                    if (_e1275 < 0f) {
+                                        phi_1832_ = -(_e1275);
                                     } else {
-                                        phi_1865_ = _e1437;
+                                        phi_1832_ = _e1275;
                                     }
-                                    let _e1440 = phi_1865_;
-                                    let _e1442 = local.member_5;
-                                    if (_e1440 > _e1442) {
-                                        phi_3178_ = true;
+                                    let _e1420 = phi_1832_;
+                                    if (_e1287 < 0f) {
+                                        phi_1838_ = -(_e1287);
                                     } else {
-                                        let _e1447 = local.member[1u][0u];
-                                        let _e1450 = local.member_1[2u];
-                                        let _e1455 = local.member[2u][0u];
-                                        let _e1458 = local.member_1[1u];
-                                        let _e1460 = ((_e1447 * _e1450) - (_e1455 * _e1458));
-                                        let _e1464 = local.member[2u][0u];
-                                        if (_e1464 < 0f) {
-                                            phi_1924_ = -(_e1464);
+                                        phi_1838_ = _e1287;
+                                    }
+                                    let _e1424 = phi_1838_;
+                                    let _e1431 = (_e1412 - (_e1298[1] + (((_e1416 * _e1293[0]) + (_e1420 * _e1293[1])) + (_e1424 * _e1293[2]))));
+                                    let _e1434 = local.member_2[2u];
+                                    if (_e1434 < 0f) {
+                                        phi_1857_ = -(_e1434);
+                                    } else {
+                                        phi_1857_ = _e1434;
+                                    }
+                                    let _e1438 = phi_1857_;
+                                    if (_e1267 < 0f) {
+                                        phi_1864_ = -(_e1267);
+                                    } else {
+                                        phi_1864_ = _e1267;
+                                    }
+                                    let _e1442 = phi_1864_;
+                                    if (_e1279 < 0f) {
+                                        phi_1870_ = -(_e1279);
+                                    } else {
+                                        phi_1870_ = _e1279;
+                                    }
+                                    let _e1446 = phi_1870_;
+                                    if (_e1291 < 0f) {
+                                        phi_1876_ = -(_e1291);
+                                    } else {
+                                        phi_1876_ = _e1291;
+                                    }
+                                    let _e1450 = phi_1876_;
+                                    let _e1457 = (_e1438 - (_e1298[2] + (((_e1442 * _e1293[0]) + (_e1446 * _e1293[1])) + (_e1450 * _e1293[2]))));
+                                    if (_e1327 > _e1353) {
+                                        phi_1891_ = _e1327;
+                                    } else {
+                                        phi_1891_ = _e1353;
+                                    }
+                                    let _e1460 = phi_1891_;
+                                    if (_e1460 > _e1379) {
+                                        phi_1896_ = _e1460;
+                                    } else {
+                                        phi_1896_ = _e1379;
+                                    }
+                                    let _e1463 = phi_1896_;
+                                    if (_e1405 > _e1431) {
+                                        phi_1901_ = _e1405;
+                                    } else {
+                                        phi_1901_ = _e1431;
+                                    }
+                                    let _e1466 = phi_1901_;
+                                    if (_e1466 > _e1457) {
+                                        phi_1906_ = _e1466;
+                                    } else {
+                                        phi_1906_ = _e1457;
+                                    }
+                                    let _e1469 = phi_1906_;
+                                    if (_e1463 > _e1469) {
+                                        phi_1911_ = _e1463;
+                                    } else {
+                                        phi_1911_ = _e1469;
+                                    }
+                                    let _e1472 = phi_1911_;
+                                    let _e1474 = local.member_5;
+                                    if (_e1472 > _e1474) {
+                                        phi_3224_ = true;
+                                    } else {
+                                        let _e1479 = local.member[1u][0u];
+                                        let _e1482 = local.member_1[2u];
+                                        let _e1487 = local.member[2u][0u];
+                                        let _e1490 = local.member_1[1u];
+                                        let _e1492 = ((_e1479 * _e1482) - (_e1487 * _e1490));
+                                        let _e1496 = local.member[2u][0u];
+                                        if (_e1496 < 0f) {
+                                            phi_1970_ = -(_e1496);
                                         } else {
-                                            phi_1924_ = _e1464;
+                                            phi_1970_ = _e1496;
                                         }
-                                        let _e1468 = phi_1924_;
-                                        let _e1471 = local.member_3[1u];
-                                        let _e1476 = local.member[1u][0u];
-                                        if (_e1476 < 0f) {
-                                            phi_1947_ = -(_e1476);
+                                        let _e1500 = phi_1970_;
+                                        let _e1503 = local.member_3[1u];
+                                        let _e1508 = local.member[1u][0u];
+                                        if (_e1508 < 0f) {
+                                            phi_1993_ = -(_e1508);
                                         } else {
-                                            phi_1947_ = _e1476;
+                                            phi_1993_ = _e1508;
                                         }
-                                        let _e1480 = phi_1947_;
-                                        let _e1483 = local.member_3[2u];
-                                        let _e1489 = local.member[0u][2u];
-                                        if (_e1489 < 0f) {
-                                            phi_1970_ = -(_e1489);
+                                        let _e1512 = phi_1993_;
+                                        let _e1515 = local.member_3[2u];
+                                        let _e1521 = local.member[0u][2u];
+                                        if (_e1521 < 0f) {
+                                            phi_2016_ = -(_e1521);
                                         } else {
-                                            phi_1970_ = _e1489;
+                                            phi_2016_ = _e1521;
                                         }
-                                        let _e1493 = phi_1970_;
-                                        let _e1496 = local.member_4[1u];
-                                        let _e1501 = local.member[0u][1u];
-                                        if (_e1501 < 0f) {
-                                            phi_1992_ = -(_e1501);
-                                        } else {
-                                            phi_1992_ = _e1501;
-                                        }
-                                        let _e1505 = phi_1992_;
-                                        let _e1508 = local.member_4[2u];
-                                        if (_e1460 < 0f) {
-                                            phi_2008_ = -(_e1460);
-                                        } else {
-                                            phi_2008_ = _e1460;
-                                        }
-                                        let _e1514 = phi_2008_;
-                                        let _e1516 = (_e1514 - (((_e1468 * _e1471) + (_e1480 * _e1483)) + ((_e1493 * _e1496) + (_e1505 * _e1508))));
-                                        let _e1520 = local.member[1u][1u];
-                                        let _e1523 = local.member_1[2u];
-                                        let _e1528 = local.member[2u][1u];
-                                        let _e1531 = local.member_1[1u];
-                                        let _e1533 = ((_e1520 * _e1523) - (_e1528 * _e1531));
-                                        let _e1537 = local.member[2u][1u];
-                                        if (_e1537 < 0f) {
-                                            phi_2063_ = -(_e1537);
-                                        } else {
-                                            phi_2063_ = _e1537;
-                                        }
-                                        let _e1541 = phi_2063_;
-                                        let _e1544 = local.member_3[1u];
-                                        let _e1549 = local.member[1u][1u];
-                                        if (_e1549 < 0f) {
-                                            phi_2086_ = -(_e1549);
-                                        } else {
-                                            phi_2086_ = _e1549;
-                                        }
-                                        let _e1553 = phi_2086_;
-                                        let _e1556 = local.member_3[2u];
-                                        let _e1562 = local.member[0u][0u];
-                                        if (_e1562 < 0f) {
-                                            phi_2109_ = -(_e1562);
-                                        } else {
-                                            phi_2109_ = _e1562;
-                                        }
-                                        let _e1566 = phi_2109_;
-                                        let _e1569 = local.member_4[2u];
-                                        let _e1574 = local.member[0u][2u];
-                                        if (_e1574 < 0f) {
-                                            phi_2131_ = -(_e1574);
-                                        } else {
-                                            phi_2131_ = _e1574;
-                                        }
-                                        let _e1578 = phi_2131_;
-                                        let _e1581 = local.member_4[0u];
+                                        let _e1525 = phi_2016_;
+                                        let _e1528 = local.member_4[1u];
+                                        let _e1533 = local.member[0u][1u];
                                         if (_e1533 < 0f) {
-                                            phi_2147_ = -(_e1533);
+                                            phi_2038_ = -(_e1533);
                                         } else {
-                                            phi_2147_ = _e1533;
+                                            phi_2038_ = _e1533;
                                         }
-                                        let _e1587 = phi_2147_;
-                                        let _e1589 = (_e1587 - (((_e1541 * _e1544) + (_e1553 * _e1556)) + ((_e1566 * _e1569) + (_e1578 * _e1581))));
-                                        let _e1593 = local.member[1u][2u];
-                                        let _e1596 = local.member_1[2u];
-                                        let _e1601 = local.member[2u][2u];
-                                        let _e1604 = local.member_1[1u];
-                                        let _e1606 = ((_e1593 * _e1596) - (_e1601 * _e1604));
-                                        let _e1610 = local.member[2u][2u];
-                                        if (_e1610 < 0f) {
-                                            phi_2202_ = -(_e1610);
+                                        let _e1537 = phi_2038_;
+                                        let _e1540 = local.member_4[2u];
+                                        if (_e1492 < 0f) {
+                                            phi_2054_ = -(_e1492);
                                         } else {
-                                            phi_2202_ = _e1610;
+                                            phi_2054_ = _e1492;
                                         }
-                                        let _e1614 = phi_2202_;
-                                        let _e1617 = local.member_3[1u];
-                                        let _e1622 = local.member[1u][2u];
-                                        if (_e1622 < 0f) {
-                                            phi_2225_ = -(_e1622);
+                                        let _e1546 = phi_2054_;
+                                        let _e1548 = (_e1546 - (((_e1500 * _e1503) + (_e1512 * _e1515)) + ((_e1525 * _e1528) + (_e1537 * _e1540))));
+                                        let _e1552 = local.member[1u][1u];
+                                        let _e1555 = local.member_1[2u];
+                                        let _e1560 = local.member[2u][1u];
+                                        let _e1563 = local.member_1[1u];
+                                        let _e1565 = ((_e1552 * _e1555) - (_e1560 * _e1563));
+                                        let _e1569 = local.member[2u][1u];
+                                        if (_e1569 < 0f) {
+                                            phi_2109_ = -(_e1569);
                                         } else {
-                                            phi_2225_ = _e1622;
+                                            phi_2109_ = _e1569;
                                         }
-                                        let _e1626 = phi_2225_;
-                                        let _e1629 = local.member_3[2u];
-                                        let _e1635 = local.member[0u][1u];
-                                        if (_e1635 < 0f) {
-                                            phi_2248_ = -(_e1635);
+                                        let _e1573 = phi_2109_;
+                                        let _e1576 = local.member_3[1u];
+                                        let _e1581 = local.member[1u][1u];
+                                        if (_e1581 < 0f) {
+                                            phi_2132_ = -(_e1581);
                                         } else {
-                                            phi_2248_ = _e1635;
+                                            phi_2132_ = _e1581;
                                         }
-                                        let _e1639 = phi_2248_;
-                                        let _e1642 = local.member_4[0u];
-                                        let _e1647 = local.member[0u][0u];
-                                        if (_e1647 < 0f) {
-                                            phi_2270_ = -(_e1647);
+                                        let _e1585 = phi_2132_;
+                                        let _e1588 = local.member_3[2u];
+                                        let _e1594 = local.member[0u][0u];
+                                        if (_e1594 < 0f) {
+                                            phi_2155_ = -(_e1594);
                                         } else {
-                                            phi_2270_ = _e1647;
+                                            phi_2155_ = _e1594;
                                         }
-                                        let _e1651 = phi_2270_;
-                                        let _e1654 = local.member_4[1u];
+                                        let _e1598 = phi_2155_;
+                                        let _e1601 = local.member_4[2u];
+                                        let _e1606 = local.member[0u][2u];
                                         if (_e1606 < 0f) {
-                                            phi_2286_ = -(_e1606);
+                                            phi_2177_ = -(_e1606);
                                         } else {
-                                            phi_2286_ = _e1606;
+                                            phi_2177_ = _e1606;
                                         }
-                                        let _e1660 = phi_2286_;
-                                        let _e1662 = (_e1660 - (((_e1614 * _e1617) + (_e1626 * _e1629)) + ((_e1639 * _e1642) + (_e1651 * _e1654))));
-                                        let _e1666 = local.member[2u][0u];
-                                        let _e1669 = local.member_1[0u];
-                                        let _e1674 = local.member[0u][0u];
-                                        let _e1677 = local.member_1[2u];
-                                        let _e1679 = ((_e1666 * _e1669) - (_e1674 * _e1677));
-                                        let _e1683 = local.member[0u][0u];
-                                        if (_e1683 < 0f) {
-                                            phi_2341_ = -(_e1683);
+                                        let _e1610 = phi_2177_;
+                                        let _e1613 = local.member_4[0u];
+                                        if (_e1565 < 0f) {
+                                            phi_2193_ = -(_e1565);
                                         } else {
-                                            phi_2341_ = _e1683;
+                                            phi_2193_ = _e1565;
                                         }
-                                        let _e1687 = phi_2341_;
-                                        let _e1690 = local.member_3[2u];
-                                        let _e1695 = local.member[2u][0u];
-                                        if (_e1695 < 0f) {
-                                            phi_2364_ = -(_e1695);
+                                        let _e1619 = phi_2193_;
+                                        let _e1621 = (_e1619 - (((_e1573 * _e1576) + (_e1585 * _e1588)) + ((_e1598 * _e1601) + (_e1610 * _e1613))));
+                                        let _e1625 = local.member[1u][2u];
+                                        let _e1628 = local.member_1[2u];
+                                        let _e1633 = local.member[2u][2u];
+                                        let _e1636 = local.member_1[1u];
+                                        let _e1638 = ((_e1625 * _e1628) - (_e1633 * _e1636));
+                                        let _e1642 = local.member[2u][2u];
+                                        if (_e1642 < 0f) {
+                                            phi_2248_ = -(_e1642);
                                         } else {
-                                            phi_2364_ = _e1695;
+                                            phi_2248_ = _e1642;
                                         }
-                                        let _e1699 = phi_2364_;
-                                        let _e1702 = local.member_3[0u];
-                                        let _e1708 = local.member[1u][2u];
-                                        if (_e1708 < 0f) {
-                                            phi_2388_ = -(_e1708);
+                                        let _e1646 = phi_2248_;
+                                        let _e1649 = local.member_3[1u];
+                                        let _e1654 = local.member[1u][2u];
+                                        if (_e1654 < 0f) {
+                                            phi_2271_ = -(_e1654);
                                         } else {
-                                            phi_2388_ = _e1708;
+                                            phi_2271_ = _e1654;
                                         }
-                                        let _e1712 = phi_2388_;
-                                        let _e1715 = local.member_4[1u];
-                                        let _e1720 = local.member[1u][1u];
-                                        if (_e1720 < 0f) {
-                                            phi_2411_ = -(_e1720);
+                                        let _e1658 = phi_2271_;
+                                        let _e1661 = local.member_3[2u];
+                                        let _e1667 = local.member[0u][1u];
+                                        if (_e1667 < 0f) {
+                                            phi_2294_ = -(_e1667);
                                         } else {
-                                            phi_2411_ = _e1720;
+                                            phi_2294_ = _e1667;
                                         }
-                                        let _e1724 = phi_2411_;
-                                        let _e1727 = local.member_4[2u];
+                                        let _e1671 = phi_2294_;
+                                        let _e1674 = local.member_4[0u];
+                                        let _e1679 = local.member[0u][0u];
                                         if (_e1679 < 0f) {
-                                            phi_2427_ = -(_e1679);
+                                            phi_2316_ = -(_e1679);
                                         } else {
-                                            phi_2427_ = _e1679;
+                                            phi_2316_ = _e1679;
                                         }
-                                        let _e1733 = phi_2427_;
-                                        let _e1735 = (_e1733 - (((_e1687 * _e1690) + (_e1699 * _e1702)) + ((_e1712 * _e1715) + (_e1724 * _e1727))));
-                                        let _e1739 = local.member[2u][1u];
-                                        let _e1742 = local.member_1[0u];
-                                        let _e1747 = local.member[0u][1u];
-                                        let _e1750 = local.member_1[2u];
-                                        let _e1752 = ((_e1739 * _e1742) - (_e1747 * _e1750));
-                                        let _e1756 = local.member[0u][1u];
-                                        if (_e1756 < 0f) {
-                                            phi_2482_ = -(_e1756);
+                                        let _e1683 = phi_2316_;
+                                        let _e1686 = local.member_4[1u];
+                                        if (_e1638 < 0f) {
+                                            phi_2332_ = -(_e1638);
                                         } else {
-                                            phi_2482_ = _e1756;
+                                            phi_2332_ = _e1638;
                                         }
-                                        let _e1760 = phi_2482_;
-                                        let _e1763 = local.member_3[2u];
-                                        let _e1768 = local.member[2u][1u];
-                                        if (_e1768 < 0f) {
-                                            phi_2505_ = -(_e1768);
+                                        let _e1692 = phi_2332_;
+                                        let _e1694 = (_e1692 - (((_e1646 * _e1649) + (_e1658 * _e1661)) + ((_e1671 * _e1674) + (_e1683 * _e1686))));
+                                        let _e1698 = local.member[2u][0u];
+                                        let _e1701 = local.member_1[0u];
+                                        let _e1706 = local.member[0u][0u];
+                                        let _e1709 = local.member_1[2u];
+                                        let _e1711 = ((_e1698 * _e1701) - (_e1706 * _e1709));
+                                        let _e1715 = local.member[0u][0u];
+                                        if (_e1715 < 0f) {
+                                            phi_2387_ = -(_e1715);
                                         } else {
-                                            phi_2505_ = _e1768;
+                                            phi_2387_ = _e1715;
                                         }
-                                        let _e1772 = phi_2505_;
-                                        let _e1775 = local.member_3[0u];
-                                        let _e1781 = local.member[1u][0u];
-                                        if (_e1781 < 0f) {
-                                            phi_2529_ = -(_e1781);
+                                        let _e1719 = phi_2387_;
+                                        let _e1722 = local.member_3[2u];
+                                        let _e1727 = local.member[2u][0u];
+                                        if (_e1727 < 0f) {
+                                            phi_2410_ = -(_e1727);
                                         } else {
-                                            phi_2529_ = _e1781;
+                                            phi_2410_ = _e1727;
                                         }
-                                        let _e1785 = phi_2529_;
-                                        let _e1788 = local.member_4[2u];
-                                        let _e1793 = local.member[1u][2u];
-                                        if (_e1793 < 0f) {
-                                            phi_2552_ = -(_e1793);
+                                        let _e1731 = phi_2410_;
+                                        let _e1734 = local.member_3[0u];
+                                        let _e1740 = local.member[1u][2u];
+                                        if (_e1740 < 0f) {
+                                            phi_2434_ = -(_e1740);
                                         } else {
-                                            phi_2552_ = _e1793;
+                                            phi_2434_ = _e1740;
                                         }
-                                        let _e1797 = phi_2552_;
-                                        let _e1800 = local.member_4[0u];
+                                        let _e1744 = phi_2434_;
+                                        let _e1747 = local.member_4[1u];
+                                        let _e1752 = local.member[1u][1u];
                                         if (_e1752 < 0f) {
-                                            phi_2568_ = -(_e1752);
+                                            phi_2457_ = -(_e1752);
                                         } else {
-                                            phi_2568_ = _e1752;
+                                            phi_2457_ = _e1752;
                                         }
-                                        let _e1806 = phi_2568_;
-                                        let _e1808 = (_e1806 - (((_e1760 * _e1763) + (_e1772 * _e1775)) + ((_e1785 * _e1788) + (_e1797 * _e1800))));
-                                        let _e1812 = local.member[2u][2u];
-                                        let _e1815 = local.member_1[0u];
-                                        let _e1820 = local.member[0u][2u];
-                                        let _e1823 = local.member_1[2u];
-                                        let _e1825 = ((_e1812 * _e1815) - (_e1820 * _e1823));
-                                        let _e1829 = local.member[0u][2u];
-                                        if (_e1829 < 0f) {
-                                            phi_2623_ = -(_e1829);
+                                        let _e1756 = phi_2457_;
+                                        let _e1759 = local.member_4[2u];
+                                        if (_e1711 < 0f) {
+                                            phi_2473_ = -(_e1711);
                                         } else {
-                                            phi_2623_ = _e1829;
+                                            phi_2473_ = _e1711;
                                         }
-                                        let _e1833 = phi_2623_;
-                                        let _e1836 = local.member_3[2u];
-                                        let _e1841 = local.member[2u][2u];
-                                        if (_e1841 < 0f) {
-                                            phi_2646_ = -(_e1841);
+                                        let _e1765 = phi_2473_;
+                                        let _e1767 = (_e1765 - (((_e1719 * _e1722) + (_e1731 * _e1734)) + ((_e1744 * _e1747) + (_e1756 * _e1759))));
+                                        let _e1771 = local.member[2u][1u];
+                                        let _e1774 = local.member_1[0u];
+                                        let _e1779 = local.member[0u][1u];
+                                        let _e1782 = local.member_1[2u];
+                                        let _e1784 = ((_e1771 * _e1774) - (_e1779 * _e1782));
+                                        let _e1788 = local.member[0u][1u];
+                                        if (_e1788 < 0f) {
+                                            phi_2528_ = -(_e1788);
                                         } else {
-                                            phi_2646_ = _e1841;
+                                            phi_2528_ = _e1788;
                                         }
-                                        let _e1845 = phi_2646_;
-                                        let _e1848 = local.member_3[0u];
-                                        let _e1854 = local.member[1u][1u];
-                                        if (_e1854 < 0f) {
-                                            phi_2670_ = -(_e1854);
+                                        let _e1792 = phi_2528_;
+                                        let _e1795 = local.member_3[2u];
+                                        let _e1800 = local.member[2u][1u];
+                                        if (_e1800 < 0f) {
+                                            phi_2551_ = -(_e1800);
                                         } else {
-                                            phi_2670_ = _e1854;
+                                            phi_2551_ = _e1800;
                                         }
-                                        let _e1858 = phi_2670_;
-                                        let _e1861 = local.member_4[0u];
-                                        let _e1866 = local.member[1u][0u];
-                                        if (_e1866 < 0f) {
-                                            phi_2693_ = -(_e1866);
+                                        let _e1804 = phi_2551_;
+                                        let _e1807 = local.member_3[0u];
+                                        let _e1813 = local.member[1u][0u];
+                                        if (_e1813 < 0f) {
+                                            phi_2575_ = -(_e1813);
                                         } else {
-                                            phi_2693_ = _e1866;
+                                            phi_2575_ = _e1813;
                                         }
-                                        let _e1870 = phi_2693_;
-                                        let _e1873 = local.member_4[1u];
+                                        let _e1817 = phi_2575_;
+                                        let _e1820 = local.member_4[2u];
+                                        let _e1825 = local.member[1u][2u];
                                         if (_e1825 < 0f) {
-                                            phi_2709_ = -(_e1825);
+                                            phi_2598_ = -(_e1825);
                                         } else {
-                                            phi_2709_ = _e1825;
+                                            phi_2598_ = _e1825;
                                         }
-                                        let _e1879 = phi_2709_;
-                                        let _e1881 = (_e1879 - (((_e1833 * _e1836) + (_e1845 * _e1848)) + ((_e1858 * _e1861) + (_e1870 * _e1873))));
-                                        let _e1885 = local.member[0u][0u];
-                                        let _e1888 = local.member_1[1u];
-                                        let _e1893 = local.member[1u][0u];
-                                        let _e1896 = local.member_1[0u];
-                                        let _e1898 = ((_e1885 * _e1888) - (_e1893 * _e1896));
-                                        let _e1902 = local.member[1u][0u];
-                                        if (_e1902 < 0f) {
-                                            phi_2764_ = -(_e1902);
+                                        let _e1829 = phi_2598_;
+                                        let _e1832 = local.member_4[0u];
+                                        if (_e1784 < 0f) {
+                                            phi_2614_ = -(_e1784);
                                         } else {
-                                            phi_2764_ = _e1902;
+                                            phi_2614_ = _e1784;
                                         }
-                                        let _e1906 = phi_2764_;
-                                        let _e1909 = local.member_3[0u];
-                                        let _e1914 = local.member[0u][0u];
-                                        if (_e1914 < 0f) {
-                                            phi_2787_ = -(_e1914);
+                                        let _e1838 = phi_2614_;
+                                        let _e1840 = (_e1838 - (((_e1792 * _e1795) + (_e1804 * _e1807)) + ((_e1817 * _e1820) + (_e1829 * _e1832))));
+                                        let _e1844 = local.member[2u][2u];
+                                        let _e1847 = local.member_1[0u];
+                                        let _e1852 = local.member[0u][2u];
+                                        let _e1855 = local.member_1[2u];
+                                        let _e1857 = ((_e1844 * _e1847) - (_e1852 * _e1855));
+                                        let _e1861 = local.member[0u][2u];
+                                        if (_e1861 < 0f) {
+                                            phi_2669_ = -(_e1861);
                                         } else {
-                                            phi_2787_ = _e1914;
+                                            phi_2669_ = _e1861;
                                         }
-                                        let _e1918 = phi_2787_;
-                                        let _e1921 = local.member_3[1u];
-                                        let _e1927 = local.member[2u][2u];
-                                        if (_e1927 < 0f) {
-                                            phi_2811_ = -(_e1927);
+                                        let _e1865 = phi_2669_;
+                                        let _e1868 = local.member_3[2u];
+                                        let _e1873 = local.member[2u][2u];
+                                        if (_e1873 < 0f) {
+                                            phi_2692_ = -(_e1873);
                                         } else {
-                                            phi_2811_ = _e1927;
+                                            phi_2692_ = _e1873;
                                         }
-                                        let _e1931 = phi_2811_;
-                                        let _e1934 = local.member_4[1u];
-                                        let _e1939 = local.member[2u][1u];
-                                        if (_e1939 < 0f) {
-                                            phi_2834_ = -(_e1939);
+                                        let _e1877 = phi_2692_;
+                                        let _e1880 = local.member_3[0u];
+                                        let _e1886 = local.member[1u][1u];
+                                        if (_e1886 < 0f) {
+                                            phi_2716_ = -(_e1886);
                                         } else {
-                                            phi_2834_ = _e1939;
+                                            phi_2716_ = _e1886;
                                         }
-                                        let _e1943 = phi_2834_;
-                                        let _e1946 = local.member_4[2u];
+                                        let _e1890 = phi_2716_;
+                                        let _e1893 = local.member_4[0u];
+                                        let _e1898 = local.member[1u][0u];
                                         if (_e1898 < 0f) {
-                                            phi_2850_ = -(_e1898);
+                                            phi_2739_ = -(_e1898);
                                         } else {
-                                            phi_2850_ = _e1898;
+                                            phi_2739_ = _e1898;
                                         }
-                                        let _e1952 = phi_2850_;
-                                        let _e1954 = (_e1952 - (((_e1906 * _e1909) + (_e1918 * _e1921)) + ((_e1931 * _e1934) + (_e1943 * _e1946))));
-                                        let _e1958 = local.member[0u][1u];
-                                        let _e1961 = local.member_1[1u];
-                                        let _e1966 = local.member[1u][1u];
-                                        let _e1969 = local.member_1[0u];
-                                        let _e1971 = ((_e1958 * _e1961) - (_e1966 * _e1969));
-                                        let _e1975 = local.member[1u][1u];
-                                        if (_e1975 < 0f) {
-                                            phi_2905_ = -(_e1975);
+                                        let _e1902 = phi_2739_;
+                                        let _e1905 = local.member_4[1u];
+                                        if (_e1857 < 0f) {
+                                            phi_2755_ = -(_e1857);
                                         } else {
-                                            phi_2905_ = _e1975;
+                                            phi_2755_ = _e1857;
                                         }
-                                        let _e1979 = phi_2905_;
-                                        let _e1982 = local.member_3[0u];
-                                        let _e1987 = local.member[0u][1u];
-                                        if (_e1987 < 0f) {
-                                            phi_2928_ = -(_e1987);
+                                        let _e1911 = phi_2755_;
+                                        let _e1913 = (_e1911 - (((_e1865 * _e1868) + (_e1877 * _e1880)) + ((_e1890 * _e1893) + (_e1902 * _e1905))));
+                                        let _e1917 = local.member[0u][0u];
+                                        let _e1920 = local.member_1[1u];
+                                        let _e1925 = local.member[1u][0u];
+                                        let _e1928 = local.member_1[0u];
+                                        let _e1930 = ((_e1917 * _e1920) - (_e1925 * _e1928));
+                                        let _e1934 = local.member[1u][0u];
+                                        if (_e1934 < 0f) {
+                                            phi_2810_ = -(_e1934);
                                         } else {
-                                            phi_2928_ = _e1987;
+                                            phi_2810_ = _e1934;
                                         }
-                                        let _e1991 = phi_2928_;
-                                        let _e1994 = local.member_3[1u];
-                                        let _e2000 = local.member[2u][0u];
-                                        if (_e2000 < 0f) {
-                                            phi_2952_ = -(_e2000);
+                                        let _e1938 = phi_2810_;
+                                        let _e1941 = local.member_3[0u];
+                                        let _e1946 = local.member[0u][0u];
+                                        if (_e1946 < 0f) {
+                                            phi_2833_ = -(_e1946);
                                         } else {
-                                            phi_2952_ = _e2000;
+                                            phi_2833_ = _e1946;
                                         }
-                                        let _e2004 = phi_2952_;
-                                        let _e2007 = local.member_4[2u];
-                                        let _e2012 = local.member[2u][2u];
-                                        if (_e2012 < 0f) {
-                                            phi_2975_ = -(_e2012);
+                                        let _e1950 = phi_2833_;
+                                        let _e1953 = local.member_3[1u];
+                                        let _e1959 = local.member[2u][2u];
+                                        if (_e1959 < 0f) {
+                                            phi_2857_ = -(_e1959);
                                         } else {
-                                            phi_2975_ = _e2012;
+                                            phi_2857_ = _e1959;
                                         }
-                                        let _e2016 = phi_2975_;
-                                        let _e2019 = local.member_4[0u];
+                                        let _e1963 = phi_2857_;
+                                        let _e1966 = local.member_4[1u];
+                                        let _e1971 = local.member[2u][1u];
                                         if (_e1971 < 0f) {
-                                            phi_2991_ = -(_e1971);
+                                            phi_2880_ = -(_e1971);
                                         } else {
-                                            phi_2991_ = _e1971;
+                                            phi_2880_ = _e1971;
                                         }
-                                        let _e2025 = phi_2991_;
-                                        let _e2027 = (_e2025 - (((_e1979 * _e1982) + (_e1991 * _e1994)) + ((_e2004 * _e2007) + (_e2016 * _e2019))));
-                                        let _e2031 = local.member[0u][2u];
-                                        let _e2034 = local.member_1[1u];
-                                        let _e2039 = local.member[1u][2u];
-                                        let _e2042 = local.member_1[0u];
-                                        let _e2044 = ((_e2031 * _e2034) - (_e2039 * _e2042));
-                                        let _e2048 = local.member[1u][2u];
-                                        if (_e2048 < 0f) {
-                                            phi_3046_ = -(_e2048);
+                                        let _e1975 = phi_2880_;
+                                        let _e1978 = local.member_4[2u];
+                                        if (_e1930 < 0f) {
+                                            phi_2896_ = -(_e1930);
                                         } else {
-                                            phi_3046_ = _e2048;
+                                            phi_2896_ = _e1930;
                                         }
-                                        let _e2052 = phi_3046_;
-                                        let _e2055 = local.member_3[0u];
-                                        let _e2060 = local.member[0u][2u];
-                                        if (_e2060 < 0f) {
-                                            phi_3069_ = -(_e2060);
+                                        let _e1984 = phi_2896_;
+                                        let _e1986 = (_e1984 - (((_e1938 * _e1941) + (_e1950 * _e1953)) + ((_e1963 * _e1966) + (_e1975 * _e1978))));
+                                        let _e1990 = local.member[0u][1u];
+                                        let _e1993 = local.member_1[1u];
+                                        let _e1998 = local.member[1u][1u];
+                                        let _e2001 = local.member_1[0u];
+                                        let _e2003 = ((_e1990 * _e1993) - (_e1998 * _e2001));
+                                        let _e2007 = local.member[1u][1u];
+                                        if (_e2007 < 0f) {
+                                            phi_2951_ = -(_e2007);
                                         } else {
-                                            phi_3069_ = _e2060;
+                                            phi_2951_ = _e2007;
                                         }
-                                        let _e2064 = phi_3069_;
-                                        let _e2067 = local.member_3[1u];
-                                        let _e2073 = local.member[2u][1u];
-                                        if (_e2073 < 0f) {
-                                            phi_3093_ = -(_e2073);
+                                        let _e2011 = phi_2951_;
+                                        let _e2014 = local.member_3[0u];
+                                        let _e2019 = local.member[0u][1u];
+                                        if (_e2019 < 0f) {
+                                            phi_2974_ = -(_e2019);
                                         } else {
-                                            phi_3093_ = _e2073;
+                                            phi_2974_ = _e2019;
                                         }
-                                        let _e2077 = phi_3093_;
-                                        let _e2080 = local.member_4[0u];
-                                        let _e2085 = local.member[2u][0u];
-                                        if (_e2085 < 0f) {
-                                            phi_3116_ = -(_e2085);
+                                        let _e2023 = phi_2974_;
+                                        let _e2026 = local.member_3[1u];
+                                        let _e2032 = local.member[2u][0u];
+                                        if (_e2032 < 0f) {
+                                            phi_2998_ = -(_e2032);
                                         } else {
-                                            phi_3116_ = _e2085;
+                                            phi_2998_ = _e2032;
                                         }
-                                        let _e2089 = phi_3116_;
-                                        let _e2092 = local.member_4[1u];
+                                        let _e2036 = phi_2998_;
+                                        let _e2039 = local.member_4[2u];
+                                        let _e2044 = local.member[2u][2u];
                                         if (_e2044 < 0f) {
-                                            phi_3132_ = -(_e2044);
+                                            phi_3021_ = -(_e2044);
                                         } else {
-                                            phi_3132_ = _e2044;
+                                            phi_3021_ = _e2044;
                                         }
-                                        let _e2098 = phi_3132_;
-                                        let _e2100 = (_e2098 - (((_e2052 * _e2055) + (_e2064 * _e2067)) + ((_e2077 * _e2080) + (_e2089 * _e2092))));
-                                        if (_e1516 > _e1589) {
-                                            phi_3139_ = _e1516;
+                                        let _e2048 = phi_3021_;
+                                        let _e2051 = local.member_4[0u];
+                                        if (_e2003 < 0f) {
+                                            phi_3037_ = -(_e2003);
                                         } else {
-                                            phi_3139_ = _e1589;
+                                            phi_3037_ = _e2003;
                                         }
-                                        let _e2103 = phi_3139_;
-                                        if (_e2103 > _e1662) {
-                                            phi_3144_ = _e2103;
+                                        let _e2057 = phi_3037_;
+                                        let _e2059 = (_e2057 - (((_e2011 * _e2014) + (_e2023 * _e2026)) + ((_e2036 * _e2039) + (_e2048 * _e2051))));
+                                        let _e2063 = local.member[0u][2u];
+                                        let _e2066 = local.member_1[1u];
+                                        let _e2071 = local.member[1u][2u];
+                                        let _e2074 = local.member_1[0u];
+                                        let _e2076 = ((_e2063 * _e2066) - (_e2071 * _e2074));
+                                        let _e2080 = local.member[1u][2u];
+                                        if (_e2080 < 0f) {
+                                            phi_3092_ = -(_e2080);
                                         } else {
-                                            phi_3144_ = _e1662;
+                                            phi_3092_ = _e2080;
                                         }
-                                        let _e2106 = phi_3144_;
-                                        if (_e1735 > _e1808) {
-                                            phi_3149_ = _e1735;
+                                        let _e2084 = phi_3092_;
+                                        let _e2087 = local.member_3[0u];
+                                        let _e2092 = local.member[0u][2u];
+                                        if (_e2092 < 0f) {
+                                            phi_3115_ = -(_e2092);
                                         } else {
-                                            phi_3149_ = _e1808;
+                                            phi_3115_ = _e2092;
                                         }
-                                        let _e2109 = phi_3149_;
-                                        if (_e2109 > _e1881) {
-                                            phi_3154_ = _e2109;
+                                        let _e2096 = phi_3115_;
+                                        let _e2099 = local.member_3[1u];
+                                        let _e2105 = local.member[2u][1u];
+                                        if (_e2105 < 0f) {
+                                            phi_3139_ = -(_e2105);
                                         } else {
-                                            phi_3154_ = _e1881;
+                                            phi_3139_ = _e2105;
                                         }
-                                        let _e2112 = phi_3154_;
-                                        if (_e2106 > _e2112) {
-                                            phi_3159_ = _e2106;
+                                        let _e2109 = phi_3139_;
+                                        let _e2112 = local.member_4[0u];
+                                        let _e2117 = local.member[2u][0u];
+                                        if (_e2117 < 0f) {
+                                            phi_3162_ = -(_e2117);
                                         } else {
-                                            phi_3159_ = _e2112;
+                                            phi_3162_ = _e2117;
                                         }
-                                        let _e2115 = phi_3159_;
-                                        if (_e1954 > _e2027) {
-                                            phi_3164_ = _e1954;
+                                        let _e2121 = phi_3162_;
+                                        let _e2124 = local.member_4[1u];
+                                        if (_e2076 < 0f) {
+                                            phi_3178_ = -(_e2076);
                                         } else {
-                                            phi_3164_ = _e2027;
+                                            phi_3178_ = _e2076;
                                         }
-                                        let _e2118 = phi_3164_;
-                                        if (_e2118 > _e2100) {
-                                            phi_3169_ = _e2118;
+                                        let _e2130 = phi_3178_;
+                                        let _e2132 = (_e2130 - (((_e2084 * _e2087) + (_e2096 * _e2099)) + ((_e2109 * _e2112) + (_e2121 * _e2124))));
+                                        if (_e1548 > _e1621) {
+                                            phi_3185_ = _e1548;
                                         } else {
-                                            phi_3169_ = _e2100;
+                                            phi_3185_ = _e1621;
                                         }
-                                        let _e2121 = phi_3169_;
-                                        if (_e2115 > _e2121) {
-                                            phi_3174_ = _e2115;
+                                        let _e2135 = phi_3185_;
+                                        if (_e2135 > _e1694) {
+                                            phi_3190_ = _e2135;
                                         } else {
-                                            phi_3174_ = _e2121;
+                                            phi_3190_ = _e1694;
                                         }
-                                        let _e2124 = phi_3174_;
-                                        let _e2126 = local.member_5;
-                                        phi_3178_ = (_e2124 > _e2126);
+                                        let _e2138 = phi_3190_;
+                                        if (_e1767 > _e1840) {
+                                            phi_3195_ = _e1767;
+                                        } else {
+                                            phi_3195_ = _e1840;
+                                        }
+                                        let _e2141 = phi_3195_;
+                                        if (_e2141 > _e1913) {
+                                            phi_3200_ = _e2141;
+                                        } else {
+                                            phi_3200_ = _e1913;
+                                        }
+                                        let _e2144 = phi_3200_;
+                                        if (_e2138 > _e2144) {
+                                            phi_3205_ = _e2138;
+                                        } else {
+                                            phi_3205_ = _e2144;
+                                        }
+                                        let _e2147 = phi_3205_;
+                                        if (_e1986 > _e2059) {
+                                            phi_3210_ = _e1986;
+                                        } else {
+                                            phi_3210_ = _e2059;
+                                        }
+                                        let _e2150 = phi_3210_;
+                                        if (_e2150 > _e2132) {
+                                            phi_3215_ = _e2150;
+                                        } else {
+                                            phi_3215_ = _e2132;
+                                        }
+                                        let _e2153 = phi_3215_;
+                                        if (_e2147 > _e2153) {
+                                            phi_3220_ = _e2147;
+                                        } else {
+                                            phi_3220_ = _e2153;
+                                        }
+                                        let _e2156 = phi_3220_;
+                                        let _e2158 = local.member_5;
+                                        phi_3224_ = (_e2156 > _e2158);
                                     }
-                                    let _e2129 = phi_3178_;
-                                    phi_3180_ = !(_e2129);
-                                    phi_3181_ = false;
+                                    let _e2161 = phi_3224_;
+                                    phi_3226_ = !(_e2161);
+                                    phi_3227_ = false;
                                 } else {
-                                    phi_3180_ = bool();
-                                    phi_3181_ = true;
+                                    phi_3226_ = bool();
+                                    phi_3227_ = true;
                                 }
-                                let _e2132 = phi_3180_;
-                                let _e2134 = phi_3181_;
-                                phi_3182_ = _e2132;
-                                phi_3183_ = _e2134;
+                                let _e2164 = phi_3226_;
+                                let _e2166 = phi_3227_;
+                                phi_3228_ = _e2164;
+                                phi_3229_ = _e2166;
                             }
-                            let _e2136 = phi_3182_;
-                            let _e2138 = phi_3183_;
-                            if _e2138 {
-                                phi_3187_ = true;
+                            let _e2168 = phi_3228_;
+                            let _e2170 = phi_3229_;
+                            if _e2170 {
+                                phi_3233_ = true;
                             } else {
-                                phi_3187_ = _e2136;
+                                phi_3233_ = _e2168;
                             }
-                            let _e2140 = phi_3187_;
-                            if _e2140 {
+                            let _e2172 = phi_3233_;
+                            if _e2172 {
                             } else {
-                                local_1[_e699.member_1] = array<u32, 2>(4294967295u, 4294967295u);
+                                local_1[_e731.member_1] = array<u32, 2>(4294967295u, 4294967295u);
                             }
                         }
                     }
                     continue;
                     continuing {
-                        phi_920_ = _e697;
-                        break if !(_e703);
+                        phi_966_ = _e729;
+                        break if !(_e735);
                     }
                 }
-                let _e2143 = local_1;
-                if (_e150 == 4294967295u) {
-                    phi_3237_ = 0u;
+                let _e2175 = local_1;
+                if (_e145 == 4294967295u) {
+                    phi_3283_ = 0u;
                 } else {
-                    if (_e150 >= _e78) {
-                        if (_e153 >= _e83) {
-                            phi_3231_ = false;
+                    if (_e145 >= _e81) {
+                        if (_e148 >= _e86) {
+                            phi_3277_ = false;
                         } else {
-                            phi_3231_ = true;
+                            phi_3277_ = true;
                         }
-                        let _e2164 = phi_3231_;
-                        phi_3232_ = _e2164;
+                        let _e2196 = phi_3277_;
+                        phi_3278_ = _e2196;
                     } else {
-                        phi_3232_ = true;
+                        phi_3278_ = true;
                     }
-                    let _e2166 = phi_3232_;
-                    if _e2166 {
-                        phi_3236_ = 1u;
+                    let _e2198 = phi_3278_;
+                    if _e2198 {
+                        phi_3282_ = 1u;
                     } else {
-                        phi_3236_ = 2u;
+                        phi_3282_ = 2u;
                     }
-                    let _e2168 = phi_3236_;
-                    phi_3237_ = _e2168;
+                    let _e2200 = phi_3282_;
+                    phi_3283_ = _e2200;
                 }
-                let _e2170 = phi_3237_;
-                if (_e2170 == 2u) {
-                    phi_3243_ = array<u32, 2>(_e150, _e153);
+                let _e2202 = phi_3283_;
+                if (_e2202 == 2u) {
+                    phi_3289_ = array<u32, 2>(_e145, _e148);
                 } else {
-                    phi_3243_ = array<u32, 2>(_e2143[0][0], _e2143[0][1]);
+                    phi_3289_ = array<u32, 2>(_e2175[0][0], _e2175[0][1]);
                 }
-                let _e2174 = phi_3243_;
-                phi_3244_ = array<u32, 2>(_e2143[3][0], _e2143[3][1]);
-                phi_3245_ = array<u32, 2>(_e2143[2][0], _e2143[2][1]);
-                phi_3246_ = array<u32, 2>(_e2143[1][0], _e2143[1][1]);
-                phi_3247_ = _e2174;
+                let _e2206 = phi_3289_;
+                phi_3290_ = array<u32, 2>(_e2175[3][0], _e2175[3][1]);
+                phi_3291_ = array<u32, 2>(_e2175[2][0], _e2175[2][1]);
+                phi_3292_ = array<u32, 2>(_e2175[1][0], _e2175[1][1]);
+                phi_3293_ = _e2206;
             } else {
-                phi_3244_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3245_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3246_ = array<u32, 2>(4294967295u, 4294967295u);
-                phi_3247_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3290_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3291_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3292_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_3293_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e2176 = phi_3244_;
-            let _e2178 = phi_3245_;
-            let _e2180 = phi_3246_;
-            let _e2182 = phi_3247_;
-            if (_e2182[0] == 4294967295u) {
-                phi_3269_ = 0u;
-            } else {
-                if (_e2182[0] >= _e78) {
-                    if (_e2182[1] >= _e83) {
-                        phi_3263_ = false;
-                    } else {
-                        phi_3263_ = true;
-                    }
-                    let _e2190 = phi_3263_;
-                    phi_3264_ = _e2190;
-                } else {
-                    phi_3264_ = true;
-                }
-                let _e2192 = phi_3264_;
-                if _e2192 {
-                    phi_3268_ = 1u;
-                } else {
-                    phi_3268_ = 2u;
-                }
-                let _e2194 = phi_3268_;
-                phi_3269_ = _e2194;
-            }
-            let _e2196 = phi_3269_;
-            if (_e2196 == 0u) {
-                phi_3281_ = 0u;
-            } else {
-                if (_e2196 == 1u) {
-                    phi_3278_ = 0u;
-                } else {
-                    phi_3278_ = 1u;
-                }
-                let _e2200 = phi_3278_;
-                let _e2202 = atomicAdd((&counters[_e2200]), 1u);
-                phi_3281_ = _e2202;
-            }
-            let _e2204 = phi_3281_;
-            if (_e2180[0] == 4294967295u) {
-                phi_3303_ = 0u;
-            } else {
-                if (_e2180[0] >= _e78) {
-                    if (_e2180[1] >= _e83) {
-                        phi_3297_ = false;
-                    } else {
-                        phi_3297_ = true;
-                    }
-                    let _e2212 = phi_3297_;
-                    phi_3298_ = _e2212;
-                } else {
-                    phi_3298_ = true;
-                }
-                let _e2214 = phi_3298_;
-                if _e2214 {
-                    phi_3302_ = 1u;
-                } else {
-                    phi_3302_ = 2u;
-                }
-                let _e2216 = phi_3302_;
-                phi_3303_ = _e2216;
-            }
-            let _e2218 = phi_3303_;
-            if (_e2218 == 0u) {
+            let _e2208 = phi_3290_;
+            let _e2210 = phi_3291_;
+            let _e2212 = phi_3292_;
+            let _e2214 = phi_3293_;
+            if (_e2214[0] == 4294967295u) {
                 phi_3315_ = 0u;
             } else {
-                if (_e2218 == 1u) {
-                    phi_3312_ = 0u;
-                } else {
-                    phi_3312_ = 1u;
-                }
-                let _e2222 = phi_3312_;
-                let _e2224 = atomicAdd((&counters[_e2222]), 1u);
-                phi_3315_ = _e2224;
-            }
-            let _e2226 = phi_3315_;
-            if (_e2178[0] == 4294967295u) {
-                phi_3337_ = 0u;
-            } else {
-                if (_e2178[0] >= _e78) {
-                    if (_e2178[1] >= _e83) {
-                        phi_3331_ = false;
+                if (_e2214[0] >= _e81) {
+                    if (_e2214[1] >= _e86) {
+                        phi_3309_ = false;
                     } else {
-                        phi_3331_ = true;
+                        phi_3309_ = true;
                     }
-                    let _e2234 = phi_3331_;
-                    phi_3332_ = _e2234;
+                    let _e2222 = phi_3309_;
+                    phi_3310_ = _e2222;
                 } else {
-                    phi_3332_ = true;
+                    phi_3310_ = true;
                 }
-                let _e2236 = phi_3332_;
-                if _e2236 {
-                    phi_3336_ = 1u;
+                let _e2224 = phi_3310_;
+                if _e2224 {
+                    phi_3314_ = 1u;
                 } else {
-                    phi_3336_ = 2u;
+                    phi_3314_ = 2u;
                 }
-                let _e2238 = phi_3336_;
-                phi_3337_ = _e2238;
+                let _e2226 = phi_3314_;
+                phi_3315_ = _e2226;
             }
-            let _e2240 = phi_3337_;
-            if (_e2240 == 0u) {
+            let _e2228 = phi_3315_;
+            if (_e2228 == 0u) {
+                phi_3327_ = 0u;
+            } else {
+                if (_e2228 == 1u) {
+                    phi_3324_ = 0u;
+                } else {
+                    phi_3324_ = 1u;
+                }
+                let _e2232 = phi_3324_;
+                let _e2234 = atomicAdd((&counters[_e2232]), 1u);
+                phi_3327_ = _e2234;
+            }
+            let _e2236 = phi_3327_;
+            if (_e2212[0] == 4294967295u) {
                 phi_3349_ = 0u;
             } else {
-                if (_e2240 == 1u) {
-                    phi_3346_ = 0u;
-                } else {
-                    phi_3346_ = 1u;
-                }
-                let _e2244 = phi_3346_;
-                let _e2246 = atomicAdd((&counters[_e2244]), 1u);
-                phi_3349_ = _e2246;
-            }
-            let _e2248 = phi_3349_;
-            if (_e2176[0] == 4294967295u) {
-                phi_3371_ = 0u;
-            } else {
-                if (_e2176[0] >= _e78) {
-                    if (_e2176[1] >= _e83) {
-                        phi_3365_ = false;
+                if (_e2212[0] >= _e81) {
+                    if (_e2212[1] >= _e86) {
+                        phi_3343_ = false;
                     } else {
-                        phi_3365_ = true;
+                        phi_3343_ = true;
                     }
-                    let _e2256 = phi_3365_;
-                    phi_3366_ = _e2256;
+                    let _e2244 = phi_3343_;
+                    phi_3344_ = _e2244;
                 } else {
-                    phi_3366_ = true;
+                    phi_3344_ = true;
                 }
-                let _e2258 = phi_3366_;
-                if _e2258 {
-                    phi_3370_ = 1u;
+                let _e2246 = phi_3344_;
+                if _e2246 {
+                    phi_3348_ = 1u;
                 } else {
-                    phi_3370_ = 2u;
+                    phi_3348_ = 2u;
                 }
-                let _e2260 = phi_3370_;
-                phi_3371_ = _e2260;
+                let _e2248 = phi_3348_;
+                phi_3349_ = _e2248;
             }
-            let _e2262 = phi_3371_;
-            if (_e2262 == 0u) {
+            let _e2250 = phi_3349_;
+            if (_e2250 == 0u) {
+                phi_3361_ = 0u;
+            } else {
+                if (_e2250 == 1u) {
+                    phi_3358_ = 0u;
+                } else {
+                    phi_3358_ = 1u;
+                }
+                let _e2254 = phi_3358_;
+                let _e2256 = atomicAdd((&counters[_e2254]), 1u);
+                phi_3361_ = _e2256;
+            }
+            let _e2258 = phi_3361_;
+            if (_e2210[0] == 4294967295u) {
                 phi_3383_ = 0u;
             } else {
-                if (_e2262 == 1u) {
-                    phi_3380_ = 0u;
+                if (_e2210[0] >= _e81) {
+                    if (_e2210[1] >= _e86) {
+                        phi_3377_ = false;
+                    } else {
+                        phi_3377_ = true;
+                    }
+                    let _e2266 = phi_3377_;
+                    phi_3378_ = _e2266;
                 } else {
-                    phi_3380_ = 1u;
+                    phi_3378_ = true;
                 }
-                let _e2266 = phi_3380_;
-                let _e2268 = atomicAdd((&counters[_e2266]), 1u);
-                phi_3383_ = _e2268;
+                let _e2268 = phi_3378_;
+                if _e2268 {
+                    phi_3382_ = 1u;
+                } else {
+                    phi_3382_ = 2u;
+                }
+                let _e2270 = phi_3382_;
+                phi_3383_ = _e2270;
             }
-            let _e2270 = phi_3383_;
+            let _e2272 = phi_3383_;
+            if (_e2272 == 0u) {
+                phi_3395_ = 0u;
+            } else {
+                if (_e2272 == 1u) {
+                    phi_3392_ = 0u;
+                } else {
+                    phi_3392_ = 1u;
+                }
+                let _e2276 = phi_3392_;
+                let _e2278 = atomicAdd((&counters[_e2276]), 1u);
+                phi_3395_ = _e2278;
+            }
+            let _e2280 = phi_3395_;
+            if (_e2208[0] == 4294967295u) {
+                phi_3417_ = 0u;
+            } else {
+                if (_e2208[0] >= _e81) {
+                    if (_e2208[1] >= _e86) {
+                        phi_3411_ = false;
+                    } else {
+                        phi_3411_ = true;
+                    }
+                    let _e2288 = phi_3411_;
+                    phi_3412_ = _e2288;
+                } else {
+                    phi_3412_ = true;
+                }
+                let _e2290 = phi_3412_;
+                if _e2290 {
+                    phi_3416_ = 1u;
+                } else {
+                    phi_3416_ = 2u;
+                }
+                let _e2292 = phi_3416_;
+                phi_3417_ = _e2292;
+            }
+            let _e2294 = phi_3417_;
+            if (_e2294 == 0u) {
+                phi_3429_ = 0u;
+            } else {
+                if (_e2294 == 1u) {
+                    phi_3426_ = 0u;
+                } else {
+                    phi_3426_ = 1u;
+                }
+                let _e2298 = phi_3426_;
+                let _e2300 = atomicAdd((&counters[_e2298]), 1u);
+                phi_3429_ = _e2300;
+            }
+            let _e2302 = phi_3429_;
             workgroupBarrier();
             if (_e46 == 0u) {
-                let _e2273 = atomicLoad((&counters[0u]));
-                let _e2275 = atomicLoad((&counters[1u]));
-                if (_e2273 > 0u) {
-                    let _e2279 = atomicAdd((&levels.member[(_e68 + 1u)]), _e2273);
-                    let _e2282 = atomicMax((&output.member[0u]), (_e2279 + _e2273));
-                    if ((_e2279 + _e2273) < _e2279) {
-                        let _e2286 = atomicAdd((&output.member[2u]), 1u);
+                let _e2305 = atomicLoad((&counters[0u]));
+                let _e2307 = atomicLoad((&counters[1u]));
+                if (_e2305 > 0u) {
+                    let _e2311 = atomicAdd((&levels.member[(_e68 + 1u)]), _e2305);
+                    let _e2314 = atomicMax((&output.member[0u]), (_e2311 + _e2305));
+                    if ((_e2311 + _e2305) < _e2311) {
+                        let _e2318 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e2279);
+                    atomicStore((&counters[2u]), _e2311);
                 }
-                if (_e2275 > 0u) {
-                    let _e2290 = atomicAdd((&pairs.member[0u]), _e2275);
-                    if ((_e2290 + _e2275) < _e2290) {
-                        let _e2294 = atomicAdd((&pairs.member[2u]), 1u);
+                if (_e2307 > 0u) {
+                    let _e2322 = atomicAdd((&pairs.member[0u]), _e2307);
+                    if ((_e2322 + _e2307) < _e2322) {
+                        let _e2326 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    atomicStore((&counters[3u]), _e2290);
+                    atomicStore((&counters[3u]), _e2322);
                 }
             }
             workgroupBarrier();
-            let _e2297 = atomicLoad((&counters[2u]));
-            let _e2299 = atomicLoad((&counters[3u]));
-            if (_e2182[0] == 4294967295u) {
-                phi_3455_ = 0u;
+            let _e2329 = atomicLoad((&counters[2u]));
+            let _e2331 = atomicLoad((&counters[3u]));
+            if (_e2214[0] == 4294967295u) {
+                phi_3501_ = 0u;
             } else {
-                if (_e2182[0] >= _e78) {
-                    if (_e2182[1] >= _e83) {
-                        phi_3449_ = false;
+                if (_e2214[0] >= _e81) {
+                    if (_e2214[1] >= _e86) {
+                        phi_3495_ = false;
                     } else {
-                        phi_3449_ = true;
+                        phi_3495_ = true;
                     }
-                    let _e2307 = phi_3449_;
-                    phi_3450_ = _e2307;
+                    let _e2339 = phi_3495_;
+                    phi_3496_ = _e2339;
                 } else {
-                    phi_3450_ = true;
+                    phi_3496_ = true;
                 }
-                let _e2309 = phi_3450_;
-                if _e2309 {
-                    phi_3454_ = 1u;
+                let _e2341 = phi_3496_;
+                if _e2341 {
+                    phi_3500_ = 1u;
                 } else {
-                    phi_3454_ = 2u;
+                    phi_3500_ = 2u;
                 }
-                let _e2311 = phi_3454_;
-                phi_3455_ = _e2311;
+                let _e2343 = phi_3500_;
+                phi_3501_ = _e2343;
             }
-            let _e2313 = phi_3455_;
-            if (_e2313 == 1u) {
-                let _e2352 = params.member.member_2.member_3;
-                let _e2353 = (_e2297 + _e2204);
-                if (_e2353 < _e2352) {
-                    let _e2355 = (2u * _e2353);
-                    atomicStore((&output.member[(4u + _e2355)]), _e2182[0]);
-                    atomicStore((&output.member[(_e2355 + 5u)]), _e2182[1]);
+            let _e2345 = phi_3501_;
+            if (_e2345 == 1u) {
+                let _e2384 = params.member.member_2.member_3;
+                let _e2385 = (_e2329 + _e2236);
+                if (_e2385 < _e2384) {
+                    let _e2387 = (2u * _e2385);
+                    atomicStore((&output.member[(4u + _e2387)]), _e2214[0]);
+                    atomicStore((&output.member[(_e2387 + 5u)]), _e2214[1]);
                 }
             } else {
-                if (_e2313 == 2u) {
-                    let _e2318 = a_nodes.member[_e2182[0]];
-                    let _e2322 = b_nodes.member[_e2182[1]];
-                    let _e2326 = params.member.member_2.member;
-                    if (_e2326 == 1u) {
-                        if (_e2318.member_1 < _e2322.member_1) {
-                            phi_3518_ = type_12(_e2318.member_1, _e2322.member_1);
+                if (_e2345 == 2u) {
+                    let _e2350 = a_nodes.member[_e2214[0]];
+                    let _e2354 = b_nodes.member[_e2214[1]];
+                    let _e2358 = params.member.member_2.member;
+                    if (_e2358 == 1u) {
+                        if (_e2350.member_1 < _e2354.member_1) {
+                            phi_3564_ = type_9(_e2350.member_1, _e2354.member_1);
                         } else {
-                            phi_3518_ = type_12(_e2322.member_1, _e2318.member_1);
+                            phi_3564_ = type_9(_e2354.member_1, _e2350.member_1);
                         }
-                        let _e2333 = phi_3518_;
-                        phi_3523_ = _e2333;
+                        let _e2365 = phi_3564_;
+                        phi_3569_ = _e2365;
                     } else {
-                        phi_3523_ = type_12(_e2318.member_1, _e2322.member_1);
+                        phi_3569_ = type_9(_e2350.member_1, _e2354.member_1);
                     }
-                    let _e2335 = phi_3523_;
-                    let _e2338 = params.member.member_1.member_3;
-                    let _e2339 = (_e2299 + _e2204);
-                    if (_e2339 < _e2338) {
-                        let _e2343 = (2u * _e2339);
-                        atomicStore((&pairs.member[(4u + _e2343)]), _e2335.member);
-                        atomicStore((&pairs.member[(_e2343 + 5u)]), _e2335.member_1);
+                    let _e2367 = phi_3569_;
+                    let _e2370 = params.member.member_1.member_3;
+                    let _e2371 = (_e2331 + _e2236);
+                    if (_e2371 < _e2370) {
+                        let _e2375 = (2u * _e2371);
+                        atomicStore((&pairs.member[(4u + _e2375)]), _e2367.member);
+                        atomicStore((&pairs.member[(_e2375 + 5u)]), _e2367.member_1);
                     }
                 }
             }
-            if (_e2180[0] == 4294967295u) {
-                phi_3562_ = 0u;
+            if (_e2212[0] == 4294967295u) {
+                phi_3608_ = 0u;
             } else {
-                if (_e2180[0] >= _e78) {
-                    if (_e2180[1] >= _e83) {
-                        phi_3556_ = false;
+                if (_e2212[0] >= _e81) {
+                    if (_e2212[1] >= _e86) {
+                        phi_3602_ = false;
                     } else {
-                        phi_3556_ = true;
+                        phi_3602_ = true;
                     }
-                    let _e2367 = phi_3556_;
-                    phi_3557_ = _e2367;
+                    let _e2399 = phi_3602_;
+                    phi_3603_ = _e2399;
                 } else {
-                    phi_3557_ = true;
+                    phi_3603_ = true;
                 }
-                let _e2369 = phi_3557_;
-                if _e2369 {
-                    phi_3561_ = 1u;
+                let _e2401 = phi_3603_;
+                if _e2401 {
+                    phi_3607_ = 1u;
                 } else {
-                    phi_3561_ = 2u;
+                    phi_3607_ = 2u;
                 }
-                let _e2371 = phi_3561_;
-                phi_3562_ = _e2371;
+                let _e2403 = phi_3607_;
+                phi_3608_ = _e2403;
             }
-            let _e2373 = phi_3562_;
-            if (_e2373 == 1u) {
-                let _e2412 = params.member.member_2.member_3;
-                let _e2413 = (_e2297 + _e2226);
-                if (_e2413 < _e2412) {
-                    let _e2415 = (2u * _e2413);
-                    atomicStore((&output.member[(4u + _e2415)]), _e2180[0]);
-                    atomicStore((&output.member[(_e2415 + 5u)]), _e2180[1]);
+            let _e2405 = phi_3608_;
+            if (_e2405 == 1u) {
+                let _e2444 = params.member.member_2.member_3;
+                let _e2445 = (_e2329 + _e2258);
+                if (_e2445 < _e2444) {
+                    let _e2447 = (2u * _e2445);
+                    atomicStore((&output.member[(4u + _e2447)]), _e2212[0]);
+                    atomicStore((&output.member[(_e2447 + 5u)]), _e2212[1]);
                 }
             } else {
-                if (_e2373 == 2u) {
-                    let _e2378 = a_nodes.member[_e2180[0]];
-                    let _e2382 = b_nodes.member[_e2180[1]];
-                    let _e2386 = params.member.member_2.member;
-                    if (_e2386 == 1u) {
-                        if (_e2378.member_1 < _e2382.member_1) {
-                            phi_3625_ = type_12(_e2378.member_1, _e2382.member_1);
+                if (_e2405 == 2u) {
+                    let _e2410 = a_nodes.member[_e2212[0]];
+                    let _e2414 = b_nodes.member[_e2212[1]];
+                    let _e2418 = params.member.member_2.member;
+                    if (_e2418 == 1u) {
+                        if (_e2410.member_1 < _e2414.member_1) {
+                            phi_3671_ = type_9(_e2410.member_1, _e2414.member_1);
                         } else {
-                            phi_3625_ = type_12(_e2382.member_1, _e2378.member_1);
+                            phi_3671_ = type_9(_e2414.member_1, _e2410.member_1);
                         }
-                        let _e2393 = phi_3625_;
-                        phi_3630_ = _e2393;
+                        let _e2425 = phi_3671_;
+                        phi_3676_ = _e2425;
                     } else {
-                        phi_3630_ = type_12(_e2378.member_1, _e2382.member_1);
+                        phi_3676_ = type_9(_e2410.member_1, _e2414.member_1);
                     }
-                    let _e2395 = phi_3630_;
-                    let _e2398 = params.member.member_1.member_3;
-                    let _e2399 = (_e2299 + _e2226);
-                    if (_e2399 < _e2398) {
-                        let _e2403 = (2u * _e2399);
-                        atomicStore((&pairs.member[(4u + _e2403)]), _e2395.member);
-                        atomicStore((&pairs.member[(_e2403 + 5u)]), _e2395.member_1);
+                    let _e2427 = phi_3676_;
+                    let _e2430 = params.member.member_1.member_3;
+                    let _e2431 = (_e2331 + _e2258);
+                    if (_e2431 < _e2430) {
+                        let _e2435 = (2u * _e2431);
+                        atomicStore((&pairs.member[(4u + _e2435)]), _e2427.member);
+                        atomicStore((&pairs.member[(_e2435 + 5u)]), _e2427.member_1);
                     }
                 }
             }
-            if (_e2178[0] == 4294967295u) {
-                phi_3669_ = 0u;
+            if (_e2210[0] == 4294967295u) {
+                phi_3715_ = 0u;
             } else {
-                if (_e2178[0] >= _e78) {
-                    if (_e2178[1] >= _e83) {
-                        phi_3663_ = false;
+                if (_e2210[0] >= _e81) {
+                    if (_e2210[1] >= _e86) {
+                        phi_3709_ = false;
                     } else {
-                        phi_3663_ = true;
+                        phi_3709_ = true;
                     }
-                    let _e2427 = phi_3663_;
-                    phi_3664_ = _e2427;
+                    let _e2459 = phi_3709_;
+                    phi_3710_ = _e2459;
                 } else {
-                    phi_3664_ = true;
+                    phi_3710_ = true;
                 }
-                let _e2429 = phi_3664_;
-                if _e2429 {
-                    phi_3668_ = 1u;
+                let _e2461 = phi_3710_;
+                if _e2461 {
+                    phi_3714_ = 1u;
                 } else {
-                    phi_3668_ = 2u;
+                    phi_3714_ = 2u;
                 }
-                let _e2431 = phi_3668_;
-                phi_3669_ = _e2431;
+                let _e2463 = phi_3714_;
+                phi_3715_ = _e2463;
             }
-            let _e2433 = phi_3669_;
-            if (_e2433 == 1u) {
-                let _e2472 = params.member.member_2.member_3;
-                let _e2473 = (_e2297 + _e2248);
-                if (_e2473 < _e2472) {
-                    let _e2475 = (2u * _e2473);
-                    atomicStore((&output.member[(4u + _e2475)]), _e2178[0]);
-                    atomicStore((&output.member[(_e2475 + 5u)]), _e2178[1]);
+            let _e2465 = phi_3715_;
+            if (_e2465 == 1u) {
+                let _e2504 = params.member.member_2.member_3;
+                let _e2505 = (_e2329 + _e2280);
+                if (_e2505 < _e2504) {
+                    let _e2507 = (2u * _e2505);
+                    atomicStore((&output.member[(4u + _e2507)]), _e2210[0]);
+                    atomicStore((&output.member[(_e2507 + 5u)]), _e2210[1]);
                 }
             } else {
-                if (_e2433 == 2u) {
-                    let _e2438 = a_nodes.member[_e2178[0]];
-                    let _e2442 = b_nodes.member[_e2178[1]];
-                    let _e2446 = params.member.member_2.member;
-                    if (_e2446 == 1u) {
-                        if (_e2438.member_1 < _e2442.member_1) {
-                            phi_3732_ = type_12(_e2438.member_1, _e2442.member_1);
+                if (_e2465 == 2u) {
+                    let _e2470 = a_nodes.member[_e2210[0]];
+                    let _e2474 = b_nodes.member[_e2210[1]];
+                    let _e2478 = params.member.member_2.member;
+                    if (_e2478 == 1u) {
+                        if (_e2470.member_1 < _e2474.member_1) {
+                            phi_3778_ = type_9(_e2470.member_1, _e2474.member_1);
                         } else {
-                            phi_3732_ = type_12(_e2442.member_1, _e2438.member_1);
+                            phi_3778_ = type_9(_e2474.member_1, _e2470.member_1);
                         }
-                        let _e2453 = phi_3732_;
-                        phi_3737_ = _e2453;
+                        let _e2485 = phi_3778_;
+                        phi_3783_ = _e2485;
                     } else {
-                        phi_3737_ = type_12(_e2438.member_1, _e2442.member_1);
+                        phi_3783_ = type_9(_e2470.member_1, _e2474.member_1);
                     }
-                    let _e2455 = phi_3737_;
-                    let _e2458 = params.member.member_1.member_3;
-                    let _e2459 = (_e2299 + _e2248);
-                    if (_e2459 < _e2458) {
-                        let _e2463 = (2u * _e2459);
-                        atomicStore((&pairs.member[(4u + _e2463)]), _e2455.member);
-                        atomicStore((&pairs.member[(_e2463 + 5u)]), _e2455.member_1);
+                    let _e2487 = phi_3783_;
+                    let _e2490 = params.member.member_1.member_3;
+                    let _e2491 = (_e2331 + _e2280);
+                    if (_e2491 < _e2490) {
+                        let _e2495 = (2u * _e2491);
+                        atomicStore((&pairs.member[(4u + _e2495)]), _e2487.member);
+                        atomicStore((&pairs.member[(_e2495 + 5u)]), _e2487.member_1);
                     }
                 }
             }
-            if (_e2176[0] == 4294967295u) {
-                phi_3776_ = 0u;
+            if (_e2208[0] == 4294967295u) {
+                phi_3822_ = 0u;
             } else {
-                if (_e2176[0] >= _e78) {
-                    if (_e2176[1] >= _e83) {
-                        phi_3770_ = false;
+                if (_e2208[0] >= _e81) {
+                    if (_e2208[1] >= _e86) {
+                        phi_3816_ = false;
                     } else {
-                        phi_3770_ = true;
+                        phi_3816_ = true;
                     }
-                    let _e2487 = phi_3770_;
-                    phi_3771_ = _e2487;
+                    let _e2519 = phi_3816_;
+                    phi_3817_ = _e2519;
                 } else {
-                    phi_3771_ = true;
+                    phi_3817_ = true;
                 }
-                let _e2489 = phi_3771_;
-                if _e2489 {
-                    phi_3775_ = 1u;
+                let _e2521 = phi_3817_;
+                if _e2521 {
+                    phi_3821_ = 1u;
                 } else {
-                    phi_3775_ = 2u;
+                    phi_3821_ = 2u;
                 }
-                let _e2491 = phi_3775_;
-                phi_3776_ = _e2491;
+                let _e2523 = phi_3821_;
+                phi_3822_ = _e2523;
             }
-            let _e2493 = phi_3776_;
-            if (_e2493 == 1u) {
-                let _e2532 = params.member.member_2.member_3;
-                let _e2533 = (_e2297 + _e2270);
-                if (_e2533 < _e2532) {
-                    let _e2535 = (2u * _e2533);
-                    atomicStore((&output.member[(4u + _e2535)]), _e2176[0]);
-                    atomicStore((&output.member[(_e2535 + 5u)]), _e2176[1]);
+            let _e2525 = phi_3822_;
+            if (_e2525 == 1u) {
+                let _e2564 = params.member.member_2.member_3;
+                let _e2565 = (_e2329 + _e2302);
+                if (_e2565 < _e2564) {
+                    let _e2567 = (2u * _e2565);
+                    atomicStore((&output.member[(4u + _e2567)]), _e2208[0]);
+                    atomicStore((&output.member[(_e2567 + 5u)]), _e2208[1]);
                 }
             } else {
-                if (_e2493 == 2u) {
-                    let _e2498 = a_nodes.member[_e2176[0]];
-                    let _e2502 = b_nodes.member[_e2176[1]];
-                    let _e2506 = params.member.member_2.member;
-                    if (_e2506 == 1u) {
-                        if (_e2498.member_1 < _e2502.member_1) {
-                            phi_3839_ = type_12(_e2498.member_1, _e2502.member_1);
+                if (_e2525 == 2u) {
+                    let _e2530 = a_nodes.member[_e2208[0]];
+                    let _e2534 = b_nodes.member[_e2208[1]];
+                    let _e2538 = params.member.member_2.member;
+                    if (_e2538 == 1u) {
+                        if (_e2530.member_1 < _e2534.member_1) {
+                            phi_3885_ = type_9(_e2530.member_1, _e2534.member_1);
                         } else {
-                            phi_3839_ = type_12(_e2502.member_1, _e2498.member_1);
+                            phi_3885_ = type_9(_e2534.member_1, _e2530.member_1);
                         }
-                        let _e2513 = phi_3839_;
-                        phi_3844_ = _e2513;
+                        let _e2545 = phi_3885_;
+                        phi_3890_ = _e2545;
                     } else {
-                        phi_3844_ = type_12(_e2498.member_1, _e2502.member_1);
+                        phi_3890_ = type_9(_e2530.member_1, _e2534.member_1);
                     }
-                    let _e2515 = phi_3844_;
-                    let _e2518 = params.member.member_1.member_3;
-                    let _e2519 = (_e2299 + _e2270);
-                    if (_e2519 < _e2518) {
-                        let _e2523 = (2u * _e2519);
-                        atomicStore((&pairs.member[(4u + _e2523)]), _e2515.member);
-                        atomicStore((&pairs.member[(_e2523 + 5u)]), _e2515.member_1);
+                    let _e2547 = phi_3890_;
+                    let _e2550 = params.member.member_1.member_3;
+                    let _e2551 = (_e2331 + _e2302);
+                    if (_e2551 < _e2550) {
+                        let _e2555 = (2u * _e2551);
+                        atomicStore((&pairs.member[(4u + _e2555)]), _e2547.member);
+                        atomicStore((&pairs.member[(_e2555 + 5u)]), _e2547.member_1);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_229_ = _e132;
-            break if !(_e138);
+            phi_216_ = _e127;
+            break if !(_e133);
         }
     }
     return;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -83,11 +83,11 @@ struct type_28 {
 }
 
 @group(0) @binding(4) 
-var<storage> input: type_10;
+var<storage> input: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 @group(0) @binding(2) 
-var<storage> regions: type_10;
+var<storage> regions: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> vf: type_28;
 @group(0) @binding(6) 
@@ -107,9 +107,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_188_: u32;
     var phi_209_: u32;
     var phi_210_: u32;
-    var phi_213_: type_12;
-    var phi_214_: type_12;
-    var phi_237_: type_12;
+    var phi_213_: type_9;
+    var phi_214_: type_9;
+    var phi_237_: type_9;
     var phi_329_: bool;
     var phi_330_: bool;
     var phi_337_: bool;
@@ -212,39 +212,39 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1718_: u32;
     var phi_1719_: u32;
     var phi_1720_: u32;
-    var phi_1721_: type_12;
-    var phi_1776_: type_12;
+    var phi_1721_: type_9;
+    var phi_1776_: type_9;
     var phi_1779_: u32;
-    var phi_1777_: type_12;
-    var phi_1802_: type_12;
+    var phi_1777_: type_9;
+    var phi_1802_: type_9;
     var phi_1895_: u32;
     var phi_1896_: u32;
     var phi_1909_: u32;
     var phi_1910_: u32;
-    var phi_1917_: type_12;
+    var phi_1917_: type_9;
     var phi_1879_: u32;
     var phi_1880_: u32;
-    var phi_1921_: type_12;
+    var phi_1921_: type_9;
     var phi_1860_: u32;
     var phi_1861_: u32;
-    var phi_1922_: type_12;
+    var phi_1922_: type_9;
     var phi_1937_: u32;
     var phi_1780_: u32;
-    var phi_1940_: type_12;
+    var phi_1940_: type_9;
     var phi_1943_: u32;
-    var phi_1941_: type_12;
-    var phi_1966_: type_12;
+    var phi_1941_: type_9;
+    var phi_1966_: type_9;
     var phi_2057_: u32;
     var phi_2058_: u32;
     var phi_2071_: u32;
     var phi_2072_: u32;
-    var phi_2079_: type_12;
+    var phi_2079_: type_9;
     var phi_2041_: u32;
     var phi_2042_: u32;
-    var phi_2083_: type_12;
+    var phi_2083_: type_9;
     var phi_2022_: u32;
     var phi_2023_: u32;
-    var phi_2084_: type_12;
+    var phi_2084_: type_9;
     var phi_2099_: u32;
     var phi_1944_: u32;
     var id_2: vec3<u32>;
@@ -314,15 +314,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_210_ = 0u;
     }
     let _e110 = phi_210_;
-    phi_213_ = type_12(0u, _e110);
+    phi_213_ = type_9(0u, _e110);
     loop {
         let _e113 = phi_213_;
         if (_e113.member < _e113.member_1) {
-            phi_214_ = type_12((_e113.member + 1u), _e113.member_1);
-            phi_237_ = type_12(1u, _e113.member);
+            phi_214_ = type_9((_e113.member + 1u), _e113.member_1);
+            phi_237_ = type_9(1u, _e113.member);
         } else {
             phi_214_ = _e113;
-            phi_237_ = type_12(0u, type_12().member_1);
+            phi_237_ = type_9(0u, type_9().member_1);
         }
         let _e125 = phi_214_;
         let _e127 = phi_237_;
@@ -960,12 +960,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_1718_ = _e1390;
                 phi_1719_ = _e1392;
                 phi_1720_ = _e1353.member_1;
-                phi_1721_ = type_12(_e146, _e149);
+                phi_1721_ = type_9(_e146, _e149);
             } else {
                 phi_1718_ = 0u;
                 phi_1719_ = 0u;
                 phi_1720_ = 0u;
-                phi_1721_ = type_12(0u, 0u);
+                phi_1721_ = type_9(0u, 0u);
             }
             let _e1394 = phi_1718_;
             let _e1396 = phi_1719_;
@@ -995,17 +995,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             } else {
                 let _e1424 = atomicLoad((&shared_[7u]));
                 let _e1427 = atomicLoad((&shared_[8u]));
-                phi_1776_ = type_12(0u, 6u);
+                phi_1776_ = type_9(0u, 6u);
                 phi_1779_ = (_e1396 + _e1424);
                 loop {
                     let _e1430 = phi_1776_;
                     let _e1432 = phi_1779_;
                     if (_e1430.member < _e1430.member_1) {
-                        phi_1777_ = type_12((_e1430.member + 1u), _e1430.member_1);
-                        phi_1802_ = type_12(1u, _e1430.member);
+                        phi_1777_ = type_9((_e1430.member + 1u), _e1430.member_1);
+                        phi_1802_ = type_9(1u, _e1430.member);
                     } else {
                         phi_1777_ = _e1430;
-                        phi_1802_ = type_12(0u, type_12().member_1);
+                        phi_1802_ = type_9(0u, type_9().member_1);
                     }
                     let _e1444 = phi_1777_;
                     let _e1446 = phi_1802_;
@@ -1028,7 +1028,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_1861_ = _e1514;
                                 }
                                 let _e1517 = phi_1861_;
-                                phi_1922_ = type_12(_e1517, _e1400.member_1);
+                                phi_1922_ = type_9(_e1517, _e1400.member_1);
                             } else {
                                 if (_e1446.member_1 < 6u) {
                                     let _e1496 = (_e1446.member_1 - 3u);
@@ -1044,7 +1044,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_1880_ = _e1502;
                                     }
                                     let _e1505 = phi_1880_;
-                                    phi_1921_ = type_12(_e1505, _e1400.member);
+                                    phi_1921_ = type_9(_e1505, _e1400.member);
                                 } else {
                                     let _e1470 = (_e1446.member_1 - 6u);
                                     let _e1471 = (_e1470 / 3u);
@@ -1074,9 +1074,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e1490 = phi_1910_;
                                     if (_e1480 < _e1490) {
-                                        phi_1917_ = type_12(_e1480, _e1490);
+                                        phi_1917_ = type_9(_e1480, _e1490);
                                     } else {
-                                        phi_1917_ = type_12(_e1490, _e1480);
+                                        phi_1917_ = type_9(_e1490, _e1480);
                                     }
                                     let _e1495 = phi_1917_;
                                     phi_1921_ = _e1495;
@@ -1107,17 +1107,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e1450);
                     }
                 }
-                phi_1940_ = type_12(6u, 15u);
+                phi_1940_ = type_9(6u, 15u);
                 phi_1943_ = (_e1394 + _e1427);
                 loop {
                     let _e1536 = phi_1940_;
                     let _e1538 = phi_1943_;
                     if (_e1536.member < _e1536.member_1) {
-                        phi_1941_ = type_12((_e1536.member + 1u), _e1536.member_1);
-                        phi_1966_ = type_12(1u, _e1536.member);
+                        phi_1941_ = type_9((_e1536.member + 1u), _e1536.member_1);
+                        phi_1966_ = type_9(1u, _e1536.member);
                     } else {
                         phi_1941_ = _e1536;
-                        phi_1966_ = type_12(0u, type_12().member_1);
+                        phi_1966_ = type_9(0u, type_9().member_1);
                     }
                     let _e1550 = phi_1941_;
                     let _e1552 = phi_1966_;
@@ -1139,7 +1139,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_2023_ = _e1618;
                                 }
                                 let _e1621 = phi_2023_;
-                                phi_2084_ = type_12(_e1621, _e1400.member_1);
+                                phi_2084_ = type_9(_e1621, _e1400.member_1);
                             } else {
                                 if (_e1552.member_1 < 6u) {
                                     let _e1600 = (_e1552.member_1 - 3u);
@@ -1155,7 +1155,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_2042_ = _e1606;
                                     }
                                     let _e1609 = phi_2042_;
-                                    phi_2083_ = type_12(_e1609, _e1400.member);
+                                    phi_2083_ = type_9(_e1609, _e1400.member);
                                 } else {
                                     let _e1574 = (_e1552.member_1 - 6u);
                                     let _e1575 = (_e1574 / 3u);
@@ -1185,9 +1185,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e1594 = phi_2072_;
                                     if (_e1584 < _e1594) {
-                                        phi_2079_ = type_12(_e1584, _e1594);
+                                        phi_2079_ = type_9(_e1584, _e1594);
                                     } else {
-                                        phi_2079_ = type_12(_e1594, _e1584);
+                                        phi_2079_ = type_9(_e1594, _e1584);
                                     }
                                     let _e1599 = phi_2079_;
                                     phi_2083_ = _e1599;

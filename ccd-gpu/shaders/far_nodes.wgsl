@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -90,31 +90,31 @@ var<storage> branches: type_20;
 @group(0) @binding(2) 
 var<storage> block_nodes: type_24;
 @group(0) @binding(3) 
-var<storage> far: type_10;
+var<storage> far: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_132_: u32;
-    var phi_135_: type_12;
-    var phi_136_: type_12;
-    var phi_159_: type_12;
+    var phi_139_: u32;
+    var phi_142_: type_9;
+    var phi_143_: type_9;
+    var phi_166_: type_9;
     var phi_210_: u32;
-    var phi_215_: type_12;
+    var phi_215_: type_9;
     var phi_218_: type_29;
     var phi_220_: u32;
     var phi_222_: u32;
-    var phi_216_: type_12;
-    var phi_245_: type_12;
+    var phi_216_: type_9;
+    var phi_245_: type_9;
     var phi_264_: u32;
     var phi_274_: bool;
     var phi_278_: u32;
     var phi_279_: u32;
     var phi_296_: u32;
-    var phi_299_: type_12;
+    var phi_299_: type_9;
     var phi_302_: type_29;
-    var phi_300_: type_12;
-    var phi_325_: type_12;
+    var phi_300_: type_9;
+    var phi_325_: type_9;
     var phi_385_: u32;
     var phi_407_: u32;
     var phi_429_: u32;
@@ -144,10 +144,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_572_: f32;
     var phi_303_: type_29;
     var phi_591_: u32;
-    var phi_594_: type_12;
+    var phi_594_: type_9;
     var phi_597_: type_29;
-    var phi_595_: type_12;
-    var phi_620_: type_12;
+    var phi_595_: type_9;
+    var phi_620_: type_9;
     var phi_680_: u32;
     var phi_702_: u32;
     var phi_724_: u32;
@@ -181,21 +181,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_219_: type_29;
     var phi_221_: u32;
     var phi_223_: u32;
-    var phi_885_: type_12;
+    var phi_885_: type_9;
     var phi_888_: type_29;
     var phi_890_: u32;
     var phi_892_: u32;
-    var phi_886_: type_12;
-    var phi_915_: type_12;
+    var phi_886_: type_9;
+    var phi_915_: type_9;
     var phi_934_: u32;
     var phi_944_: bool;
     var phi_948_: u32;
     var phi_949_: u32;
     var phi_966_: u32;
-    var phi_969_: type_12;
+    var phi_969_: type_9;
     var phi_972_: type_29;
-    var phi_970_: type_12;
-    var phi_995_: type_12;
+    var phi_970_: type_9;
+    var phi_995_: type_9;
     var phi_1055_: u32;
     var phi_1077_: u32;
     var phi_1099_: u32;
@@ -225,10 +225,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1242_: f32;
     var phi_973_: type_29;
     var phi_1261_: u32;
-    var phi_1264_: type_12;
+    var phi_1264_: type_9;
     var phi_1267_: type_29;
-    var phi_1265_: type_12;
-    var phi_1290_: type_12;
+    var phi_1265_: type_9;
+    var phi_1290_: type_9;
     var phi_1350_: u32;
     var phi_1372_: u32;
     var phi_1394_: u32;
@@ -285,50 +285,50 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e24 = id_2;
     let _e25 = n_2;
     let _e26 = lane_2;
-    let _e34 = params.member.member_2.member_1;
-    let _e36 = far.member[0u];
-    let _e40 = params.member.member.member[_e34];
-    let _e41 = (_e40 - 1u);
-    let _e45 = ((_e25.x * _e25.y) * 128u);
-    if (_e45 == 0u) {
+    let _e44 = params.member.member_2.member_1;
+    let _e46 = far.member[0u];
+    let _e50 = params.member.member.member[_e44];
+    let _e51 = (_e50 - 1u);
+    let _e52 = ((_e25.x * _e25.y) * 128u);
+    if (_e52 == 0u) {
         return;
     }
-    let _e47 = (_e36 / _e45);
-    if (_e45 == 0u) {
+    let _e54 = (_e46 / _e52);
+    if (_e52 == 0u) {
         return;
     }
-    if ((_e36 % _e45) > 0u) {
-        phi_132_ = (_e47 + 1u);
+    if ((_e46 % _e52) > 0u) {
+        phi_139_ = (_e54 + 1u);
     } else {
-        phi_132_ = _e47;
+        phi_139_ = _e54;
     }
-    let _e53 = phi_132_;
-    phi_135_ = type_12(0u, _e53);
+    let _e60 = phi_139_;
+    phi_142_ = type_9(0u, _e60);
     loop {
-        let _e56 = phi_135_;
-        if (_e56.member < _e56.member_1) {
-            phi_136_ = type_12((_e56.member + 1u), _e56.member_1);
-            phi_159_ = type_12(1u, _e56.member);
+        let _e63 = phi_142_;
+        if (_e63.member < _e63.member_1) {
+            phi_143_ = type_9((_e63.member + 1u), _e63.member_1);
+            phi_166_ = type_9(1u, _e63.member);
         } else {
-            phi_136_ = _e56;
-            phi_159_ = type_12(0u, type_12().member_1);
+            phi_143_ = _e63;
+            phi_166_ = type_9(0u, type_9().member_1);
         }
-        let _e68 = phi_136_;
-        let _e70 = phi_159_;
-        if (bitcast<i32>(_e70.member) != 0i) {
-            let _e83 = (((_e70.member_1 * _e45) + (((_e24.y * _e25.x) + _e24.x) * 128u)) + _e26);
-            if (_e83 >= _e36) {
+        let _e75 = phi_143_;
+        let _e77 = phi_166_;
+        if (bitcast<i32>(_e77.member) != 0i) {
+            let _e83 = ((_e77.member_1 * _e52) + ((((_e24.y * _e25.x) + _e24.x) * 128u) + _e26));
+            if (_e83 >= _e46) {
                 phi_1607_ = false;
             } else {
                 let _e87 = far.member[(4u + _e83)];
                 let _e89 = branches.member[_e87];
-                if (_e89.x >= _e41) {
-                    phi_210_ = (_e89.x - _e41);
+                if (_e89.x >= _e51) {
+                    phi_210_ = (_e89.x - _e51);
                 } else {
                     phi_210_ = _e89.x;
                 }
                 let _e97 = phi_210_;
-                phi_215_ = type_12(0u, 8u);
+                phi_215_ = type_9(0u, 8u);
                 phi_218_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 phi_220_ = (_e97 + 1u);
                 phi_222_ = _e89.z;
@@ -340,11 +340,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     local = _e103;
                     local_1 = _e103;
                     if (_e101.member < _e101.member_1) {
-                        phi_216_ = type_12((_e101.member + 1u), _e101.member_1);
-                        phi_245_ = type_12(1u, _e101.member);
+                        phi_216_ = type_9((_e101.member + 1u), _e101.member_1);
+                        phi_245_ = type_9(1u, _e101.member);
                     } else {
                         phi_216_ = _e101;
-                        phi_245_ = type_12(0u, type_12().member_1);
+                        phi_245_ = type_9(0u, type_9().member_1);
                     }
                     let _e119 = phi_216_;
                     let _e121 = phi_245_;
@@ -382,26 +382,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_296_ = _e145;
                         }
                         let _e150 = phi_296_;
-                        phi_299_ = type_12(0u, _e150);
+                        phi_299_ = type_9(0u, _e150);
                         phi_302_ = _e103;
                         loop {
                             let _e153 = phi_299_;
                             let _e155 = phi_302_;
                             local_4 = _e155;
                             if (_e153.member < _e153.member_1) {
-                                phi_300_ = type_12((_e153.member + 1u), _e153.member_1);
-                                phi_325_ = type_12(1u, _e153.member);
+                                phi_300_ = type_9((_e153.member + 1u), _e153.member_1);
+                                phi_325_ = type_9(1u, _e153.member);
                             } else {
                                 phi_300_ = _e153;
-                                phi_325_ = type_12(0u, type_12().member_1);
+                                phi_325_ = type_9(0u, type_9().member_1);
                             }
                             let _e167 = phi_300_;
                             let _e169 = phi_325_;
                             let _e173 = (bitcast<i32>(_e169.member) != 0i);
                             if _e173 {
-                                let _e179 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e179 = params.member.member_2.member[_e121.member_1][_e44];
                                 let _e180 = (_e179 + (_e107 + (4u * _e169.member_1)));
-                                let _e184 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e184 = params.member.member_2.member[_e121.member_1][_e44];
                                 let _e186 = ((_e184 + _e143) - 1u);
                                 let _e188 = block_nodes.member[_e180];
                                 let _e201 = (_e180 + 1u);
@@ -592,7 +592,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_591_ = _e346;
                         }
                         let _e351 = phi_591_;
-                        phi_594_ = type_12(0u, _e351);
+                        phi_594_ = type_9(0u, _e351);
                         let _e1136 = local_4;
                         phi_597_ = _e1136;
                         loop {
@@ -600,19 +600,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e356 = phi_597_;
                             local_5 = _e356;
                             if (_e354.member < _e354.member_1) {
-                                phi_595_ = type_12((_e354.member + 1u), _e354.member_1);
-                                phi_620_ = type_12(1u, _e354.member);
+                                phi_595_ = type_9((_e354.member + 1u), _e354.member_1);
+                                phi_620_ = type_9(1u, _e354.member);
                             } else {
                                 phi_595_ = _e354;
-                                phi_620_ = type_12(0u, type_12().member_1);
+                                phi_620_ = type_9(0u, type_9().member_1);
                             }
                             let _e368 = phi_595_;
                             let _e370 = phi_620_;
                             let _e374 = (bitcast<i32>(_e370.member) != 0i);
                             if _e374 {
-                                let _e380 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e380 = params.member.member_2.member[_e121.member_1][_e44];
                                 let _e381 = (_e380 + (_e141 + (4u * _e370.member_1)));
-                                let _e385 = params.member.member_2.member[_e121.member_1][_e34];
+                                let _e385 = params.member.member_2.member[_e121.member_1][_e44];
                                 let _e387 = ((_e385 + _e105) - 1u);
                                 let _e389 = block_nodes.member[_e381];
                                 let _e402 = (_e381 + 1u);
@@ -828,7 +828,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e125);
                     }
                 }
-                phi_885_ = type_12(0u, 8u);
+                phi_885_ = type_9(0u, 8u);
                 phi_888_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 phi_890_ = (_e89.w + 1u);
                 phi_892_ = (_e97 + 1u);
@@ -840,11 +840,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     local_2 = _e565;
                     local_3 = _e565;
                     if (_e563.member < _e563.member_1) {
-                        phi_886_ = type_12((_e563.member + 1u), _e563.member_1);
-                        phi_915_ = type_12(1u, _e563.member);
+                        phi_886_ = type_9((_e563.member + 1u), _e563.member_1);
+                        phi_915_ = type_9(1u, _e563.member);
                     } else {
                         phi_886_ = _e563;
-                        phi_915_ = type_12(0u, type_12().member_1);
+                        phi_915_ = type_9(0u, type_9().member_1);
                     }
                     let _e581 = phi_886_;
                     let _e583 = phi_915_;
@@ -882,26 +882,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_966_ = _e607;
                         }
                         let _e612 = phi_966_;
-                        phi_969_ = type_12(0u, _e612);
+                        phi_969_ = type_9(0u, _e612);
                         phi_972_ = _e565;
                         loop {
                             let _e615 = phi_969_;
                             let _e617 = phi_972_;
                             local_6 = _e617;
                             if (_e615.member < _e615.member_1) {
-                                phi_970_ = type_12((_e615.member + 1u), _e615.member_1);
-                                phi_995_ = type_12(1u, _e615.member);
+                                phi_970_ = type_9((_e615.member + 1u), _e615.member_1);
+                                phi_995_ = type_9(1u, _e615.member);
                             } else {
                                 phi_970_ = _e615;
-                                phi_995_ = type_12(0u, type_12().member_1);
+                                phi_995_ = type_9(0u, type_9().member_1);
                             }
                             let _e629 = phi_970_;
                             let _e631 = phi_995_;
                             let _e635 = (bitcast<i32>(_e631.member) != 0i);
                             if _e635 {
-                                let _e641 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e641 = params.member.member_2.member[_e583.member_1][_e44];
                                 let _e642 = (_e641 + (_e569 + (4u * _e631.member_1)));
-                                let _e646 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e646 = params.member.member_2.member[_e583.member_1][_e44];
                                 let _e648 = ((_e646 + _e605) - 1u);
                                 let _e650 = block_nodes.member[_e642];
                                 let _e663 = (_e642 + 1u);
@@ -1092,7 +1092,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1261_ = _e808;
                         }
                         let _e813 = phi_1261_;
-                        phi_1264_ = type_12(0u, _e813);
+                        phi_1264_ = type_9(0u, _e813);
                         let _e1221 = local_6;
                         phi_1267_ = _e1221;
                         loop {
@@ -1100,19 +1100,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e818 = phi_1267_;
                             local_7 = _e818;
                             if (_e816.member < _e816.member_1) {
-                                phi_1265_ = type_12((_e816.member + 1u), _e816.member_1);
-                                phi_1290_ = type_12(1u, _e816.member);
+                                phi_1265_ = type_9((_e816.member + 1u), _e816.member_1);
+                                phi_1290_ = type_9(1u, _e816.member);
                             } else {
                                 phi_1265_ = _e816;
-                                phi_1290_ = type_12(0u, type_12().member_1);
+                                phi_1290_ = type_9(0u, type_9().member_1);
                             }
                             let _e830 = phi_1265_;
                             let _e832 = phi_1290_;
                             let _e836 = (bitcast<i32>(_e832.member) != 0i);
                             if _e836 {
-                                let _e842 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e842 = params.member.member_2.member[_e583.member_1][_e44];
                                 let _e843 = (_e842 + (_e603 + (4u * _e832.member_1)));
-                                let _e847 = params.member.member_2.member[_e583.member_1][_e34];
+                                let _e847 = params.member.member_2.member[_e583.member_1][_e44];
                                 let _e849 = ((_e847 + _e567) - 1u);
                                 let _e851 = block_nodes.member[_e843];
                                 let _e864 = (_e843 + 1u);
@@ -1329,15 +1329,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
                 let _e1025 = local;
-                if (_e89.x >= _e41) {
-                    phi_1560_ = ((_e89.x - _e41) | 2147483648u);
+                if (_e89.x >= _e51) {
+                    phi_1560_ = ((_e89.x - _e51) | 2147483648u);
                 } else {
                     phi_1560_ = _e89.x;
                 }
                 let _e1031 = phi_1560_;
                 let _e1033 = local_1;
-                if (_e89.y >= _e41) {
-                    phi_1568_ = ((_e89.y - _e41) | 2147483648u);
+                if (_e89.y >= _e51) {
+                    phi_1568_ = ((_e89.y - _e51) | 2147483648u);
                 } else {
                     phi_1568_ = _e89.y;
                 }
@@ -1361,7 +1361,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e1082 = phi_1608_;
         continue;
         continuing {
-            phi_135_ = _e68;
+            phi_142_ = _e75;
             break if !(_e1082);
         }
     }

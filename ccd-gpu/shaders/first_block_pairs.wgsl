@@ -80,16 +80,16 @@ struct type_22 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_14;
 @group(0) @binding(6) 
 var<storage, read_write> front: type_10;
+@group(0) @binding(1) 
+var<storage> boxes: type_14;
+@group(0) @binding(5) 
+var<storage, read_write> pairs: type_22;
 @group(0) @binding(3) 
 var<storage, read_write> control: type_22;
 @group(0) @binding(4) 
 var<storage, read_write> nodes: type_22;
-@group(0) @binding(5) 
-var<storage, read_write> pairs: type_22;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 @group(0) @binding(0) 
 var<storage> params: type_19;

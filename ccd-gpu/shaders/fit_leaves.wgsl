@@ -92,10 +92,10 @@ struct type_33 {
 
 @group(0) @binding(0) 
 var<storage> params: type_18;
-@group(0) @binding(1) 
-var<storage> boxes: type_28;
 @group(0) @binding(2) 
 var<storage> order: type_10;
+@group(0) @binding(1) 
+var<storage> boxes: type_28;
 var<workgroup> shared_: array<type_30, 256>;
 @group(0) @binding(3) 
 var<storage> edges: type_21;

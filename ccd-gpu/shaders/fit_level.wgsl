@@ -112,11 +112,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e23 = id_2;
     let _e24 = n_2;
     let _e25 = lane_2;
-    let _e30 = params.member.member_2.member_2;
-    let _e34 = params.member.member_2.member[_e30];
-    local = array<u32, 4>(_e34[0], _e34[1], _e34[2], _e34[3]);
-    let _e41 = local[0u];
-    let _e49 = ((_e41 + (((_e23.y * _e24.x) + _e23.x) * 256u)) + _e25);
+    let _e35 = params.member.member_2.member_2;
+    let _e39 = params.member.member_2.member[_e35];
+    local = array<u32, 4>(_e39[0], _e39[1], _e39[2], _e39[3]);
+    let _e46 = local[0u];
+    let _e49 = ((_e46 + (((_e23.y * _e24.x) + _e23.x) * 256u)) + _e25);
     let _e51 = local[2u];
     if (_e49 >= _e51) {
         phi_121_ = 2u;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -71,11 +71,11 @@ var<storage> boxes: type_16;
 @group(0) @binding(0) 
 var<storage> params: type_19;
 @group(0) @binding(2) 
-var<storage> survey: type_10;
+var<storage> survey: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_10;
+var<storage, read_write> keys: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> order: type_10;
+var<storage, read_write> order: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
@@ -89,19 +89,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_231_: u32;
     var phi_250_: u32;
     var phi_269_: u32;
-    var phi_274_: type_11;
-    var phi_275_: type_11;
-    var phi_298_: type_11;
+    var phi_274_: type_9;
+    var phi_275_: type_9;
+    var phi_298_: type_9;
     var phi_324_: u32;
     var phi_350_: u32;
-    var phi_394_: type_11;
-    var phi_395_: type_11;
-    var phi_418_: type_11;
+    var phi_394_: type_9;
+    var phi_395_: type_9;
+    var phi_418_: type_9;
     var phi_469_: f32;
     var phi_474_: f32;
-    var phi_515_: type_11;
-    var phi_516_: type_11;
-    var phi_539_: type_11;
+    var phi_515_: type_9;
+    var phi_516_: type_9;
+    var phi_539_: type_9;
     var phi_599_: u32;
     var phi_600_: u32;
     var phi_619_: u32;
@@ -196,15 +196,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e124 = phi_269_;
                 local_2 = type_14(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                phi_274_ = type_11(0u, 3u);
+                phi_274_ = type_9(0u, 3u);
                 loop {
                     let _e127 = phi_274_;
                     if (_e127.member < _e127.member_1) {
-                        phi_275_ = type_11((_e127.member + 1u), _e127.member_1);
-                        phi_298_ = type_11(1u, _e127.member);
+                        phi_275_ = type_9((_e127.member + 1u), _e127.member_1);
+                        phi_298_ = type_9(1u, _e127.member);
                     } else {
                         phi_275_ = _e127;
-                        phi_298_ = type_11(0u, type_11().member_1);
+                        phi_298_ = type_9(0u, type_9().member_1);
                     }
                     let _e139 = phi_275_;
                     let _e141 = phi_298_;
@@ -238,15 +238,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 local_4 = type_20(_e173, array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e114), bitcast<f32>(_e124)));
                 local_1.member = array<f32, 3>(0f, 0f, 0f);
                 local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
-                phi_394_ = type_11(0u, 3u);
+                phi_394_ = type_9(0u, 3u);
                 loop {
                     let _e179 = phi_394_;
                     if (_e179.member < _e179.member_1) {
-                        phi_395_ = type_11((_e179.member + 1u), _e179.member_1);
-                        phi_418_ = type_11(1u, _e179.member);
+                        phi_395_ = type_9((_e179.member + 1u), _e179.member_1);
+                        phi_418_ = type_9(1u, _e179.member);
                     } else {
                         phi_395_ = _e179;
-                        phi_418_ = type_11(0u, type_11().member_1);
+                        phi_418_ = type_9(0u, type_9().member_1);
                     }
                     let _e191 = phi_395_;
                     let _e193 = phi_418_;
@@ -282,15 +282,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e232 = local_1;
                 local_3 = _e232;
                 local = array<u32, 3>(0u, 0u, 0u);
-                phi_515_ = type_11(0u, 3u);
+                phi_515_ = type_9(0u, 3u);
                 loop {
                     let _e234 = phi_515_;
                     if (_e234.member < _e234.member_1) {
-                        phi_516_ = type_11((_e234.member + 1u), _e234.member_1);
-                        phi_539_ = type_11(1u, _e234.member);
+                        phi_516_ = type_9((_e234.member + 1u), _e234.member_1);
+                        phi_539_ = type_9(1u, _e234.member);
                     } else {
                         phi_516_ = _e234;
-                        phi_539_ = type_11(0u, type_11().member_1);
+                        phi_539_ = type_9(0u, type_9().member_1);
                     }
                     let _e246 = phi_516_;
                     let _e248 = phi_539_;

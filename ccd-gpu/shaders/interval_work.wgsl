@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -76,14 +76,14 @@ struct type_26 {
 }
 
 @group(0) @binding(2) 
-var<storage> keys: type_10;
+var<storage> keys: type_11;
 var<workgroup> counters: array<atomic<u32>, 8>;
 @group(0) @binding(0) 
 var<storage> params: type_22;
 @group(0) @binding(1) 
 var<storage> sorted: type_19;
 @group(0) @binding(3) 
-var<storage> survey: type_10;
+var<storage> survey: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> work: type_26;
 
@@ -156,9 +156,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_668_: u32;
     var phi_669_: u32;
     var phi_718_: u32;
-    var phi_721_: type_12;
-    var phi_722_: type_12;
-    var phi_745_: type_12;
+    var phi_721_: type_9;
+    var phi_722_: type_9;
+    var phi_745_: type_9;
     var phi_766_: u32;
     var phi_782_: u32;
     var local_1: u32;
@@ -607,15 +607,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_718_ = _e433;
     }
     let _e438 = phi_718_;
-    phi_721_ = type_12(0u, _e438);
+    phi_721_ = type_9(0u, _e438);
     loop {
         let _e441 = phi_721_;
         if (_e441.member < _e441.member_1) {
-            phi_722_ = type_12((_e441.member + 1u), _e441.member_1);
-            phi_745_ = type_12(1u, _e441.member);
+            phi_722_ = type_9((_e441.member + 1u), _e441.member_1);
+            phi_745_ = type_9(1u, _e441.member);
         } else {
             phi_722_ = _e441;
-            phi_745_ = type_12(0u, type_12().member_1);
+            phi_745_ = type_9(0u, type_9().member_1);
         }
         let _e453 = phi_722_;
         let _e455 = phi_745_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -51,61 +51,61 @@ struct type_18 {
 }
 
 struct type_19 {
+    member: u32,
+}
+
+struct type_20 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_19,
+}
+
+struct type_21 {
+    member: type_20,
+}
+
+struct type_22 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_20 {
-    member: u32,
-}
-
-struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
-}
-
+@group(0) @binding(0) 
+var<storage> params: type_21;
+@group(0) @binding(3) 
+var<storage, read_write> keys: type_11;
+@group(0) @binding(4) 
+var<storage, read_write> order: type_11;
 @group(0) @binding(1) 
 var<storage> boxes: type_16;
-@group(0) @binding(0) 
-var<storage> params: type_22;
-@group(0) @binding(3) 
-var<storage, read_write> keys: type_10;
-@group(0) @binding(4) 
-var<storage, read_write> order: type_10;
 @group(0) @binding(2) 
-var<storage> words: type_10;
+var<storage> words: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: type_18;
     var local_2: type_18;
-    var local_3: type_19;
+    var local_3: type_22;
     var local_4: type_18;
     var phi_137_: u32;
     var phi_138_: u32;
-    var phi_141_: type_11;
-    var phi_142_: type_11;
-    var phi_165_: type_11;
+    var phi_141_: type_9;
+    var phi_142_: type_9;
+    var phi_165_: type_9;
     var phi_191_: u32;
     var phi_217_: u32;
-    var phi_251_: type_11;
+    var phi_251_: type_9;
     var phi_254_: f32;
-    var phi_252_: type_11;
-    var phi_277_: type_11;
+    var phi_252_: type_9;
+    var phi_277_: type_9;
     var phi_307_: f32;
     var phi_255_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_317_: f32;
-    var phi_367_: type_11;
-    var phi_368_: type_11;
-    var phi_391_: type_11;
+    var phi_367_: type_9;
+    var phi_368_: type_9;
+    var phi_391_: type_9;
     var phi_454_: u32;
     var phi_455_: u32;
     var id_2: vec3<u32>;
@@ -136,15 +136,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e75 = phi_138_;
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_141_ = type_11(0u, 3u);
+        phi_141_ = type_9(0u, 3u);
         loop {
             let _e77 = phi_141_;
             if (_e77.member < _e77.member_1) {
-                phi_142_ = type_11((_e77.member + 1u), _e77.member_1);
-                phi_165_ = type_11(1u, _e77.member);
+                phi_142_ = type_9((_e77.member + 1u), _e77.member_1);
+                phi_165_ = type_9(1u, _e77.member);
             } else {
                 phi_142_ = _e77;
-                phi_165_ = type_11(0u, type_11().member_1);
+                phi_165_ = type_9(0u, type_9().member_1);
             }
             let _e89 = phi_142_;
             let _e91 = phi_165_;
@@ -176,7 +176,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e123 = local_2;
         local_4 = _e123;
-        phi_251_ = type_11(0u, 3u);
+        phi_251_ = type_9(0u, 3u);
         phi_254_ = 0f;
         loop {
             let _e125 = phi_251_;
@@ -184,11 +184,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_5 = _e127;
             local_6 = _e127;
             if (_e125.member < _e125.member_1) {
-                phi_252_ = type_11((_e125.member + 1u), _e125.member_1);
-                phi_277_ = type_11(1u, _e125.member);
+                phi_252_ = type_9((_e125.member + 1u), _e125.member_1);
+                phi_277_ = type_9(1u, _e125.member);
             } else {
                 phi_252_ = _e125;
-                phi_277_ = type_11(0u, type_11().member_1);
+                phi_277_ = type_9(0u, type_9().member_1);
             }
             let _e139 = phi_252_;
             let _e141 = phi_277_;
@@ -224,19 +224,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e169 = phi_317_;
         let _e171 = local_4.member;
-        local_3 = type_19(_e171, _e169, (1024f - 1f));
+        local_3 = type_22(_e171, _e169, (1024f - 1f));
         let _e177 = boxes.member[_e58];
         local_1 = type_18(array<f32, 3>(_e177.member.x, _e177.member.y, _e177.member_1.x), array<f32, 3>(_e177.member_1.y, _e177.member_2.x, _e177.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
-        phi_367_ = type_11(0u, 3u);
+        phi_367_ = type_9(0u, 3u);
         loop {
             let _e194 = phi_367_;
             if (_e194.member < _e194.member_1) {
-                phi_368_ = type_11((_e194.member + 1u), _e194.member_1);
-                phi_391_ = type_11(1u, _e194.member);
+                phi_368_ = type_9((_e194.member + 1u), _e194.member_1);
+                phi_391_ = type_9(1u, _e194.member);
             } else {
                 phi_368_ = _e194;
-                phi_391_ = type_11(0u, type_11().member_1);
+                phi_391_ = type_9(0u, type_9().member_1);
             }
             let _e206 = phi_368_;
             let _e208 = phi_391_;

@@ -26,7 +26,7 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -109,12 +109,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_238_: u32;
     var phi_239_: u32;
     var phi_240_: u32;
-    var phi_243_: type_10;
+    var phi_243_: type_9;
     var phi_246_: type_27;
     var phi_248_: type_27;
     var phi_250_: type_27;
-    var phi_244_: type_10;
-    var phi_273_: type_10;
+    var phi_244_: type_9;
+    var phi_273_: type_9;
     var phi_326_: f32;
     var phi_333_: f32;
     var phi_340_: f32;
@@ -226,7 +226,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e134 = phi_239_;
     let _e136 = phi_240_;
     workgroupBarrier();
-    phi_243_ = type_10(0u, 9u);
+    phi_243_ = type_9(0u, 9u);
     phi_246_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     phi_248_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     phi_250_ = _e70;
@@ -240,11 +240,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_2 = _e140;
         local_3 = _e140;
         if (_e138.member < _e138.member_1) {
-            phi_244_ = type_10((_e138.member + 1u), _e138.member_1);
-            phi_273_ = type_10(1u, _e138.member);
+            phi_244_ = type_9((_e138.member + 1u), _e138.member_1);
+            phi_273_ = type_9(1u, _e138.member);
         } else {
             phi_244_ = _e138;
-            phi_273_ = type_10(0u, type_10().member_1);
+            phi_273_ = type_9(0u, type_9().member_1);
         }
         let _e156 = phi_244_;
         let _e158 = phi_273_;

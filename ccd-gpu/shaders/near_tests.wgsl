@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -63,8 +63,8 @@ struct type_20 {
 }
 
 struct type_21 {
-    member: type_12,
-    member_1: type_12,
+    member: type_9,
+    member_1: type_9,
 }
 
 struct type_23 {
@@ -85,7 +85,7 @@ var<storage> params: type_20;
 @group(0) @binding(1) 
 var<storage> tests: type_23;
 @group(0) @binding(2) 
-var<storage> regions: type_10;
+var<storage> regions: type_11;
 @group(0) @binding(3) 
 var<storage> swept: type_17;
 @group(0) @binding(4) 
@@ -102,9 +102,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_130_: u32;
     var phi_151_: u32;
     var phi_152_: u32;
-    var phi_155_: type_12;
-    var phi_156_: type_12;
-    var phi_179_: type_12;
+    var phi_155_: type_9;
+    var phi_156_: type_9;
+    var phi_179_: type_9;
     var phi_260_: bool;
     var phi_261_: bool;
     var phi_329_: u32;
@@ -119,7 +119,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_449_: u32;
     var phi_450_: u32;
     var phi_451_: u32;
-    var phi_452_: type_12;
+    var phi_452_: type_9;
     var phi_453_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -165,15 +165,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_152_ = 0u;
     }
     let _e71 = phi_152_;
-    phi_155_ = type_12(0u, _e71);
+    phi_155_ = type_9(0u, _e71);
     loop {
         let _e74 = phi_155_;
         if (_e74.member < _e74.member_1) {
-            phi_156_ = type_12((_e74.member + 1u), _e74.member_1);
-            phi_179_ = type_12(1u, _e74.member);
+            phi_156_ = type_9((_e74.member + 1u), _e74.member_1);
+            phi_179_ = type_9(1u, _e74.member);
         } else {
             phi_156_ = _e74;
-            phi_179_ = type_12(0u, type_12().member_1);
+            phi_179_ = type_9(0u, type_9().member_1);
         }
         let _e86 = phi_156_;
         let _e88 = phi_179_;
@@ -297,7 +297,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             } else {
                 phi_450_ = 0u;
                 phi_451_ = 0u;
-                phi_452_ = type_12(0u, 0u);
+                phi_452_ = type_9(0u, 0u);
                 phi_453_ = false;
             }
             let _e295 = phi_450_;

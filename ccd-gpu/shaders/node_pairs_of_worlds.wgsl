@@ -26,16 +26,16 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_13 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_17 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_16 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,27 +43,27 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
+    member_2: type_16,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_18 {
+    member: type_17,
 }
 
-struct type_21 {
+struct type_20 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_22 {
+    member: array<type_20>,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -73,76 +73,97 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_18;
 @group(0) @binding(1) 
-var<storage> nodes: type_23;
+var<storage> nodes: type_22;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_25, 128>;
+var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
-@group(0) @binding(3) 
-var<storage> input: type_10;
 @group(0) @binding(2) 
-var<storage> worlds: type_10;
+var<storage> worlds: type_11;
+@group(0) @binding(3) 
+var<storage> input: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> output: type_31;
 var<workgroup> ranges: array<u32, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_134_: u32;
-    var phi_146_: array<u32, 2>;
-    var phi_196_: u32;
-    var phi_197_: u32;
-    var phi_205_: u32;
-    var phi_221_: u32;
-    var phi_242_: u32;
-    var phi_243_: u32;
-    var phi_246_: type_13;
-    var phi_247_: type_13;
-    var phi_270_: type_13;
-    var phi_311_: u32;
-    var phi_312_: u32;
-    var phi_320_: u32;
-    var phi_332_: u32;
-    var phi_383_: type_13;
-    var phi_386_: u32;
-    var phi_384_: type_13;
-    var phi_409_: type_13;
-    var phi_387_: u32;
-    var local: u32;
+    var local: array<u32, 3>;
+    var phi_141_: u32;
+    var phi_173_: u32;
+    var phi_174_: u32;
+    var phi_182_: u32;
+    var phi_198_: u32;
+    var phi_219_: u32;
+    var phi_220_: u32;
+    var phi_223_: type_9;
+    var phi_224_: type_9;
+    var phi_247_: type_9;
+    var phi_288_: u32;
+    var phi_289_: u32;
+    var phi_297_: u32;
+    var phi_309_: u32;
+    var phi_364_: array<u32, 2>;
+    var phi_389_: type_9;
+    var phi_392_: u32;
+    var phi_390_: type_9;
+    var phi_415_: type_9;
+    var phi_393_: u32;
     var local_1: u32;
-    var phi_427_: u32;
     var local_2: u32;
+    var phi_433_: u32;
     var local_3: u32;
-    var phi_436_: u32;
-    var phi_473_: type_13;
-    var phi_476_: u32;
-    var phi_474_: type_13;
-    var phi_499_: type_13;
-    var phi_477_: u32;
     var local_4: u32;
+    var phi_442_: u32;
+    var phi_485_: type_9;
+    var phi_488_: u32;
+    var phi_486_: type_9;
+    var phi_511_: type_9;
+    var phi_489_: u32;
     var local_5: u32;
-    var phi_517_: u32;
     var local_6: u32;
+    var phi_529_: u32;
     var local_7: u32;
-    var phi_526_: u32;
-    var phi_568_: array<u32, 2>;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_777_: type_25;
-    var phi_786_: bool;
-    var phi_791_: type_13;
-    var phi_792_: type_13;
-    var phi_815_: type_13;
-    var phi_831_: bool;
-    var phi_889_: bool;
-    var phi_940_: u32;
-    var phi_973_: type_13;
-    var phi_974_: type_13;
-    var phi_997_: type_13;
-    var phi_1042_: bool;
-    var phi_1043_: bool;
+    var local_8: u32;
+    var phi_538_: u32;
+    var phi_580_: array<u32, 2>;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_789_: type_24;
+    var phi_798_: bool;
+    var phi_805_: type_9;
+    var phi_808_: u32;
+    var phi_806_: type_9;
+    var phi_831_: type_9;
+    var phi_896_: bool;
+    var phi_897_: bool;
+    var phi_898_: bool;
+    var phi_899_: bool;
+    var phi_903_: bool;
+    var phi_904_: bool;
+    var phi_926_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_946_: u32;
+    var phi_947_: u32;
+    var phi_809_: u32;
+    var phi_950_: type_9;
+    var phi_953_: u32;
+    var phi_951_: type_9;
+    var phi_976_: type_9;
+    var phi_1026_: u32;
+    var phi_1027_: bool;
+    var phi_954_: u32;
+    var phi_1028_: bool;
+    var phi_1035_: u32;
+    var phi_1068_: type_9;
+    var phi_1069_: type_9;
+    var phi_1092_: type_9;
+    var phi_1137_: bool;
+    var phi_1138_: bool;
+    var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -150,459 +171,555 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e39 = id_2;
-    let _e40 = n_2;
-    let _e41 = lane_2;
-    let _e51 = ((_e39.y * _e40.x) + _e39.x);
-    let _e54 = (_e40.x * _e40.y);
-    let _e57 = params.member.member_1.member_2;
-    let _e59 = input.member[0u];
-    if (_e57 < _e59) {
-        phi_134_ = _e57;
+    let _e42 = id_2;
+    let _e43 = n_2;
+    let _e44 = lane_2;
+    let _e54 = ((_e42.y * _e43.x) + _e42.x);
+    let _e57 = (_e43.x * _e43.y);
+    let _e60 = params.member.member_1.member_2;
+    let _e62 = input.member[0u];
+    if (_e60 < _e62) {
+        phi_141_ = _e60;
     } else {
-        phi_134_ = _e59;
+        phi_141_ = _e62;
     }
-    let _e62 = phi_134_;
-    let _e63 = (_e41 / 32u);
-    let _e64 = (_e41 % 32u);
-    let _e67 = params.member.member_2.member_1;
-    if (_e67 == 0u) {
-        phi_146_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_146_ = array<u32, 2>(1u, 1u);
-    }
-    let _e70 = phi_146_;
-    let _e76 = params.member.member.member[_e70[0]];
-    let _e80 = params.member.member.member[_e70[1]];
-    let _e83 = params.member.member_2.member_2;
-    let _e84 = (_e83 - 1u);
-    let _e87 = params.member.member_1.member_1;
-    if (_e62 > _e87) {
-        let _e91 = params.member.member_1.member_1;
-        let _e92 = (_e62 - _e91);
-        let _e95 = params.member.member_2.member_3;
-        if (_e95 == 0u) {
+    let _e65 = phi_141_;
+    let _e66 = (_e44 / 32u);
+    let _e67 = (_e44 % 32u);
+    let _e70 = params.member.member_1.member_1;
+    if (_e65 > _e70) {
+        let _e74 = params.member.member_1.member_1;
+        let _e75 = (_e65 - _e74);
+        let _e78 = params.member.member_2.member_3;
+        if (_e78 == 0u) {
             return;
         }
-        let _e97 = (_e92 / _e95);
-        if (_e95 == 0u) {
+        let _e80 = (_e75 / _e78);
+        if (_e78 == 0u) {
             return;
         }
-        if ((_e92 % _e95) > 0u) {
-            phi_196_ = (_e97 + 1u);
+        if ((_e75 % _e78) > 0u) {
+            phi_173_ = (_e80 + 1u);
         } else {
-            phi_196_ = _e97;
+            phi_173_ = _e80;
         }
-        let _e103 = phi_196_;
-        phi_197_ = _e103;
+        let _e86 = phi_173_;
+        phi_174_ = _e86;
     } else {
-        phi_197_ = 0u;
+        phi_174_ = 0u;
     }
-    let _e105 = phi_197_;
-    let _e108 = params.member.member_2.member_4;
-    if (_e108 < _e105) {
-        phi_205_ = _e108;
+    let _e88 = phi_174_;
+    let _e91 = params.member.member_2.member_4;
+    if (_e91 < _e88) {
+        phi_182_ = _e91;
     } else {
-        phi_205_ = _e105;
+        phi_182_ = _e88;
     }
-    let _e111 = phi_205_;
-    let _e112 = (_e111 / 4u);
-    if ((_e111 % 4u) > 0u) {
-        phi_221_ = (_e112 + 1u);
+    let _e94 = phi_182_;
+    let _e95 = (_e94 / 4u);
+    if ((_e94 % 4u) > 0u) {
+        phi_198_ = (_e95 + 1u);
     } else {
-        phi_221_ = _e112;
+        phi_198_ = _e95;
     }
-    let _e117 = phi_221_;
-    if (_e117 > _e51) {
-        let _e119 = (_e117 - _e51);
-        if (_e54 == 0u) {
+    let _e100 = phi_198_;
+    if (_e100 > _e54) {
+        let _e102 = (_e100 - _e54);
+        if (_e57 == 0u) {
             return;
         }
-        let _e121 = (_e119 / _e54);
-        if (_e54 == 0u) {
+        let _e104 = (_e102 / _e57);
+        if (_e57 == 0u) {
             return;
         }
-        if ((_e119 % _e54) > 0u) {
-            phi_242_ = (_e121 + 1u);
+        if ((_e102 % _e57) > 0u) {
+            phi_219_ = (_e104 + 1u);
         } else {
-            phi_242_ = _e121;
+            phi_219_ = _e104;
         }
-        let _e127 = phi_242_;
-        phi_243_ = _e127;
+        let _e110 = phi_219_;
+        phi_220_ = _e110;
     } else {
-        phi_243_ = 0u;
+        phi_220_ = 0u;
     }
-    let _e129 = phi_243_;
-    phi_246_ = type_13(0u, _e129);
+    let _e112 = phi_220_;
+    phi_223_ = type_9(0u, _e112);
     loop {
-        let _e132 = phi_246_;
-        if (_e132.member < _e132.member_1) {
-            phi_247_ = type_13((_e132.member + 1u), _e132.member_1);
-            phi_270_ = type_13(1u, _e132.member);
+        let _e115 = phi_223_;
+        if (_e115.member < _e115.member_1) {
+            phi_224_ = type_9((_e115.member + 1u), _e115.member_1);
+            phi_247_ = type_9(1u, _e115.member);
         } else {
-            phi_247_ = _e132;
-            phi_270_ = type_13(0u, type_13().member_1);
+            phi_224_ = _e115;
+            phi_247_ = type_9(0u, type_9().member_1);
         }
-        let _e144 = phi_247_;
-        let _e146 = phi_270_;
-        let _e150 = (bitcast<i32>(_e146.member) != 0i);
-        if _e150 {
-            let _e154 = (((_e51 + (_e146.member_1 * _e54)) * 4u) + _e63);
-            let _e157 = params.member.member_1.member_1;
-            if (_e62 > _e157) {
-                let _e161 = params.member.member_1.member_1;
-                let _e162 = (_e62 - _e161);
-                let _e165 = params.member.member_2.member_3;
-                if (_e165 == 0u) {
+        let _e127 = phi_224_;
+        let _e129 = phi_247_;
+        let _e133 = (bitcast<i32>(_e129.member) != 0i);
+        if _e133 {
+            let _e137 = (((_e54 + (_e129.member_1 * _e57)) * 4u) + _e66);
+            let _e140 = params.member.member_1.member_1;
+            if (_e65 > _e140) {
+                let _e144 = params.member.member_1.member_1;
+                let _e145 = (_e65 - _e144);
+                let _e148 = params.member.member_2.member_3;
+                if (_e148 == 0u) {
                     return;
                 }
-                let _e167 = (_e162 / _e165);
-                if (_e165 == 0u) {
+                let _e150 = (_e145 / _e148);
+                if (_e148 == 0u) {
                     return;
                 }
-                if ((_e162 % _e165) > 0u) {
-                    phi_311_ = (_e167 + 1u);
+                if ((_e145 % _e148) > 0u) {
+                    phi_288_ = (_e150 + 1u);
                 } else {
-                    phi_311_ = _e167;
+                    phi_288_ = _e150;
                 }
-                let _e173 = phi_311_;
-                phi_312_ = _e173;
+                let _e156 = phi_288_;
+                phi_289_ = _e156;
             } else {
-                phi_312_ = 0u;
+                phi_289_ = 0u;
             }
-            let _e175 = phi_312_;
-            let _e178 = params.member.member_2.member_4;
-            if (_e178 < _e175) {
-                phi_320_ = _e178;
+            let _e158 = phi_289_;
+            let _e161 = params.member.member_2.member_4;
+            if (_e161 < _e158) {
+                phi_297_ = _e161;
             } else {
-                phi_320_ = _e175;
+                phi_297_ = _e158;
             }
-            let _e181 = phi_320_;
-            let _e182 = (_e154 < _e181);
-            let _e185 = params.member.member_1.member_1;
-            if _e182 {
-                let _e188 = params.member.member_2.member_3;
-                phi_332_ = (_e154 * _e188);
+            let _e164 = phi_297_;
+            let _e165 = (_e137 < _e164);
+            let _e168 = params.member.member_1.member_1;
+            if _e165 {
+                let _e171 = params.member.member_2.member_3;
+                phi_309_ = (_e137 * _e171);
             } else {
-                phi_332_ = 0u;
+                phi_309_ = 0u;
             }
-            let _e191 = phi_332_;
-            let _e193 = (2u * (_e185 + _e191));
-            let _e196 = input.member[(4u + _e193)];
-            let _e199 = input.member[(_e193 + 5u)];
-            if (_e41 < 8u) {
-                atomicStore((&counters[_e41]), 0u);
+            let _e174 = phi_309_;
+            let _e176 = (2u * (_e168 + _e174));
+            let _e179 = input.member[(4u + _e176)];
+            let _e182 = input.member[(_e176 + 5u)];
+            if (_e44 < 8u) {
+                atomicStore((&counters[_e44]), 0u);
             }
             workgroupBarrier();
-            if (_e64 == 0u) {
-                firsts[(2u * _e63)] = (_e196 * 32u);
-                firsts[((2u * _e63) + 1u)] = (_e199 * 32u);
+            if (_e67 == 0u) {
+                firsts[(2u * _e66)] = (_e179 * 32u);
+                firsts[((2u * _e66) + 1u)] = (_e182 * 32u);
             }
-            let _e212 = ((_e196 * 32u) + _e64);
-            phi_383_ = type_13(0u, _e84);
-            phi_386_ = 1u;
+            let _e195 = params.member.member_2.member_1;
+            if (_e195 == 0u) {
+                phi_364_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_364_ = array<u32, 2>(1u, 1u);
+            }
+            let _e198 = phi_364_;
+            let _e201 = params.member.member_2.member_2;
+            let _e202 = (_e201 - 1u);
+            let _e205 = params.member.member.member;
+            local = array<u32, 3>(_e205[0], _e205[1], _e205[2]);
+            let _e214 = ((_e179 * 32u) + _e67);
+            let _e216 = local[_e198[0]];
+            phi_389_ = type_9(0u, _e202);
+            phi_392_ = 1u;
             loop {
-                let _e215 = phi_383_;
-                let _e217 = phi_386_;
-                local = _e217;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                if (_e215.member < _e215.member_1) {
-                    phi_384_ = type_13((_e215.member + 1u), _e215.member_1);
-                    phi_409_ = type_13(1u, _e215.member);
+                let _e219 = phi_389_;
+                let _e221 = phi_392_;
+                local_1 = _e221;
+                local_2 = _e221;
+                local_3 = _e221;
+                local_4 = _e221;
+                if (_e219.member < _e219.member_1) {
+                    phi_390_ = type_9((_e219.member + 1u), _e219.member_1);
+                    phi_415_ = type_9(1u, _e219.member);
                 } else {
-                    phi_384_ = _e215;
-                    phi_409_ = type_13(0u, type_13().member_1);
+                    phi_390_ = _e219;
+                    phi_415_ = type_9(0u, type_9().member_1);
                 }
-                let _e229 = phi_384_;
-                let _e231 = phi_409_;
-                let _e234 = (bitcast<i32>(_e231.member) != 0i);
-                if _e234 {
-                    phi_387_ = (_e217 * 32u);
+                let _e233 = phi_390_;
+                let _e235 = phi_415_;
+                let _e238 = (bitcast<i32>(_e235.member) != 0i);
+                if _e238 {
+                    phi_393_ = (_e221 * 32u);
                 } else {
-                    phi_387_ = u32();
+                    phi_393_ = u32();
                 }
-                let _e237 = phi_387_;
+                let _e241 = phi_393_;
                 continue;
                 continuing {
-                    phi_383_ = _e229;
-                    phi_386_ = _e237;
-                    break if !(_e234);
+                    phi_389_ = _e233;
+                    phi_392_ = _e241;
+                    break if !(_e238);
                 }
             }
-            let _e241 = local;
-            if (_e241 == 0u) {
+            let _e245 = local_1;
+            if (_e245 == 0u) {
                 return;
             }
-            let _e244 = local_1;
-            let _e245 = ((_e76 - 1u) / _e244);
-            if (_e245 < _e212) {
-                phi_427_ = _e245;
+            let _e248 = local_2;
+            let _e249 = ((_e216 - 1u) / _e248);
+            if (_e249 < _e214) {
+                phi_433_ = _e249;
             } else {
-                phi_427_ = _e212;
+                phi_433_ = _e214;
             }
-            let _e248 = phi_427_;
-            let _e250 = local_2;
-            let _e251 = (_e248 * _e250);
-            let _e253 = local_3;
-            let _e255 = (_e251 + (_e253 - 1u));
-            let _e256 = (_e76 - 1u);
-            if (_e256 < _e255) {
-                phi_436_ = _e256;
+            let _e252 = phi_433_;
+            let _e254 = local_3;
+            let _e255 = (_e252 * _e254);
+            let _e257 = local_4;
+            let _e259 = (_e255 + (_e257 - 1u));
+            let _e260 = (_e216 - 1u);
+            if (_e260 < _e259) {
+                phi_442_ = _e260;
             } else {
-                phi_436_ = _e255;
+                phi_442_ = _e259;
             }
-            let _e259 = phi_436_;
-            let _e263 = params.member.member_2.member[0u][_e70[0]];
-            let _e266 = worlds.member[(_e263 + _e251)];
-            let _e271 = worlds.member[(_e263 + _e259)];
-            let _e272 = ((_e266 << bitcast<u32>(16i)) | _e271);
-            let _e275 = ((_e199 * 32u) + _e64);
-            phi_473_ = type_13(0u, _e84);
-            phi_476_ = 1u;
+            let _e263 = phi_442_;
+            let _e267 = params.member.member_2.member[0u][_e198[0]];
+            let _e270 = worlds.member[(_e267 + _e255)];
+            let _e275 = worlds.member[(_e267 + _e263)];
+            let _e276 = ((_e270 << bitcast<u32>(16i)) | _e275);
+            let _e278 = ((_e182 * 32u) + _e67);
+            let _e280 = local[_e198[1]];
+            phi_485_ = type_9(0u, _e202);
+            phi_488_ = 1u;
             loop {
-                let _e278 = phi_473_;
-                let _e280 = phi_476_;
-                local_4 = _e280;
-                local_5 = _e280;
-                local_6 = _e280;
-                local_7 = _e280;
-                if (_e278.member < _e278.member_1) {
-                    phi_474_ = type_13((_e278.member + 1u), _e278.member_1);
-                    phi_499_ = type_13(1u, _e278.member);
+                let _e283 = phi_485_;
+                let _e285 = phi_488_;
+                local_5 = _e285;
+                local_6 = _e285;
+                local_7 = _e285;
+                local_8 = _e285;
+                if (_e283.member < _e283.member_1) {
+                    phi_486_ = type_9((_e283.member + 1u), _e283.member_1);
+                    phi_511_ = type_9(1u, _e283.member);
                 } else {
-                    phi_474_ = _e278;
-                    phi_499_ = type_13(0u, type_13().member_1);
+                    phi_486_ = _e283;
+                    phi_511_ = type_9(0u, type_9().member_1);
                 }
-                let _e292 = phi_474_;
-                let _e294 = phi_499_;
-                let _e297 = (bitcast<i32>(_e294.member) != 0i);
-                if _e297 {
-                    phi_477_ = (_e280 * 32u);
+                let _e297 = phi_486_;
+                let _e299 = phi_511_;
+                let _e302 = (bitcast<i32>(_e299.member) != 0i);
+                if _e302 {
+                    phi_489_ = (_e285 * 32u);
                 } else {
-                    phi_477_ = u32();
+                    phi_489_ = u32();
                 }
-                let _e300 = phi_477_;
+                let _e305 = phi_489_;
                 continue;
                 continuing {
-                    phi_473_ = _e292;
-                    phi_476_ = _e300;
-                    break if !(_e297);
+                    phi_485_ = _e297;
+                    phi_488_ = _e305;
+                    break if !(_e302);
                 }
             }
-            let _e304 = local_4;
-            if (_e304 == 0u) {
+            let _e309 = local_5;
+            if (_e309 == 0u) {
                 return;
             }
-            let _e307 = local_5;
-            let _e308 = ((_e80 - 1u) / _e307);
-            if (_e308 < _e275) {
-                phi_517_ = _e308;
+            let _e312 = local_6;
+            let _e313 = ((_e280 - 1u) / _e312);
+            if (_e313 < _e278) {
+                phi_529_ = _e313;
             } else {
-                phi_517_ = _e275;
+                phi_529_ = _e278;
             }
-            let _e311 = phi_517_;
-            let _e313 = local_6;
-            let _e314 = (_e311 * _e313);
-            let _e316 = local_7;
-            let _e318 = (_e314 + (_e316 - 1u));
-            let _e319 = (_e80 - 1u);
-            if (_e319 < _e318) {
-                phi_526_ = _e319;
+            let _e316 = phi_529_;
+            let _e318 = local_7;
+            let _e319 = (_e316 * _e318);
+            let _e321 = local_8;
+            let _e323 = (_e319 + (_e321 - 1u));
+            let _e324 = (_e280 - 1u);
+            if (_e324 < _e323) {
+                phi_538_ = _e324;
             } else {
-                phi_526_ = _e318;
+                phi_538_ = _e323;
             }
-            let _e322 = phi_526_;
-            let _e326 = params.member.member_2.member[0u][_e70[1]];
-            let _e329 = worlds.member[(_e326 + _e314)];
-            let _e334 = worlds.member[(_e326 + _e322)];
-            ranges[_e41] = ((_e329 << bitcast<u32>(16i)) | _e334);
-            let _e339 = params.member.member_2.member_1;
-            if (_e339 == 0u) {
-                phi_568_ = array<u32, 2>(0u, 2u);
+            let _e327 = phi_538_;
+            let _e331 = params.member.member_2.member[0u][_e198[1]];
+            let _e334 = worlds.member[(_e331 + _e319)];
+            let _e339 = worlds.member[(_e331 + _e327)];
+            ranges[_e44] = ((_e334 << bitcast<u32>(16i)) | _e339);
+            let _e344 = params.member.member_2.member_1;
+            if (_e344 == 0u) {
+                phi_580_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_568_ = array<u32, 2>(1u, 1u);
+                phi_580_ = array<u32, 2>(1u, 1u);
             }
-            let _e342 = phi_568_;
-            let _e345 = (_e41 / 32u);
-            let _e346 = (_e41 % 32u);
-            let _e350 = params.member.member_2.member_2;
-            let _e354 = params.member.member_2.member[_e350][_e342[0]];
-            let _e357 = nodes.member[(_e354 + _e196)];
-            let _e373 = params.member.member_2.member_2;
-            let _e377 = params.member.member_2.member[_e373][_e342[1]];
-            let _e380 = nodes.member[(_e377 + _e199)];
-            let _e396 = params.member.member_2.member_2;
-            let _e403 = params.member.member_2.member[(_e396 - 1u)][_e342[0]];
-            let _e406 = nodes.member[(_e403 + ((_e196 * 32u) + _e346))];
-            let _e425 = params.member.member_2.member_2;
-            let _e432 = params.member.member_2.member[(_e425 - 1u)][_e342[1]];
-            let _e435 = nodes.member[(_e432 + ((_e199 * 32u) + _e346))];
-            if _e182 {
-                if ((((((_e435.member.x <= _e357.member_1.y) && (_e357.member.x <= _e435.member_1.y)) && (_e435.member.y <= _e357.member_2.x)) && (_e357.member.y <= _e435.member_2.x)) && (_e435.member_1.x <= _e357.member_2.y)) && (_e357.member_1.x <= _e435.member_2.y)) {
-                    let _e461 = atomicAdd((&counters[_e345]), 1u);
-                    let _e462 = ((_e345 * 32u) + _e461);
-                    columns[_e462] = type_25(array<f32, 3>(_e435.member.x, _e435.member.y, _e435.member_1.x), array<f32, 3>(_e435.member_1.y, _e435.member_2.x, _e435.member_2.y));
-                    names[_e462] = _e346;
+            let _e347 = phi_580_;
+            let _e350 = (_e44 / 32u);
+            let _e351 = (_e44 % 32u);
+            let _e355 = params.member.member_2.member_2;
+            let _e359 = params.member.member_2.member[_e355][_e347[0]];
+            let _e362 = nodes.member[(_e359 + _e179)];
+            let _e378 = params.member.member_2.member_2;
+            let _e382 = params.member.member_2.member[_e378][_e347[1]];
+            let _e385 = nodes.member[(_e382 + _e182)];
+            let _e401 = params.member.member_2.member_2;
+            let _e408 = params.member.member_2.member[(_e401 - 1u)][_e347[0]];
+            let _e411 = nodes.member[(_e408 + ((_e179 * 32u) + _e351))];
+            let _e430 = params.member.member_2.member_2;
+            let _e437 = params.member.member_2.member[(_e430 - 1u)][_e347[1]];
+            let _e440 = nodes.member[(_e437 + ((_e182 * 32u) + _e351))];
+            if _e165 {
+                if ((((((_e440.member.x <= _e362.member_1.y) && (_e362.member.x <= _e440.member_1.y)) && (_e440.member.y <= _e362.member_2.x)) && (_e362.member.y <= _e440.member_2.x)) && (_e440.member_1.x <= _e362.member_2.y)) && (_e362.member_1.x <= _e440.member_2.y)) {
+                    let _e466 = atomicAdd((&counters[_e350]), 1u);
+                    let _e467 = ((_e350 * 32u) + _e466);
+                    columns[_e467] = type_24(array<f32, 3>(_e440.member.x, _e440.member.y, _e440.member_1.x), array<f32, 3>(_e440.member_1.y, _e440.member_2.x, _e440.member_2.y));
+                    names[_e467] = _e351;
                 }
             }
             workgroupBarrier();
-            if _e182 {
-                if ((((((_e406.member.x <= _e380.member_1.y) && (_e380.member.x <= _e406.member_1.y)) && (_e406.member.y <= _e380.member_2.x)) && (_e380.member.y <= _e406.member_2.x)) && (_e406.member_1.x <= _e380.member_2.y)) && (_e380.member_1.x <= _e406.member_2.y)) {
-                    phi_772_ = false;
+            if _e165 {
+                if ((((((_e411.member.x <= _e385.member_1.y) && (_e385.member.x <= _e411.member_1.y)) && (_e411.member.y <= _e385.member_2.x)) && (_e385.member.y <= _e411.member_2.x)) && (_e411.member_1.x <= _e385.member_2.y)) && (_e385.member_1.x <= _e411.member_2.y)) {
+                    phi_784_ = false;
                 } else {
-                    phi_772_ = true;
+                    phi_784_ = true;
                 }
-                let _e480 = phi_772_;
-                phi_773_ = _e480;
+                let _e485 = phi_784_;
+                phi_785_ = _e485;
             } else {
-                phi_773_ = true;
+                phi_785_ = true;
             }
-            let _e482 = phi_773_;
-            if _e482 {
-                phi_777_ = type_25(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e487 = phi_785_;
+            if _e487 {
+                phi_789_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_777_ = type_25(array<f32, 3>(_e406.member.x, _e406.member.y, _e406.member_1.x), array<f32, 3>(_e406.member_1.y, _e406.member_2.x, _e406.member_2.y));
+                phi_789_ = type_24(array<f32, 3>(_e411.member.x, _e411.member.y, _e411.member_1.x), array<f32, 3>(_e411.member_1.y, _e411.member_2.x, _e411.member_2.y));
             }
-            let _e484 = phi_777_;
-            let _e487 = params.member.member_2.member_1;
-            if (_e487 == 1u) {
-                phi_786_ = (_e196 == _e199);
+            let _e489 = phi_789_;
+            let _e492 = params.member.member_2.member_1;
+            if (_e492 == 1u) {
+                phi_798_ = (_e179 == _e182);
             } else {
-                phi_786_ = false;
+                phi_798_ = false;
             }
-            let _e491 = phi_786_;
-            let _e493 = atomicLoad((&counters[_e63]));
-            phi_791_ = type_13(0u, _e493);
+            let _e496 = phi_798_;
+            let _e497 = (_e44 / 32u);
+            let _e498 = (_e44 % 32u);
+            let _e500 = atomicLoad((&counters[_e497]));
+            phi_805_ = type_9(0u, _e500);
+            phi_808_ = 0u;
             loop {
-                let _e496 = phi_791_;
-                if (_e496.member < _e496.member_1) {
-                    phi_792_ = type_13((_e496.member + 1u), _e496.member_1);
-                    phi_815_ = type_13(1u, _e496.member);
+                let _e503 = phi_805_;
+                let _e505 = phi_808_;
+                local_9 = _e505;
+                if (_e503.member < _e503.member_1) {
+                    phi_806_ = type_9((_e503.member + 1u), _e503.member_1);
+                    phi_831_ = type_9(1u, _e503.member);
                 } else {
-                    phi_792_ = _e496;
-                    phi_815_ = type_13(0u, type_13().member_1);
+                    phi_806_ = _e503;
+                    phi_831_ = type_9(0u, type_9().member_1);
                 }
-                let _e508 = phi_792_;
-                let _e510 = phi_815_;
-                let _e514 = (bitcast<i32>(_e510.member) != 0i);
-                if _e514 {
-                    let _e518 = names[((_e63 * 32u) + _e510.member_1)];
-                    if _e491 {
-                        phi_831_ = (_e64 <= _e518);
-                    } else {
-                        phi_831_ = true;
-                    }
-                    let _e521 = phi_831_;
-                    let _e525 = columns[((_e63 * 32u) + _e510.member_1)];
-                    if ((((((_e484.member[0] <= _e525.member_1[0]) && (_e525.member[0] <= _e484.member_1[0])) && (_e484.member[1] <= _e525.member_1[1])) && (_e525.member[1] <= _e484.member_1[1])) && (_e484.member[2] <= _e525.member_1[2])) && (_e525.member[2] <= _e484.member_1[2])) {
-                        if _e521 {
-                            let _e560 = ranges[((_e63 * 32u) + _e518)];
-                            if ((_e272 >> bitcast<u32>(16i)) <= (_e560 & 65535u)) {
-                                phi_889_ = ((_e560 >> bitcast<u32>(16i)) <= (_e272 & 65535u));
+                let _e517 = phi_806_;
+                let _e519 = phi_831_;
+                let _e523 = (bitcast<i32>(_e519.member) != 0i);
+                if _e523 {
+                    let _e527 = names[((_e497 * 32u) + _e519.member_1)];
+                    let _e531 = columns[((_e497 * 32u) + _e519.member_1)];
+                    if ((((((_e489.member[0] <= _e531.member_1[0]) && (_e531.member[0] <= _e489.member_1[0])) && (_e489.member[1] <= _e531.member_1[1])) && (_e531.member[1] <= _e489.member_1[1])) && (_e489.member[2] <= _e531.member_1[2])) && (_e531.member[2] <= _e489.member_1[2])) {
+                        if _e496 {
+                            let _e563 = (_e498 < _e527);
+                            if _e563 {
+                                phi_897_ = bool();
                             } else {
-                                phi_889_ = false;
-                            }
-                            let _e570 = phi_889_;
-                            if _e570 {
-                                let _e572 = atomicAdd((&counters[4u]), 1u);
-                                if (_e572 < 2048u) {
-                                    hits[_e572] = (((_e63 << bitcast<u32>(10i)) | (_e64 << bitcast<u32>(5i))) | _e518);
+                                if (_e498 == _e527) {
+                                    phi_896_ = true;
                                 } else {
-                                    let _e580 = params.member.member_1.member_3;
-                                    let _e582 = atomicAdd((&output.member[0u]), 1u);
-                                    if ((_e582 + 1u) < _e582) {
-                                        let _e586 = atomicAdd((&output.member[2u]), 1u);
-                                    }
-                                    if (_e582 < _e580) {
-                                        let _e588 = (2u * _e582);
-                                        atomicStore((&output.member[(4u + _e588)]), ((_e196 * 32u) + _e64));
-                                        atomicStore((&output.member[(_e588 + 5u)]), ((_e199 * 32u) + _e518));
-                                    }
+                                    phi_896_ = false;
                                 }
+                                let _e566 = phi_896_;
+                                phi_897_ = _e566;
                             }
+                            let _e568 = phi_897_;
+                            phi_898_ = _e568;
+                            phi_899_ = _e563;
+                        } else {
+                            phi_898_ = bool();
+                            phi_899_ = true;
                         }
-                    }
-                }
-                continue;
-                continuing {
-                    phi_791_ = _e508;
-                    break if !(_e514);
-                }
-            }
-            workgroupBarrier();
-            let _e602 = atomicLoad((&counters[4u]));
-            if (2048u < _e602) {
-                phi_940_ = 2048u;
-            } else {
-                phi_940_ = _e602;
-            }
-            let _e605 = phi_940_;
-            if (_e41 == 0u) {
-                atomicStore((&counters[5u]), _e605);
-            }
-            workgroupBarrier();
-            if (_e41 == 0u) {
-                let _e610 = atomicLoad((&counters[5u]));
-                if (_e610 > 0u) {
-                    let _e613 = atomicAdd((&output.member[0u]), _e610);
-                    if ((_e613 + _e610) < _e613) {
-                        let _e617 = atomicAdd((&output.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[6u]), _e613);
-                }
-            }
-            workgroupBarrier();
-            let _e620 = atomicLoad((&counters[6u]));
-            phi_973_ = type_13(0u, 16u);
-            loop {
-                let _e622 = phi_973_;
-                if (_e622.member < _e622.member_1) {
-                    phi_974_ = type_13((_e622.member + 1u), _e622.member_1);
-                    phi_997_ = type_13(1u, _e622.member);
-                } else {
-                    phi_974_ = _e622;
-                    phi_997_ = type_13(0u, type_13().member_1);
-                }
-                let _e634 = phi_974_;
-                let _e636 = phi_997_;
-                if (bitcast<i32>(_e636.member) != 0i) {
-                    let _e642 = (_e41 + (_e636.member_1 * 128u));
-                    if (_e642 >= _e605) {
-                        phi_1042_ = false;
+                        let _e570 = phi_898_;
+                        let _e572 = phi_899_;
+                        if _e572 {
+                            phi_903_ = true;
+                        } else {
+                            phi_903_ = _e570;
+                        }
+                        let _e574 = phi_903_;
+                        phi_904_ = _e574;
                     } else {
-                        let _e645 = hits[_e642];
-                        let _e648 = ((_e645 >> bitcast<u32>(10i)) & 3u);
-                        let _e655 = firsts[(2u * _e648)];
-                        let _e660 = firsts[((2u * _e648) + 1u)];
-                        let _e664 = params.member.member_1.member_3;
-                        let _e665 = (_e620 + _e642);
-                        if (_e665 < _e664) {
-                            let _e667 = (2u * _e665);
-                            atomicStore((&output.member[(4u + _e667)]), (_e655 + ((_e645 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e667 + 5u)]), (_e660 + (_e645 & 31u)));
-                        }
-                        phi_1042_ = true;
+                        phi_904_ = false;
                     }
-                    let _e673 = phi_1042_;
-                    phi_1043_ = _e673;
+                    let _e576 = phi_904_;
+                    if true {
+                        if _e576 {
+                            let _e580 = ranges[((_e497 * 32u) + _e527)];
+                            if ((_e276 >> bitcast<u32>(16i)) <= (_e580 & 65535u)) {
+                                phi_926_ = ((_e580 >> bitcast<u32>(16i)) <= (_e276 & 65535u));
+                            } else {
+                                phi_926_ = false;
+                            }
+                            let _e590 = phi_926_;
+                            phi_927_ = _e590;
+                        } else {
+                            phi_927_ = false;
+                        }
+                        let _e592 = phi_927_;
+                        phi_928_ = _e592;
+                    } else {
+                        phi_928_ = _e576;
+                    }
+                    let _e594 = phi_928_;
+                    if _e594 {
+                        let _e596 = atomicAdd((&counters[4u]), 1u);
+                        if (_e596 < 2048u) {
+                            hits[_e596] = (((_e497 << bitcast<u32>(10i)) | (_e498 << bitcast<u32>(5i))) | _e527);
+                            phi_946_ = _e505;
+                        } else {
+                            phi_946_ = (_e505 | (1u << bitcast<u32>((_e519.member_1 & 31u))));
+                        }
+                        let _e610 = phi_946_;
+                        phi_947_ = _e610;
+                    } else {
+                        phi_947_ = _e505;
+                    }
+                    let _e612 = phi_947_;
+                    phi_809_ = _e612;
                 } else {
-                    phi_1043_ = false;
+                    phi_809_ = u32();
                 }
-                let _e675 = phi_1043_;
+                let _e614 = phi_809_;
                 continue;
                 continuing {
-                    phi_973_ = _e634;
-                    break if !(_e675);
+                    phi_805_ = _e517;
+                    phi_808_ = _e614;
+                    break if !(_e523);
+                }
+            }
+            phi_950_ = type_9(0u, 32u);
+            let _e813 = local_9;
+            phi_953_ = _e813;
+            loop {
+                let _e617 = phi_950_;
+                let _e619 = phi_953_;
+                if (_e617.member < _e617.member_1) {
+                    phi_951_ = type_9((_e617.member + 1u), _e617.member_1);
+                    phi_976_ = type_9(1u, _e617.member);
+                } else {
+                    phi_951_ = _e617;
+                    phi_976_ = type_9(0u, type_9().member_1);
+                }
+                let _e631 = phi_951_;
+                let _e633 = phi_976_;
+                if (bitcast<i32>(_e633.member) != 0i) {
+                    if (_e619 == 0u) {
+                        phi_1026_ = u32();
+                        phi_1027_ = false;
+                    } else {
+                        let _e644 = names[((_e66 * 32u) + select(firstTrailingBit(_e619), 32u, (_e619 == 0u)))];
+                        let _e653 = params.member.member_1.member_3;
+                        let _e655 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e655 + 1u) < _e655) {
+                            let _e659 = atomicAdd((&output.member[2u]), 1u);
+                        }
+                        if (_e655 < _e653) {
+                            let _e661 = (2u * _e655);
+                            atomicStore((&output.member[(4u + _e661)]), ((_e179 * 32u) + _e67));
+                            atomicStore((&output.member[(_e661 + 5u)]), ((_e182 * 32u) + _e644));
+                        }
+                        phi_1026_ = (_e619 & (_e619 - 1u));
+                        phi_1027_ = true;
+                    }
+                    let _e667 = phi_1026_;
+                    let _e669 = phi_1027_;
+                    phi_954_ = _e667;
+                    phi_1028_ = _e669;
+                } else {
+                    phi_954_ = u32();
+                    phi_1028_ = false;
+                }
+                let _e671 = phi_954_;
+                let _e673 = phi_1028_;
+                continue;
+                continuing {
+                    phi_950_ = _e631;
+                    phi_953_ = _e671;
+                    break if !(_e673);
+                }
+            }
+            workgroupBarrier();
+            let _e676 = atomicLoad((&counters[4u]));
+            if (2048u < _e676) {
+                phi_1035_ = 2048u;
+            } else {
+                phi_1035_ = _e676;
+            }
+            let _e679 = phi_1035_;
+            if (_e44 == 0u) {
+                atomicStore((&counters[5u]), _e679);
+            }
+            workgroupBarrier();
+            if (_e44 == 0u) {
+                let _e684 = atomicLoad((&counters[5u]));
+                if (_e684 > 0u) {
+                    let _e687 = atomicAdd((&output.member[0u]), _e684);
+                    if ((_e687 + _e684) < _e687) {
+                        let _e691 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[6u]), _e687);
+                }
+            }
+            workgroupBarrier();
+            let _e694 = atomicLoad((&counters[6u]));
+            phi_1068_ = type_9(0u, 16u);
+            loop {
+                let _e696 = phi_1068_;
+                if (_e696.member < _e696.member_1) {
+                    phi_1069_ = type_9((_e696.member + 1u), _e696.member_1);
+                    phi_1092_ = type_9(1u, _e696.member);
+                } else {
+                    phi_1069_ = _e696;
+                    phi_1092_ = type_9(0u, type_9().member_1);
+                }
+                let _e708 = phi_1069_;
+                let _e710 = phi_1092_;
+                if (bitcast<i32>(_e710.member) != 0i) {
+                    let _e716 = (_e44 + (_e710.member_1 * 128u));
+                    if (_e716 >= _e679) {
+                        phi_1137_ = false;
+                    } else {
+                        let _e719 = hits[_e716];
+                        let _e722 = ((_e719 >> bitcast<u32>(10i)) & 3u);
+                        let _e729 = firsts[(2u * _e722)];
+                        let _e734 = firsts[((2u * _e722) + 1u)];
+                        let _e738 = params.member.member_1.member_3;
+                        let _e739 = (_e694 + _e716);
+                        if (_e739 < _e738) {
+                            let _e741 = (2u * _e739);
+                            atomicStore((&output.member[(4u + _e741)]), (_e729 + ((_e719 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e741 + 5u)]), (_e734 + (_e719 & 31u)));
+                        }
+                        phi_1137_ = true;
+                    }
+                    let _e747 = phi_1137_;
+                    phi_1138_ = _e747;
+                } else {
+                    phi_1138_ = false;
+                }
+                let _e749 = phi_1138_;
+                continue;
+                continuing {
+                    phi_1068_ = _e708;
+                    break if !(_e749);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_246_ = _e144;
-            break if !(_e150);
+            phi_223_ = _e127;
+            break if !(_e133);
         }
     }
     return;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -58,22 +58,22 @@ struct type_19 {
 }
 
 @group(0) @binding(2) 
-var<storage> order: type_10;
+var<storage> order: type_11;
+@group(0) @binding(3) 
+var<storage, read_write> ordered: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_19;
 @group(0) @binding(1) 
-var<storage> joins: type_10;
-@group(0) @binding(3) 
-var<storage, read_write> ordered: type_10;
+var<storage> joins: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> branches: type_16;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_100_: type_12;
+    var phi_100_: type_9;
     var phi_103_: u32;
     var phi_105_: u32;
-    var phi_101_: type_12;
-    var phi_128_: type_12;
+    var phi_101_: type_9;
+    var phi_128_: type_9;
     var phi_163_: u32;
     var phi_164_: bool;
     var phi_104_: u32;
@@ -81,10 +81,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_165_: bool;
     var phi_185_: u32;
     var local: u32;
-    var phi_192_: type_12;
+    var phi_192_: type_9;
     var phi_195_: u32;
-    var phi_193_: type_12;
-    var phi_218_: type_12;
+    var phi_193_: type_9;
+    var phi_218_: type_9;
     var phi_252_: bool;
     var phi_256_: u32;
     var local_1: u32;
@@ -117,7 +117,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e45 = params.member.member.member[_e37];
     if (_e34 < _e45) {
         let _e47 = (_e45 - 1u);
-        phi_100_ = type_12(0u, _e47);
+        phi_100_ = type_9(0u, _e47);
         phi_103_ = (_e47 + _e34);
         phi_105_ = 0u;
         loop {
@@ -133,11 +133,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_5 = _e55;
             local_6 = _e55;
             if (_e51.member < _e51.member_1) {
-                phi_101_ = type_12((_e51.member + 1u), _e51.member_1);
-                phi_128_ = type_12(1u, _e51.member);
+                phi_101_ = type_9((_e51.member + 1u), _e51.member_1);
+                phi_128_ = type_9(1u, _e51.member);
             } else {
                 phi_101_ = _e51;
-                phi_128_ = type_12(0u, type_12().member_1);
+                phi_128_ = type_9(0u, type_9().member_1);
             }
             let _e67 = phi_101_;
             let _e69 = phi_128_;
@@ -182,17 +182,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e102 = phi_185_;
         let _e104 = local;
         ordered.member[(_e41 + _e104)] = _e102;
-        phi_192_ = type_12(0u, _e47);
+        phi_192_ = type_9(0u, _e47);
         phi_195_ = (_e47 + _e34);
         loop {
             let _e110 = phi_192_;
             let _e112 = phi_195_;
             if (_e110.member < _e110.member_1) {
-                phi_193_ = type_12((_e110.member + 1u), _e110.member_1);
-                phi_218_ = type_12(1u, _e110.member);
+                phi_193_ = type_9((_e110.member + 1u), _e110.member_1);
+                phi_218_ = type_9(1u, _e110.member);
             } else {
                 phi_193_ = _e110;
-                phi_218_ = type_12(0u, type_12().member_1);
+                phi_218_ = type_9(0u, type_9().member_1);
             }
             let _e124 = phi_193_;
             let _e126 = phi_218_;

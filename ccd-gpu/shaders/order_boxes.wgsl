@@ -53,12 +53,12 @@ struct type_17 {
     member: type_16,
 }
 
-@group(0) @binding(2) 
-var<storage> order: type_10;
 @group(0) @binding(0) 
 var<storage> params: type_17;
 @group(0) @binding(1) 
 var<storage> boxes: type_14;
+@group(0) @binding(2) 
+var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage, read_write> sorted: type_14;
 

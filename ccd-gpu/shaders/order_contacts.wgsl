@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_13 {
@@ -49,21 +49,21 @@ struct type_15 {
     member: type_14,
 }
 
-@group(0) @binding(2) 
-var<storage> order: type_10;
 @group(0) @binding(0) 
 var<storage> params: type_15;
-@group(0) @binding(3) 
-var<storage, read_write> ordered: type_10;
+@group(0) @binding(2) 
+var<storage> order: type_11;
 @group(0) @binding(1) 
-var<storage> contacts: type_10;
+var<storage> contacts: type_11;
+@group(0) @binding(3) 
+var<storage, read_write> ordered: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_83_: u32;
     var phi_88_: u32;
-    var phi_107_: type_11;
-    var phi_108_: type_11;
-    var phi_131_: type_11;
+    var phi_107_: type_9;
+    var phi_108_: type_9;
+    var phi_131_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -92,15 +92,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e42 = phi_88_;
     if (_e28 < _e42) {
         let _e45 = order.member[_e28];
-        phi_107_ = type_11(0u, 7u);
+        phi_107_ = type_9(0u, 7u);
         loop {
             let _e49 = phi_107_;
             if (_e49.member < _e49.member_1) {
-                phi_108_ = type_11((_e49.member + 1u), _e49.member_1);
-                phi_131_ = type_11(1u, _e49.member);
+                phi_108_ = type_9((_e49.member + 1u), _e49.member_1);
+                phi_131_ = type_9(1u, _e49.member);
             } else {
                 phi_108_ = _e49;
-                phi_131_ = type_11(0u, type_11().member_1);
+                phi_131_ = type_9(0u, type_9().member_1);
             }
             let _e61 = phi_108_;
             let _e63 = phi_131_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -121,17 +121,17 @@ var<storage> branches: type_22;
 @group(0) @binding(2) 
 var<storage> block_nodes: type_26;
 @group(0) @binding(3) 
-var<storage> far: type_10;
+var<storage> far: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> oriented: type_31;
 @group(0) @binding(5) 
 var<storage, read_write> stamps: type_40;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_167_: u32;
-    var phi_170_: type_12;
-    var phi_171_: type_12;
-    var phi_194_: type_12;
+    var phi_174_: u32;
+    var phi_177_: type_9;
+    var phi_178_: type_9;
+    var phi_201_: type_9;
     var phi_295_: bool;
     var phi_296_: bool;
     var phi_342_: bool;
@@ -202,10 +202,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1227_: f32;
     var phi_1291_: f32;
     var phi_1303_: type_34;
-    var phi_1342_: type_12;
+    var phi_1342_: type_9;
     var phi_1345_: type_36;
-    var phi_1343_: type_12;
-    var phi_1368_: type_12;
+    var phi_1343_: type_9;
+    var phi_1368_: type_9;
     var phi_1388_: f32;
     var phi_1395_: f32;
     var phi_1428_: type_14;
@@ -468,43 +468,43 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e51 = id_2;
     let _e52 = n_2;
     let _e53 = lane_2;
-    let _e61 = far.member[0u];
-    let _e64 = params.member.member_2.member_1;
-    let _e68 = params.member.member.member_2[_e64];
-    let _e71 = params.member.member_1.member_1;
-    let _e75 = ((_e52.x * _e52.y) * 128u);
-    if (_e75 == 0u) {
+    let _e71 = far.member[0u];
+    let _e74 = params.member.member_2.member_1;
+    let _e78 = params.member.member.member_2[_e74];
+    let _e81 = params.member.member_1.member_1;
+    let _e82 = ((_e52.x * _e52.y) * 128u);
+    if (_e82 == 0u) {
         return;
     }
-    let _e77 = (_e61 / _e75);
-    if (_e75 == 0u) {
+    let _e84 = (_e71 / _e82);
+    if (_e82 == 0u) {
         return;
     }
-    if ((_e61 % _e75) > 0u) {
-        phi_167_ = (_e77 + 1u);
+    if ((_e71 % _e82) > 0u) {
+        phi_174_ = (_e84 + 1u);
     } else {
-        phi_167_ = _e77;
+        phi_174_ = _e84;
     }
-    let _e83 = phi_167_;
-    phi_170_ = type_12(0u, _e83);
+    let _e90 = phi_174_;
+    phi_177_ = type_9(0u, _e90);
     loop {
-        let _e86 = phi_170_;
-        if (_e86.member < _e86.member_1) {
-            phi_171_ = type_12((_e86.member + 1u), _e86.member_1);
-            phi_194_ = type_12(1u, _e86.member);
+        let _e93 = phi_177_;
+        if (_e93.member < _e93.member_1) {
+            phi_178_ = type_9((_e93.member + 1u), _e93.member_1);
+            phi_201_ = type_9(1u, _e93.member);
         } else {
-            phi_171_ = _e86;
-            phi_194_ = type_12(0u, type_12().member_1);
+            phi_178_ = _e93;
+            phi_201_ = type_9(0u, type_9().member_1);
         }
-        let _e98 = phi_171_;
-        let _e100 = phi_194_;
-        if (bitcast<i32>(_e100.member) != 0i) {
-            let _e113 = (((_e100.member_1 * _e75) + (((_e51.y * _e52.x) + _e51.x) * 128u)) + _e53);
-            if (_e113 >= _e61) {
+        let _e105 = phi_178_;
+        let _e107 = phi_201_;
+        if (bitcast<i32>(_e107.member) != 0i) {
+            let _e113 = ((_e107.member_1 * _e82) + ((((_e51.y * _e52.x) + _e51.x) * 128u) + _e53));
+            if (_e113 >= _e71) {
                 phi_4384_ = false;
             } else {
                 let _e117 = far.member[(4u + _e113)];
-                let _e118 = (_e68 + _e117);
+                let _e118 = (_e78 + _e117);
                 let _e120 = atomicLoad((&stamps.member[_e118]));
                 if (_e120 == 0u) {
                     let _e123 = branches.member[_e117];
@@ -1032,18 +1032,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e855 = phi_1303_;
                                     let _e860 = (((_e855.member * _e855.member_1) * _e780) * 2f);
-                                    phi_1342_ = type_12(0u, 16u);
+                                    phi_1342_ = type_9(0u, 16u);
                                     phi_1345_ = type_36(array<f32, 2>(((_e855.member * _e777) + (_e855.member_1 * _e778)), (((_e855.member * _e855.member_1) * (_e779 - _e781)) + (((_e855.member_1 * _e855.member_1) - (_e855.member * _e855.member)) * _e780))), array<f32, 3>((_e717 * _e775), ((((_e855.member * _e855.member) * _e779) + _e860) + ((_e855.member_1 * _e855.member_1) * _e781)), ((((_e855.member_1 * _e855.member_1) * _e779) - _e860) + ((_e855.member * _e855.member) * _e781))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e855.member, _e855.member_1), array<f32, 3>(0f, _e855.member_1, -(_e855.member))));
                                     loop {
                                         let _e892 = phi_1342_;
                                         let _e894 = phi_1345_;
                                         local_10 = _e894;
                                         if (_e892.member < _e892.member_1) {
-                                            phi_1343_ = type_12((_e892.member + 1u), _e892.member_1);
-                                            phi_1368_ = type_12(1u, _e892.member);
+                                            phi_1343_ = type_9((_e892.member + 1u), _e892.member_1);
+                                            phi_1368_ = type_9(1u, _e892.member);
                                         } else {
                                             phi_1343_ = _e892;
-                                            phi_1368_ = type_12(0u, type_12().member_1);
+                                            phi_1368_ = type_9(0u, type_9().member_1);
                                         }
                                         let _e906 = phi_1343_;
                                         let _e908 = phi_1368_;
@@ -2637,7 +2637,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                             let _e3475 = phi_4352_;
                             oriented.member[_e118] = type_29(vec4<f32>(_e3475.member[0], _e3475.member[1], _e3475.member[2], _e3475.member_1[0][0]), vec4<f32>(_e3475.member_1[0][1], _e3475.member_1[0][2], _e3475.member_1[1][0], _e3475.member_1[1][1]), vec4<f32>(_e3475.member_1[1][2], _e3475.member_1[2][0], _e3475.member_1[2][1], _e3475.member_1[2][2]), vec4<f32>(_e3475.member_2[0], _e3475.member_2[1], _e3475.member_2[2], 0f));
-                            let _e3504 = atomicMax((&stamps.member[_e118]), _e71);
+                            let _e3504 = atomicMax((&stamps.member[_e118]), _e81);
                         }
                     }
                 }
@@ -2651,7 +2651,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e3508 = phi_4385_;
         continue;
         continuing {
-            phi_170_ = _e98;
+            phi_177_ = _e105;
             break if !(_e3508);
         }
     }

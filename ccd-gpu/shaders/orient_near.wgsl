@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -124,7 +124,7 @@ var<workgroup> counters: array<atomic<u32>, 2>;
 @group(0) @binding(3) 
 var<storage, read_write> oriented: type_32;
 @group(0) @binding(4) 
-var<storage, read_write> stamps: type_10;
+var<storage, read_write> stamps: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> far: type_42;
 var<workgroup> done: array<atomic<u32>, 8>;
@@ -135,10 +135,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_197_: u32;
     var phi_198_: type_8;
     var phi_199_: u32;
-    var phi_202_: type_12;
+    var phi_202_: type_9;
     var phi_205_: u32;
-    var phi_203_: type_12;
-    var phi_228_: type_12;
+    var phi_203_: type_9;
+    var phi_228_: type_9;
     var phi_253_: u32;
     var phi_268_: u32;
     var phi_270_: u32;
@@ -208,10 +208,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1137_: f32;
     var phi_1201_: f32;
     var phi_1213_: type_34;
-    var phi_1252_: type_12;
+    var phi_1252_: type_9;
     var phi_1255_: type_36;
-    var phi_1253_: type_12;
-    var phi_1278_: type_12;
+    var phi_1253_: type_9;
+    var phi_1278_: type_9;
     var phi_1298_: f32;
     var phi_1305_: f32;
     var phi_1338_: type_14;
@@ -514,7 +514,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e107 = phi_198_;
     let _e109 = phi_199_;
     workgroupBarrier();
-    phi_202_ = type_12(0u, 38u);
+    phi_202_ = type_9(0u, 38u);
     phi_205_ = _e109;
     loop {
         let _e111 = phi_202_;
@@ -524,11 +524,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_11 = _e113;
         local_12 = _e113;
         if (_e111.member < _e111.member_1) {
-            phi_203_ = type_12((_e111.member + 1u), _e111.member_1);
-            phi_228_ = type_12(1u, _e111.member);
+            phi_203_ = type_9((_e111.member + 1u), _e111.member_1);
+            phi_228_ = type_9(1u, _e111.member);
         } else {
             phi_203_ = _e111;
-            phi_228_ = type_12(0u, type_12().member_1);
+            phi_228_ = type_9(0u, type_9().member_1);
         }
         let _e125 = phi_203_;
         let _e127 = phi_228_;
@@ -1046,18 +1046,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         let _e819 = phi_1213_;
                         let _e824 = (((_e819.member * _e819.member_1) * _e744) * 2f);
-                        phi_1252_ = type_12(0u, 16u);
+                        phi_1252_ = type_9(0u, 16u);
                         phi_1255_ = type_36(array<f32, 2>(((_e819.member * _e741) + (_e819.member_1 * _e742)), (((_e819.member * _e819.member_1) * (_e743 - _e745)) + (((_e819.member_1 * _e819.member_1) - (_e819.member * _e819.member)) * _e744))), array<f32, 3>((_e681 * _e739), ((((_e819.member * _e819.member) * _e743) + _e824) + ((_e819.member_1 * _e819.member_1) * _e745)), ((((_e819.member_1 * _e819.member_1) * _e743) - _e824) + ((_e819.member * _e819.member) * _e745))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e819.member, _e819.member_1), array<f32, 3>(0f, _e819.member_1, -(_e819.member))));
                         loop {
                             let _e856 = phi_1252_;
                             let _e858 = phi_1255_;
                             local_14 = _e858;
                             if (_e856.member < _e856.member_1) {
-                                phi_1253_ = type_12((_e856.member + 1u), _e856.member_1);
-                                phi_1278_ = type_12(1u, _e856.member);
+                                phi_1253_ = type_9((_e856.member + 1u), _e856.member_1);
+                                phi_1278_ = type_9(1u, _e856.member);
                             } else {
                                 phi_1253_ = _e856;
-                                phi_1278_ = type_12(0u, type_12().member_1);
+                                phi_1278_ = type_9(0u, type_9().member_1);
                             }
                             let _e870 = phi_1253_;
                             let _e872 = phi_1278_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -55,6 +55,12 @@ struct type_21 {
 }
 
 struct type_22 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: f32,
+}
+
+struct type_23 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -62,20 +68,14 @@ struct type_22 {
     member_4: u32,
 }
 
-struct type_23 {
+struct type_24 {
     member: type_7,
     member_1: type_8,
-    member_2: type_22,
-}
-
-struct type_24 {
-    member: type_23,
+    member_2: type_23,
 }
 
 struct type_25 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: f32,
+    member: type_24,
 }
 
 struct type_26 {
@@ -90,9 +90,9 @@ struct type_28 {
 @group(0) @binding(1) 
 var<storage> boxes: type_19;
 @group(0) @binding(0) 
-var<storage> params: type_24;
+var<storage> params: type_25;
 @group(0) @binding(2) 
-var<storage> bounds: type_10;
+var<storage> bounds: type_11;
 @group(0) @binding(3) 
 var<storage, read_write> clusters: type_28;
 @group(0) @binding(4) 
@@ -101,26 +101,26 @@ var<storage, read_write> items: type_15;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_21;
     var local_1: type_21;
-    var local_2: type_25;
+    var local_2: type_22;
     var local_3: type_21;
     var local_4: type_21;
-    var phi_129_: type_11;
-    var phi_130_: type_11;
-    var phi_153_: type_11;
+    var phi_129_: type_9;
+    var phi_130_: type_9;
+    var phi_153_: type_9;
     var phi_179_: u32;
     var phi_205_: u32;
-    var phi_239_: type_11;
+    var phi_239_: type_9;
     var phi_242_: f32;
-    var phi_240_: type_11;
-    var phi_265_: type_11;
+    var phi_240_: type_9;
+    var phi_265_: type_9;
     var phi_295_: f32;
     var phi_243_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_305_: f32;
-    var phi_363_: type_11;
-    var phi_364_: type_11;
-    var phi_387_: type_11;
+    var phi_363_: type_9;
+    var phi_364_: type_9;
+    var phi_387_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -136,15 +136,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e50 = params.member.member.member[_e46];
     if (_e43 < _e50) {
         local_1 = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_129_ = type_11(0u, 3u);
+        phi_129_ = type_9(0u, 3u);
         loop {
             let _e53 = phi_129_;
             if (_e53.member < _e53.member_1) {
-                phi_130_ = type_11((_e53.member + 1u), _e53.member_1);
-                phi_153_ = type_11(1u, _e53.member);
+                phi_130_ = type_9((_e53.member + 1u), _e53.member_1);
+                phi_153_ = type_9(1u, _e53.member);
             } else {
                 phi_130_ = _e53;
-                phi_153_ = type_11(0u, type_11().member_1);
+                phi_153_ = type_9(0u, type_9().member_1);
             }
             let _e65 = phi_130_;
             let _e67 = phi_153_;
@@ -176,7 +176,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e99 = local_1;
         local_3 = _e99;
-        phi_239_ = type_11(0u, 3u);
+        phi_239_ = type_9(0u, 3u);
         phi_242_ = 0f;
         loop {
             let _e101 = phi_239_;
@@ -184,11 +184,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_5 = _e103;
             local_6 = _e103;
             if (_e101.member < _e101.member_1) {
-                phi_240_ = type_11((_e101.member + 1u), _e101.member_1);
-                phi_265_ = type_11(1u, _e101.member);
+                phi_240_ = type_9((_e101.member + 1u), _e101.member_1);
+                phi_265_ = type_9(1u, _e101.member);
             } else {
                 phi_240_ = _e101;
-                phi_265_ = type_11(0u, type_11().member_1);
+                phi_265_ = type_9(0u, type_9().member_1);
             }
             let _e115 = phi_240_;
             let _e117 = phi_265_;
@@ -224,20 +224,20 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e145 = phi_305_;
         let _e147 = local_3.member;
-        local_2 = type_25(_e147, _e145, (1024f - 1f));
+        local_2 = type_22(_e147, _e145, (1024f - 1f));
         let _e153 = params.member.member.member_2[_e46];
         let _e156 = boxes.member[(_e153 + _e43)];
         local_4 = type_21(array<f32, 3>(_e156.member.x, _e156.member.y, _e156.member_1.x), array<f32, 3>(_e156.member_1.y, _e156.member_2.x, _e156.member_2.y));
         local = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_363_ = type_11(0u, 3u);
+        phi_363_ = type_9(0u, 3u);
         loop {
             let _e173 = phi_363_;
             if (_e173.member < _e173.member_1) {
-                phi_364_ = type_11((_e173.member + 1u), _e173.member_1);
-                phi_387_ = type_11(1u, _e173.member);
+                phi_364_ = type_9((_e173.member + 1u), _e173.member_1);
+                phi_387_ = type_9(1u, _e173.member);
             } else {
                 phi_364_ = _e173;
-                phi_387_ = type_11(0u, type_11().member_1);
+                phi_387_ = type_9(0u, type_9().member_1);
             }
             let _e185 = phi_364_;
             let _e187 = phi_387_;

@@ -26,7 +26,7 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: u32,
     member_1: u32,
 }
@@ -66,23 +66,23 @@ var<workgroup> shared_: array<vec4<u32>, 4>;
 var<workgroup> found: array<atomic<u32>, 2>;
 
 fn function_(lane_1: u32) {
-    var phi_69_: type_9;
-    var phi_70_: type_9;
-    var phi_93_: type_9;
-    var phi_164_: u32;
-    var phi_167_: type_9;
-    var phi_170_: type_17;
-    var phi_168_: type_9;
-    var phi_193_: type_9;
-    var phi_241_: bool;
-    var phi_242_: bool;
-    var phi_247_: type_17;
+    var phi_75_: type_8;
+    var phi_76_: type_8;
+    var phi_99_: type_8;
+    var phi_170_: u32;
+    var phi_173_: type_8;
+    var phi_176_: type_17;
+    var phi_174_: type_8;
+    var phi_199_: type_8;
+    var phi_247_: bool;
     var phi_248_: bool;
-    var phi_249_: type_17;
-    var phi_250_: bool;
+    var phi_253_: type_17;
+    var phi_254_: bool;
     var phi_255_: type_17;
-    var phi_171_: type_17;
-    var phi_259_: type_17;
+    var phi_256_: bool;
+    var phi_261_: type_17;
+    var phi_177_: type_17;
+    var phi_265_: type_17;
     var local: type_17;
     var lane_2: u32;
 
@@ -90,18 +90,18 @@ fn function_(lane_1: u32) {
     let _e17 = lane_2;
     let _e22 = params.member.member_1.member;
     let _e25 = params.member.member_2.member_2;
-    phi_69_ = type_9(0u, _e25);
+    phi_75_ = type_8(0u, _e25);
     loop {
-        let _e28 = phi_69_;
+        let _e28 = phi_75_;
         if (_e28.member < _e28.member_1) {
-            phi_70_ = type_9((_e28.member + 1u), _e28.member_1);
-            phi_93_ = type_9(1u, _e28.member);
+            phi_76_ = type_8((_e28.member + 1u), _e28.member_1);
+            phi_99_ = type_8(1u, _e28.member);
         } else {
-            phi_70_ = _e28;
-            phi_93_ = type_9(0u, type_9().member_1);
+            phi_76_ = _e28;
+            phi_99_ = type_8(0u, type_8().member_1);
         }
-        let _e40 = phi_70_;
-        let _e42 = phi_93_;
+        let _e40 = phi_76_;
+        let _e42 = phi_99_;
         let _e46 = (bitcast<i32>(_e42.member) != 0i);
         if _e46 {
             let _e49 = params.member.member_1.member_1;
@@ -123,26 +123,26 @@ fn function_(lane_1: u32) {
                 let _e76 = (_e22 - _e74);
                 let _e77 = (_e76 / 256u);
                 if ((_e76 % 256u) > 0u) {
-                    phi_164_ = (_e77 + 1u);
+                    phi_170_ = (_e77 + 1u);
                 } else {
-                    phi_164_ = _e77;
+                    phi_170_ = _e77;
                 }
-                let _e82 = phi_164_;
-                phi_167_ = type_9(0u, _e82);
-                phi_170_ = _e69;
+                let _e82 = phi_170_;
+                phi_173_ = type_8(0u, _e82);
+                phi_176_ = _e69;
                 loop {
-                    let _e85 = phi_167_;
-                    let _e87 = phi_170_;
+                    let _e85 = phi_173_;
+                    let _e87 = phi_176_;
                     local = _e87;
                     if (_e85.member < _e85.member_1) {
-                        phi_168_ = type_9((_e85.member + 1u), _e85.member_1);
-                        phi_193_ = type_9(1u, _e85.member);
+                        phi_174_ = type_8((_e85.member + 1u), _e85.member_1);
+                        phi_199_ = type_8(1u, _e85.member);
                     } else {
-                        phi_168_ = _e85;
-                        phi_193_ = type_9(0u, type_9().member_1);
+                        phi_174_ = _e85;
+                        phi_199_ = type_8(0u, type_8().member_1);
                     }
-                    let _e99 = phi_168_;
-                    let _e101 = phi_193_;
+                    let _e99 = phi_174_;
+                    let _e101 = phi_199_;
                     let _e105 = (bitcast<i32>(_e101.member) != 0i);
                     if _e105 {
                         let _e107 = (_e74 + (_e101.member_1 * 256u));
@@ -152,59 +152,59 @@ fn function_(lane_1: u32) {
                         let _e118 = (bitcast<f32>(_e62.z) - bitcast<f32>(_e109.z));
                         let _e123 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
                         if (_e123 < _e87.member) {
-                            phi_249_ = type_17();
-                            phi_250_ = true;
+                            phi_255_ = type_17();
+                            phi_256_ = true;
                         } else {
                             if (_e123 == _e87.member) {
                                 if (_e107 < _e87.member_1) {
-                                    phi_241_ = false;
+                                    phi_247_ = false;
                                 } else {
-                                    phi_241_ = true;
+                                    phi_247_ = true;
                                 }
-                                let _e130 = phi_241_;
-                                phi_242_ = _e130;
+                                let _e130 = phi_247_;
+                                phi_248_ = _e130;
                             } else {
-                                phi_242_ = true;
-                            }
-                            let _e132 = phi_242_;
-                            if _e132 {
-                                phi_247_ = _e87;
-                                phi_248_ = false;
-                            } else {
-                                phi_247_ = type_17();
                                 phi_248_ = true;
                             }
-                            let _e134 = phi_247_;
-                            let _e136 = phi_248_;
-                            phi_249_ = _e134;
-                            phi_250_ = _e136;
+                            let _e132 = phi_248_;
+                            if _e132 {
+                                phi_253_ = _e87;
+                                phi_254_ = false;
+                            } else {
+                                phi_253_ = type_17();
+                                phi_254_ = true;
+                            }
+                            let _e134 = phi_253_;
+                            let _e136 = phi_254_;
+                            phi_255_ = _e134;
+                            phi_256_ = _e136;
                         }
-                        let _e138 = phi_249_;
-                        let _e140 = phi_250_;
+                        let _e138 = phi_255_;
+                        let _e140 = phi_256_;
                         if _e140 {
-                            phi_255_ = type_17(_e123, _e107);
+                            phi_261_ = type_17(_e123, _e107);
                         } else {
-                            phi_255_ = _e138;
+                            phi_261_ = _e138;
                         }
-                        let _e143 = phi_255_;
-                        phi_171_ = _e143;
+                        let _e143 = phi_261_;
+                        phi_177_ = _e143;
                     } else {
-                        phi_171_ = type_17();
+                        phi_177_ = type_17();
                     }
-                    let _e145 = phi_171_;
+                    let _e145 = phi_177_;
                     continue;
                     continuing {
-                        phi_167_ = _e99;
-                        phi_170_ = _e145;
+                        phi_173_ = _e99;
+                        phi_176_ = _e145;
                         break if !(_e105);
                     }
                 }
                 let _e199 = local;
-                phi_259_ = _e199;
+                phi_265_ = _e199;
             } else {
-                phi_259_ = _e69;
+                phi_265_ = _e69;
             }
-            let _e148 = phi_259_;
+            let _e148 = phi_265_;
             let _e152 = atomicMin((&found[0u]), bitcast<u32>(_e148.member));
             workgroupBarrier();
             let _e156 = atomicLoad((&found[0u]));
@@ -237,7 +237,7 @@ fn function_(lane_1: u32) {
         }
         continue;
         continuing {
-            phi_69_ = _e40;
+            phi_75_ = _e40;
             break if !(_e46);
         }
     }

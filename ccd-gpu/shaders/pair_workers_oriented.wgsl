@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -46,7 +46,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_19 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -67,27 +67,22 @@ struct type_19 {
     member_17: u32,
 }
 
-struct type_20 {
+struct type_21 {
     member: type_7,
     member_1: type_8,
-    member_2: type_19,
+    member_2: type_20,
 }
 
-struct type_21 {
-    member: type_20,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_25 {
-    member: array<u32, 2>,
-    member_1: u32,
-}
-
-struct type_27 {
+struct type_26 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -96,21 +91,26 @@ struct type_27 {
     member_5: f32,
 }
 
-struct type_29 {
+struct type_28 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_32 {
+struct type_31 {
     member: array<f32, 3>,
     member_1: array<array<f32, 3>, 3>,
     member_2: array<f32, 3>,
+}
+
+struct type_32 {
+    member: array<u32, 2>,
+    member_1: u32,
 }
 
 struct type_35 {
@@ -118,32 +118,32 @@ struct type_35 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_21;
+var<storage> params: type_22;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_18;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_18;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_35;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_11;
+@group(0) @binding(3) 
+var<storage> oriented: type_30;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_35;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 var<workgroup> state: array<u32, 1>;
 var<workgroup> stack: array<u32, 2048>;
-@group(0) @binding(3) 
-var<storage> oriented: type_31;
 @group(0) @binding(5) 
 var<storage, read_write> nodes: type_35;
-@group(0) @binding(7) 
-var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_27;
+    var local: type_26;
     var local_1: array<array<u32, 2>, 4>;
     var phi_184_: u32;
-    var phi_201_: type_12;
-    var phi_202_: type_12;
-    var phi_225_: type_12;
+    var phi_201_: type_9;
+    var phi_202_: type_9;
+    var phi_225_: type_9;
     var phi_243_: u32;
     var phi_273_: bool;
     var phi_277_: u32;
@@ -169,10 +169,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_567_: array<u32, 2>;
     var phi_581_: array<u32, 2>;
     var phi_618_: array<u32, 2>;
-    var phi_620_: type_23;
-    var phi_621_: type_23;
+    var phi_620_: type_24;
+    var phi_621_: type_24;
     var phi_622_: bool;
-    var phi_623_: type_23;
+    var phi_623_: type_24;
     var phi_624_: bool;
     var phi_640_: bool;
     var phi_684_: bool;
@@ -185,27 +185,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_824_: array<u32, 2>;
     var phi_853_: array<u32, 2>;
     var phi_882_: array<u32, 2>;
-    var phi_884_: type_23;
+    var phi_884_: type_24;
     var phi_885_: bool;
-    var phi_886_: type_23;
+    var phi_886_: type_24;
     var phi_887_: bool;
     var phi_1060_: array<u32, 2>;
     var phi_1092_: array<u32, 2>;
     var phi_960_: array<u32, 2>;
     var phi_992_: array<u32, 2>;
-    var phi_1094_: type_23;
-    var phi_1095_: type_23;
-    var phi_1096_: type_23;
+    var phi_1094_: type_24;
+    var phi_1095_: type_24;
+    var phi_1096_: type_24;
     var phi_1097_: bool;
-    var phi_1098_: type_23;
-    var phi_1099_: type_23;
+    var phi_1098_: type_24;
+    var phi_1099_: type_24;
     var phi_1100_: bool;
-    var phi_1104_: type_23;
-    var phi_1115_: array<u32, 2>;
+    var phi_1104_: type_24;
+    var phi_1119_: array<u32, 2>;
     var phi_1147_: array<u32, 2>;
-    var phi_1185_: type_12;
-    var phi_1186_: type_12;
-    var phi_1209_: type_12;
+    var phi_1185_: type_9;
+    var phi_1186_: type_9;
+    var phi_1209_: type_9;
     var phi_1238_: bool;
     var phi_1250_: bool;
     var phi_1251_: bool;
@@ -218,7 +218,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1372_: f32;
     var phi_1377_: f32;
     var phi_1382_: f32;
-    var phi_1398_: type_32;
+    var phi_1398_: type_31;
     var phi_1468_: f32;
     var phi_1474_: f32;
     var phi_1480_: f32;
@@ -228,7 +228,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1516_: f32;
     var phi_1521_: f32;
     var phi_1526_: f32;
-    var phi_1542_: type_32;
+    var phi_1542_: type_31;
     var phi_1732_: f32;
     var phi_1738_: f32;
     var phi_1745_: f32;
@@ -331,35 +331,35 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3507_: bool;
     var phi_3511_: u32;
     var phi_3512_: u32;
-    var phi_3524_: type_25;
-    var phi_3525_: type_25;
+    var phi_3524_: type_32;
+    var phi_3525_: type_32;
     var phi_3543_: bool;
     var phi_3544_: bool;
     var phi_3548_: u32;
     var phi_3549_: u32;
-    var phi_3561_: type_25;
-    var phi_3562_: type_25;
+    var phi_3561_: type_32;
+    var phi_3562_: type_32;
     var phi_3580_: bool;
     var phi_3581_: bool;
     var phi_3585_: u32;
     var phi_3586_: u32;
-    var phi_3598_: type_25;
-    var phi_3599_: type_25;
+    var phi_3598_: type_32;
+    var phi_3599_: type_32;
     var phi_3617_: bool;
     var phi_3618_: bool;
     var phi_3622_: u32;
     var phi_3623_: u32;
-    var phi_3635_: type_25;
-    var phi_3636_: type_25;
+    var phi_3635_: type_32;
+    var phi_3636_: type_32;
     var phi_3652_: bool;
     var phi_3653_: bool;
     var phi_3657_: u32;
     var phi_3658_: u32;
-    var phi_3664_: type_25;
-    var phi_3665_: type_25;
-    var phi_3666_: type_25;
-    var phi_3667_: type_25;
-    var phi_3668_: type_25;
+    var phi_3664_: type_32;
+    var phi_3665_: type_32;
+    var phi_3666_: type_32;
+    var phi_3667_: type_32;
+    var phi_3668_: type_32;
     var phi_3687_: array<u32, 2>;
     var phi_3688_: array<u32, 2>;
     var phi_3700_: array<u32, 2>;
@@ -377,28 +377,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3793_: array<u32, 2>;
     var phi_3794_: array<u32, 2>;
     var phi_3827_: u32;
-    var phi_3987_: type_12;
-    var phi_3992_: type_12;
-    var phi_4128_: type_12;
-    var phi_4133_: type_12;
-    var phi_4269_: type_12;
-    var phi_4274_: type_12;
-    var phi_4410_: type_12;
-    var phi_4415_: type_12;
+    var phi_3987_: type_9;
+    var phi_3992_: type_9;
+    var phi_4128_: type_9;
+    var phi_4133_: type_9;
+    var phi_4269_: type_9;
+    var phi_4274_: type_9;
+    var phi_4410_: type_9;
+    var phi_4415_: type_9;
     var phi_4459_: bool;
     var phi_4460_: bool;
     var phi_4479_: u32;
     var phi_4483_: u32;
-    var phi_4540_: type_12;
-    var phi_4541_: type_12;
-    var phi_4564_: type_12;
+    var phi_4540_: type_9;
+    var phi_4541_: type_9;
+    var phi_4564_: type_9;
     var phi_4620_: u32;
-    var phi_4623_: type_12;
-    var phi_4624_: type_12;
-    var phi_4647_: type_12;
-    var phi_4719_: type_12;
-    var phi_4720_: type_12;
-    var phi_4743_: type_12;
+    var phi_4623_: type_9;
+    var phi_4624_: type_9;
+    var phi_4647_: type_9;
+    var phi_4719_: type_9;
+    var phi_4720_: type_9;
+    var phi_4743_: type_9;
     var phi_4823_: bool;
     var phi_4824_: bool;
     var id_2: vec3<u32>;
@@ -431,15 +431,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_201_ = type_12(0u, _e87.member_11);
+    phi_201_ = type_9(0u, _e87.member_11);
     loop {
         let _e112 = phi_201_;
         if (_e112.member < _e112.member_1) {
-            phi_202_ = type_12((_e112.member + 1u), _e112.member_1);
-            phi_225_ = type_12(1u, _e112.member);
+            phi_202_ = type_9((_e112.member + 1u), _e112.member_1);
+            phi_225_ = type_9(1u, _e112.member);
         } else {
             phi_202_ = _e112;
-            phi_225_ = type_12(0u, type_12().member_1);
+            phi_225_ = type_9(0u, type_9().member_1);
         }
         let _e124 = phi_202_;
         let _e126 = phi_225_;
@@ -629,7 +629,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e288 == 1u) {
                         if (_e285[0] == _e285[1]) {
                             if (_e319.member_3 == 4294967295u) {
-                                phi_620_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_620_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e327 = a_nodes.member[_e319.member_1];
                                 let _e330 = a_nodes.member[_e319.member_3];
@@ -639,31 +639,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_567_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e337 = phi_567_;
-                                let _e344 = type_23(array<array<u32, 2>, 4>(_e337, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e356 = type_23(array<array<u32, 2>, 4>(_e344.member[0], array<u32, 2>(_e319.member_1, _e344.member[1][1]), _e344.member[2], _e344.member[3]), _e344.member_1);
+                                let _e344 = type_24(array<array<u32, 2>, 4>(_e337, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e356 = type_24(array<array<u32, 2>, 4>(_e344.member[0], array<u32, 2>(_e319.member_1, _e344.member[1][1]), _e344.member[2], _e344.member[3]), _e344.member_1);
                                 let _e357 = array<u32, 2>(_e319.member_1, _e319.member_3);
-                                let _e364 = type_23(array<array<u32, 2>, 4>(_e356.member[0], _e357, _e356.member[2], _e356.member[3]), _e356.member_1);
+                                let _e364 = type_24(array<array<u32, 2>, 4>(_e356.member[0], _e357, _e356.member[2], _e356.member[3]), _e356.member_1);
                                 if !((_e330.member_3 == 4294967295u)) {
                                     phi_581_ = array<u32, 2>(_e319.member_3, _e319.member_3);
                                 } else {
                                     phi_581_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e371 = phi_581_;
-                                let _e378 = type_23(array<array<u32, 2>, 4>(_e364.member[0], _e364.member[1], _e371, _e364.member[3]), _e364.member_1);
-                                let _e381 = type_23(_e378.member, _e378.member);
+                                let _e378 = type_24(array<array<u32, 2>, 4>(_e364.member[0], _e364.member[1], _e371, _e364.member[3]), _e364.member_1);
+                                let _e381 = type_24(_e378.member, _e378.member);
                                 if ((((((_e327.member[0] <= _e330.member_2[0]) && (_e330.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e330.member_2[1])) && (_e330.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e330.member_2[2])) && (_e330.member[2] <= _e327.member_2[2])) {
                                     phi_618_ = _e357;
                                 } else {
                                     phi_618_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e410 = phi_618_;
-                                phi_620_ = type_23(_e381.member, array<array<u32, 2>, 4>(_e381.member_1[0], _e410, _e381.member_1[2], _e381.member_1[3]));
+                                phi_620_ = type_24(_e381.member, array<array<u32, 2>, 4>(_e381.member_1[0], _e410, _e381.member_1[2], _e381.member_1[3]));
                             }
                             let _e419 = phi_620_;
                             phi_621_ = _e419;
                             phi_622_ = false;
                         } else {
-                            phi_621_ = type_23();
+                            phi_621_ = type_24();
                             phi_622_ = true;
                         }
                         let _e421 = phi_621_;
@@ -671,7 +671,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_623_ = _e421;
                         phi_624_ = _e423;
                     } else {
-                        phi_623_ = type_23();
+                        phi_623_ = type_24();
                         phi_624_ = true;
                     }
                     let _e425 = phi_623_;
@@ -748,10 +748,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_882_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e609 = phi_882_;
-                                    phi_884_ = type_23(array<array<u32, 2>, 4>(_e499, _e502, _e505, _e508), array<array<u32, 2>, 4>(_e534, _e559, _e584, _e609));
+                                    phi_884_ = type_24(array<array<u32, 2>, 4>(_e499, _e502, _e505, _e508), array<array<u32, 2>, 4>(_e534, _e559, _e584, _e609));
                                     phi_885_ = false;
                                 } else {
-                                    phi_884_ = type_23();
+                                    phi_884_ = type_24();
                                     phi_885_ = true;
                                 }
                                 let _e613 = phi_884_;
@@ -759,7 +759,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_886_ = _e613;
                                 phi_887_ = _e615;
                             } else {
-                                phi_886_ = type_23();
+                                phi_886_ = type_24();
                                 phi_887_ = true;
                             }
                             let _e617 = phi_886_;
@@ -770,45 +770,45 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e733 = a_nodes.member[_e319.member_3];
                                     let _e737 = array<u32, 2>(_e319.member_1, _e285[1]);
                                     let _e739 = array<u32, 2>(_e319.member_3, _e285[1]);
-                                    let _e746 = type_23(array<array<u32, 2>, 4>(_e737, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e753 = type_23(array<array<u32, 2>, 4>(_e746.member[0], _e739, _e746.member[2], _e746.member[3]), _e746.member_1);
-                                    let _e763 = type_23(array<array<u32, 2>, 4>(_e737, _e739, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e753.member[0], _e753.member[1], array<u32, 2>(4294967295u, 4294967295u), _e753.member[3]), _e753.member_1).member_1);
+                                    let _e746 = type_24(array<array<u32, 2>, 4>(_e737, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e753 = type_24(array<array<u32, 2>, 4>(_e746.member[0], _e739, _e746.member[2], _e746.member[3]), _e746.member_1);
+                                    let _e763 = type_24(array<array<u32, 2>, 4>(_e737, _e739, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e753.member[0], _e753.member[1], array<u32, 2>(4294967295u, 4294967295u), _e753.member[3]), _e753.member_1).member_1);
                                     if ((((((_e728.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e728.member_2[0])) && (_e728.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e728.member_2[1])) && (_e728.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e728.member_2[2])) {
                                         phi_960_ = _e737;
                                     } else {
                                         phi_960_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e790 = phi_960_;
-                                    let _e797 = type_23(_e763.member, array<array<u32, 2>, 4>(_e790, _e763.member_1[1], _e763.member_1[2], _e763.member_1[3]));
+                                    let _e797 = type_24(_e763.member, array<array<u32, 2>, 4>(_e790, _e763.member_1[1], _e763.member_1[2], _e763.member_1[3]));
                                     if ((((((_e733.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e733.member_2[0])) && (_e733.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e733.member_2[1])) && (_e733.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e733.member_2[2])) {
                                         phi_992_ = _e739;
                                     } else {
                                         phi_992_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e824 = phi_992_;
-                                    phi_1094_ = type_23(_e797.member, array<array<u32, 2>, 4>(_e797.member_1[0], _e824, _e797.member_1[2], _e797.member_1[3]));
+                                    phi_1094_ = type_24(_e797.member, array<array<u32, 2>, 4>(_e797.member_1[0], _e824, _e797.member_1[2], _e797.member_1[3]));
                                 } else {
                                     let _e622 = b_nodes.member[_e321.member_1];
                                     let _e627 = b_nodes.member[_e321.member_3];
                                     let _e631 = array<u32, 2>(_e285[0], _e321.member_1);
                                     let _e633 = array<u32, 2>(_e285[0], _e321.member_3);
-                                    let _e640 = type_23(array<array<u32, 2>, 4>(_e631, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e647 = type_23(array<array<u32, 2>, 4>(_e640.member[0], _e633, _e640.member[2], _e640.member[3]), _e640.member_1);
-                                    let _e657 = type_23(array<array<u32, 2>, 4>(_e631, _e633, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e647.member[0], _e647.member[1], array<u32, 2>(4294967295u, 4294967295u), _e647.member[3]), _e647.member_1).member_1);
+                                    let _e640 = type_24(array<array<u32, 2>, 4>(_e631, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e647 = type_24(array<array<u32, 2>, 4>(_e640.member[0], _e633, _e640.member[2], _e640.member[3]), _e640.member_1);
+                                    let _e657 = type_24(array<array<u32, 2>, 4>(_e631, _e633, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e647.member[0], _e647.member[1], array<u32, 2>(4294967295u, 4294967295u), _e647.member[3]), _e647.member_1).member_1);
                                     if ((((((_e319.member[0] <= _e622.member_2[0]) && (_e622.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e622.member_2[1])) && (_e622.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e622.member_2[2])) && (_e622.member[2] <= _e319.member_2[2])) {
                                         phi_1060_ = _e631;
                                     } else {
                                         phi_1060_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e684 = phi_1060_;
-                                    let _e691 = type_23(_e657.member, array<array<u32, 2>, 4>(_e684, _e657.member_1[1], _e657.member_1[2], _e657.member_1[3]));
+                                    let _e691 = type_24(_e657.member, array<array<u32, 2>, 4>(_e684, _e657.member_1[1], _e657.member_1[2], _e657.member_1[3]));
                                     if ((((((_e319.member[0] <= _e627.member_2[0]) && (_e627.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e627.member_2[1])) && (_e627.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e627.member_2[2])) && (_e627.member[2] <= _e319.member_2[2])) {
                                         phi_1092_ = _e633;
                                     } else {
                                         phi_1092_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e718 = phi_1092_;
-                                    phi_1094_ = type_23(_e691.member, array<array<u32, 2>, 4>(_e691.member_1[0], _e718, _e691.member_1[2], _e691.member_1[3]));
+                                    phi_1094_ = type_24(_e691.member, array<array<u32, 2>, 4>(_e691.member_1[0], _e718, _e691.member_1[2], _e691.member_1[3]));
                                 }
                                 let _e833 = phi_1094_;
                                 phi_1095_ = _e833;
@@ -819,16 +819,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1096_ = _e835;
                             phi_1097_ = false;
                         } else {
-                            phi_1096_ = type_23();
+                            phi_1096_ = type_24();
                             phi_1097_ = true;
                         }
                         let _e837 = phi_1096_;
                         let _e839 = phi_1097_;
                         phi_1098_ = _e837;
-                        phi_1099_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1099_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1100_ = _e839;
                     } else {
-                        phi_1098_ = type_23();
+                        phi_1098_ = type_24();
                         phi_1099_ = _e425;
                         phi_1100_ = true;
                     }
@@ -842,36 +842,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e847 = phi_1104_;
                     let _e851 = params.member.member_2.member;
-                    if (_e851 == 0u) {
-                        phi_1115_ = array<u32, 2>(0u, 2u);
+                    let _e855 = params.member.member_2.member;
+                    if (_e855 == 0u) {
+                        phi_1119_ = array<u32, 2>(0u, 2u);
                     } else {
-                        phi_1115_ = array<u32, 2>(1u, 1u);
+                        phi_1119_ = array<u32, 2>(1u, 1u);
                     }
-                    let _e854 = phi_1115_;
-                    let _e860 = params.member.member.member_2[_e854[0]];
-                    let _e864 = params.member.member.member_2[_e854[1]];
-                    let _e867 = params.member.member_2.member;
-                    let _e871 = params.member.member_2.member;
-                    if (_e871 == 0u) {
+                    let _e858 = phi_1119_;
+                    let _e864 = params.member.member.member[_e858[0]];
+                    let _e865 = (_e864 - 1u);
+                    let _e869 = params.member.member.member[_e858[1]];
+                    let _e870 = (_e869 - 1u);
+                    let _e873 = params.member.member_2.member;
+                    if (_e873 == 0u) {
                         phi_1147_ = array<u32, 2>(0u, 2u);
                     } else {
                         phi_1147_ = array<u32, 2>(1u, 1u);
                     }
-                    let _e874 = phi_1147_;
-                    let _e880 = params.member.member.member[_e874[0]];
-                    let _e881 = (_e880 - 1u);
-                    let _e885 = params.member.member.member[_e874[1]];
-                    let _e886 = (_e885 - 1u);
+                    let _e876 = phi_1147_;
+                    let _e882 = params.member.member.member_2[_e876[0]];
+                    let _e886 = params.member.member.member_2[_e876[1]];
                     local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e847.member_1[0][0], _e847.member_1[0][1]), array<u32, 2>(_e847.member_1[1][0], _e847.member_1[1][1]), array<u32, 2>(_e847.member_1[2][0], _e847.member_1[2][1]), array<u32, 2>(_e847.member_1[3][0], _e847.member_1[3][1]));
-                    phi_1185_ = type_12(0u, 4u);
+                    phi_1185_ = type_9(0u, 4u);
                     loop {
                         let _e905 = phi_1185_;
                         if (_e905.member < _e905.member_1) {
-                            phi_1186_ = type_12((_e905.member + 1u), _e905.member_1);
-                            phi_1209_ = type_12(1u, _e905.member);
+                            phi_1186_ = type_9((_e905.member + 1u), _e905.member_1);
+                            phi_1209_ = type_9(1u, _e905.member);
                         } else {
                             phi_1186_ = _e905;
-                            phi_1209_ = type_12(0u, type_12().member_1);
+                            phi_1209_ = type_9(0u, type_9().member_1);
                         }
                         let _e917 = phi_1186_;
                         let _e919 = phi_1209_;
@@ -879,7 +879,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if _e923 {
                             let _e925 = local_1[_e919.member_1];
                             if (_e925[0] != 4294967295u) {
-                                if (_e867 == 1u) {
+                                if (_e851 == 1u) {
                                     phi_1238_ = (_e925[0] == _e925[1]);
                                 } else {
                                     phi_1238_ = false;
@@ -889,8 +889,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_3447_ = bool();
                                     phi_3448_ = true;
                                 } else {
-                                    if (_e925[0] >= _e881) {
-                                        if (_e925[1] >= _e886) {
+                                    if (_e925[0] >= _e865) {
+                                        if (_e925[1] >= _e870) {
                                             phi_1250_ = false;
                                         } else {
                                             phi_1250_ = true;
@@ -902,9 +902,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     }
                                     let _e937 = phi_1251_;
                                     if _e937 {
-                                        if (_e925[0] < _e881) {
-                                            let _e1017 = oriented.member[(_e860 + _e925[0])];
-                                            phi_1398_ = type_32(array<f32, 3>(_e1017.member.x, _e1017.member.y, _e1017.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1017.member.w, _e1017.member_1.x, _e1017.member_1.y), array<f32, 3>(_e1017.member_1.z, _e1017.member_1.w, _e1017.member_2.x), array<f32, 3>(_e1017.member_2.y, _e1017.member_2.z, _e1017.member_2.w)), array<f32, 3>(_e1017.member_3.x, _e1017.member_3.y, _e1017.member_3.z));
+                                        if (_e925[0] < _e865) {
+                                            let _e1017 = oriented.member[(_e882 + _e925[0])];
+                                            phi_1398_ = type_31(array<f32, 3>(_e1017.member.x, _e1017.member.y, _e1017.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1017.member.w, _e1017.member_1.x, _e1017.member_1.y), array<f32, 3>(_e1017.member_1.z, _e1017.member_1.w, _e1017.member_2.x), array<f32, 3>(_e1017.member_2.y, _e1017.member_2.z, _e1017.member_2.w)), array<f32, 3>(_e1017.member_3.x, _e1017.member_3.y, _e1017.member_3.z));
                                         } else {
                                             let _e940 = a_nodes.member[_e925[0]];
                                             let _e955 = ((_e940.member[0] * 0.5f) + (_e940.member_2[0] * 0.5f));
@@ -972,12 +972,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1003 = phi_1382_;
                                             let _e1005 = (1f + (0.000000059604645f * 4f));
                                             let _e1009 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1398_ = type_32(array<f32, 3>(_e973, _e977, _e981), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e997 * _e1005) + _e1009), ((_e1000 * _e1005) + _e1009), ((_e1003 * _e1005) + _e1009)));
+                                            phi_1398_ = type_31(array<f32, 3>(_e973, _e977, _e981), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e997 * _e1005) + _e1009), ((_e1000 * _e1005) + _e1009), ((_e1003 * _e1005) + _e1009)));
                                         }
                                         let _e1056 = phi_1398_;
-                                        if (_e925[1] < _e886) {
-                                            let _e1136 = oriented.member[(_e864 + _e925[1])];
-                                            phi_1542_ = type_32(array<f32, 3>(_e1136.member.x, _e1136.member.y, _e1136.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1136.member.w, _e1136.member_1.x, _e1136.member_1.y), array<f32, 3>(_e1136.member_1.z, _e1136.member_1.w, _e1136.member_2.x), array<f32, 3>(_e1136.member_2.y, _e1136.member_2.z, _e1136.member_2.w)), array<f32, 3>(_e1136.member_3.x, _e1136.member_3.y, _e1136.member_3.z));
+                                        if (_e925[1] < _e870) {
+                                            let _e1136 = oriented.member[(_e886 + _e925[1])];
+                                            phi_1542_ = type_31(array<f32, 3>(_e1136.member.x, _e1136.member.y, _e1136.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1136.member.w, _e1136.member_1.x, _e1136.member_1.y), array<f32, 3>(_e1136.member_1.z, _e1136.member_1.w, _e1136.member_2.x), array<f32, 3>(_e1136.member_2.y, _e1136.member_2.z, _e1136.member_2.w)), array<f32, 3>(_e1136.member_3.x, _e1136.member_3.y, _e1136.member_3.z));
                                         } else {
                                             let _e1059 = b_nodes.member[_e925[1]];
                                             let _e1074 = ((_e1059.member[0] * 0.5f) + (_e1059.member_2[0] * 0.5f));
@@ -1045,7 +1045,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1122 = phi_1526_;
                                             let _e1124 = (1f + (0.000000059604645f * 4f));
                                             let _e1128 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1542_ = type_32(array<f32, 3>(_e1092, _e1096, _e1100), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1116 * _e1124) + _e1128), ((_e1119 * _e1124) + _e1128), ((_e1122 * _e1124) + _e1128)));
+                                            phi_1542_ = type_31(array<f32, 3>(_e1092, _e1096, _e1100), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1116 * _e1124) + _e1128), ((_e1119 * _e1124) + _e1128), ((_e1122 * _e1124) + _e1128)));
                                         }
                                         let _e1175 = phi_1542_;
                                         let _e1180 = (_e1175.member[0] - _e1056.member[0]);
@@ -1105,7 +1105,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_1793_ = _e1175.member_2[2];
                                         }
                                         let _e1420 = phi_1793_;
-                                        local = type_27(array<array<f32, 3>, 3>(array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[0][0]) + (_e1175.member_1[0][1] * _e1056.member_1[0][1])) + (_e1175.member_1[0][2] * _e1056.member_1[0][2])), (((_e1175.member_1[1][0] * _e1056.member_1[0][0]) + (_e1175.member_1[1][1] * _e1056.member_1[0][1])) + (_e1175.member_1[1][2] * _e1056.member_1[0][2])), (((_e1175.member_1[2][0] * _e1056.member_1[0][0]) + (_e1175.member_1[2][1] * _e1056.member_1[0][1])) + (_e1175.member_1[2][2] * _e1056.member_1[0][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[1][0]) + (_e1175.member_1[0][1] * _e1056.member_1[1][1])) + (_e1175.member_1[0][2] * _e1056.member_1[1][2])), (((_e1175.member_1[1][0] * _e1056.member_1[1][0]) + (_e1175.member_1[1][1] * _e1056.member_1[1][1])) + (_e1175.member_1[1][2] * _e1056.member_1[1][2])), (((_e1175.member_1[2][0] * _e1056.member_1[1][0]) + (_e1175.member_1[2][1] * _e1056.member_1[1][1])) + (_e1175.member_1[2][2] * _e1056.member_1[1][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[2][0]) + (_e1175.member_1[0][1] * _e1056.member_1[2][1])) + (_e1175.member_1[0][2] * _e1056.member_1[2][2])), (((_e1175.member_1[1][0] * _e1056.member_1[2][0]) + (_e1175.member_1[1][1] * _e1056.member_1[2][1])) + (_e1175.member_1[1][2] * _e1056.member_1[2][2])), (((_e1175.member_1[2][0] * _e1056.member_1[2][0]) + (_e1175.member_1[2][1] * _e1056.member_1[2][1])) + (_e1175.member_1[2][2] * _e1056.member_1[2][2])))), array<f32, 3>((((_e1056.member_1[0][0] * _e1180) + (_e1056.member_1[0][1] * _e1183)) + (_e1056.member_1[0][2] * _e1186)), (((_e1056.member_1[1][0] * _e1180) + (_e1056.member_1[1][1] * _e1183)) + (_e1056.member_1[1][2] * _e1186)), (((_e1056.member_1[2][0] * _e1180) + (_e1056.member_1[2][1] * _e1183)) + (_e1056.member_1[2][2] * _e1186))), array<f32, 3>((((_e1175.member_1[0][0] * _e1180) + (_e1175.member_1[0][1] * _e1183)) + (_e1175.member_1[0][2] * _e1186)), (((_e1175.member_1[1][0] * _e1180) + (_e1175.member_1[1][1] * _e1183)) + (_e1175.member_1[1][2] * _e1186)), (((_e1175.member_1[2][0] * _e1180) + (_e1175.member_1[2][1] * _e1183)) + (_e1175.member_1[2][2] * _e1186))), array<f32, 3>(_e1056.member_2[0], _e1056.member_2[1], _e1056.member_2[2]), array<f32, 3>(_e1175.member_2[0], _e1175.member_2[1], _e1175.member_2[2]), ((((((_e1375 + _e1379) + _e1384) + (((_e1391 + _e1396) + _e1402) + ((_e1409 + _e1414) + _e1420))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[0][0]) + (_e1175.member_1[0][1] * _e1056.member_1[0][1])) + (_e1175.member_1[0][2] * _e1056.member_1[0][2])), (((_e1175.member_1[1][0] * _e1056.member_1[0][0]) + (_e1175.member_1[1][1] * _e1056.member_1[0][1])) + (_e1175.member_1[1][2] * _e1056.member_1[0][2])), (((_e1175.member_1[2][0] * _e1056.member_1[0][0]) + (_e1175.member_1[2][1] * _e1056.member_1[0][1])) + (_e1175.member_1[2][2] * _e1056.member_1[0][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[1][0]) + (_e1175.member_1[0][1] * _e1056.member_1[1][1])) + (_e1175.member_1[0][2] * _e1056.member_1[1][2])), (((_e1175.member_1[1][0] * _e1056.member_1[1][0]) + (_e1175.member_1[1][1] * _e1056.member_1[1][1])) + (_e1175.member_1[1][2] * _e1056.member_1[1][2])), (((_e1175.member_1[2][0] * _e1056.member_1[1][0]) + (_e1175.member_1[2][1] * _e1056.member_1[1][1])) + (_e1175.member_1[2][2] * _e1056.member_1[1][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[2][0]) + (_e1175.member_1[0][1] * _e1056.member_1[2][1])) + (_e1175.member_1[0][2] * _e1056.member_1[2][2])), (((_e1175.member_1[1][0] * _e1056.member_1[2][0]) + (_e1175.member_1[1][1] * _e1056.member_1[2][1])) + (_e1175.member_1[1][2] * _e1056.member_1[2][2])), (((_e1175.member_1[2][0] * _e1056.member_1[2][0]) + (_e1175.member_1[2][1] * _e1056.member_1[2][1])) + (_e1175.member_1[2][2] * _e1056.member_1[2][2])))), array<f32, 3>((((_e1056.member_1[0][0] * _e1180) + (_e1056.member_1[0][1] * _e1183)) + (_e1056.member_1[0][2] * _e1186)), (((_e1056.member_1[1][0] * _e1180) + (_e1056.member_1[1][1] * _e1183)) + (_e1056.member_1[1][2] * _e1186)), (((_e1056.member_1[2][0] * _e1180) + (_e1056.member_1[2][1] * _e1183)) + (_e1056.member_1[2][2] * _e1186))), array<f32, 3>((((_e1175.member_1[0][0] * _e1180) + (_e1175.member_1[0][1] * _e1183)) + (_e1175.member_1[0][2] * _e1186)), (((_e1175.member_1[1][0] * _e1180) + (_e1175.member_1[1][1] * _e1183)) + (_e1175.member_1[1][2] * _e1186)), (((_e1175.member_1[2][0] * _e1180) + (_e1175.member_1[2][1] * _e1183)) + (_e1175.member_1[2][2] * _e1186))), array<f32, 3>(_e1056.member_2[0], _e1056.member_2[1], _e1056.member_2[2]), array<f32, 3>(_e1175.member_2[0], _e1175.member_2[1], _e1175.member_2[2]), ((((((_e1375 + _e1379) + _e1384) + (((_e1391 + _e1396) + _e1402) + ((_e1409 + _e1414) + _e1420))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                                         let _e1447 = local.member[0u][0u];
                                         let _e1451 = local.member[0u][1u];
                                         let _e1455 = local.member[0u][2u];
@@ -1822,10 +1822,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_3512_ = _e2397;
                     }
                     let _e2399 = phi_3512_;
-                    let _e2400 = type_25(_e2367, _e2399);
+                    let _e2400 = type_32(_e2367, _e2399);
                     if (_e2399 == 0u) {
                         if (_e2387[0][0] != 4294967295u) {
-                            phi_3524_ = type_25(_e2387[0], 3u);
+                            phi_3524_ = type_32(_e2387[0], 3u);
                         } else {
                             phi_3524_ = _e2400;
                         }
@@ -1859,10 +1859,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_3549_ = _e2418;
                     }
                     let _e2420 = phi_3549_;
-                    let _e2421 = type_25(_e2371, _e2420);
+                    let _e2421 = type_32(_e2371, _e2420);
                     if (_e2420 == 0u) {
                         if (_e2387[1][0] != 4294967295u) {
-                            phi_3561_ = type_25(_e2387[1], 3u);
+                            phi_3561_ = type_32(_e2387[1], 3u);
                         } else {
                             phi_3561_ = _e2421;
                         }
@@ -1896,10 +1896,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_3586_ = _e2439;
                     }
                     let _e2441 = phi_3586_;
-                    let _e2442 = type_25(_e2375, _e2441);
+                    let _e2442 = type_32(_e2375, _e2441);
                     if (_e2441 == 0u) {
                         if (_e2387[2][0] != 4294967295u) {
-                            phi_3598_ = type_25(_e2387[2], 3u);
+                            phi_3598_ = type_32(_e2387[2], 3u);
                         } else {
                             phi_3598_ = _e2442;
                         }
@@ -1933,10 +1933,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_3623_ = _e2460;
                     }
                     let _e2462 = phi_3623_;
-                    let _e2463 = type_25(_e2379, _e2462);
+                    let _e2463 = type_32(_e2379, _e2462);
                     if (_e2462 == 0u) {
                         if (_e2387[3][0] != 4294967295u) {
-                            phi_3635_ = type_25(_e2387[3], 3u);
+                            phi_3635_ = type_32(_e2387[3], 3u);
                         } else {
                             phi_3635_ = _e2463;
                         }
@@ -1971,7 +1971,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e2485 = phi_3658_;
                     if (_e2485 == 2u) {
-                        phi_3664_ = type_25(_e285, 2u);
+                        phi_3664_ = type_32(_e285, 2u);
                     } else {
                         phi_3664_ = _e2408;
                     }
@@ -1981,10 +1981,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_3667_ = _e2450;
                     phi_3668_ = _e2429;
                 } else {
-                    phi_3665_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_3666_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_3667_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_3668_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_3665_ = type_32(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_3666_ = type_32(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_3667_ = type_32(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_3668_ = type_32(array<u32, 2>(4294967295u, 4294967295u), 0u);
                 }
                 let _e2491 = phi_3665_;
                 let _e2493 = phi_3666_;
@@ -2177,14 +2177,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e2669 = b_nodes.member[_e2491.member[1]];
                             if (_e87.member == 1u) {
                                 if (_e2665.member_1 < _e2669.member_1) {
-                                    phi_3987_ = type_12(_e2665.member_1, _e2669.member_1);
+                                    phi_3987_ = type_9(_e2665.member_1, _e2669.member_1);
                                 } else {
-                                    phi_3987_ = type_12(_e2669.member_1, _e2665.member_1);
+                                    phi_3987_ = type_9(_e2669.member_1, _e2665.member_1);
                                 }
                                 let _e2678 = phi_3987_;
                                 phi_3992_ = _e2678;
                             } else {
-                                phi_3992_ = type_12(_e2665.member_1, _e2669.member_1);
+                                phi_3992_ = type_9(_e2665.member_1, _e2669.member_1);
                             }
                             let _e2680 = phi_3992_;
                             let _e2684 = atomicLoad((&shared_[12u]));
@@ -2233,14 +2233,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e2754 = b_nodes.member[_e2497.member[1]];
                             if (_e87.member == 1u) {
                                 if (_e2750.member_1 < _e2754.member_1) {
-                                    phi_4128_ = type_12(_e2750.member_1, _e2754.member_1);
+                                    phi_4128_ = type_9(_e2750.member_1, _e2754.member_1);
                                 } else {
-                                    phi_4128_ = type_12(_e2754.member_1, _e2750.member_1);
+                                    phi_4128_ = type_9(_e2754.member_1, _e2750.member_1);
                                 }
                                 let _e2763 = phi_4128_;
                                 phi_4133_ = _e2763;
                             } else {
-                                phi_4133_ = type_12(_e2750.member_1, _e2754.member_1);
+                                phi_4133_ = type_9(_e2750.member_1, _e2754.member_1);
                             }
                             let _e2765 = phi_4133_;
                             let _e2769 = atomicLoad((&shared_[12u]));
@@ -2289,14 +2289,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e2839 = b_nodes.member[_e2495.member[1]];
                             if (_e87.member == 1u) {
                                 if (_e2835.member_1 < _e2839.member_1) {
-                                    phi_4269_ = type_12(_e2835.member_1, _e2839.member_1);
+                                    phi_4269_ = type_9(_e2835.member_1, _e2839.member_1);
                                 } else {
-                                    phi_4269_ = type_12(_e2839.member_1, _e2835.member_1);
+                                    phi_4269_ = type_9(_e2839.member_1, _e2835.member_1);
                                 }
                                 let _e2848 = phi_4269_;
                                 phi_4274_ = _e2848;
                             } else {
-                                phi_4274_ = type_12(_e2835.member_1, _e2839.member_1);
+                                phi_4274_ = type_9(_e2835.member_1, _e2839.member_1);
                             }
                             let _e2850 = phi_4274_;
                             let _e2854 = atomicLoad((&shared_[12u]));
@@ -2345,14 +2345,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e2924 = b_nodes.member[_e2493.member[1]];
                             if (_e87.member == 1u) {
                                 if (_e2920.member_1 < _e2924.member_1) {
-                                    phi_4410_ = type_12(_e2920.member_1, _e2924.member_1);
+                                    phi_4410_ = type_9(_e2920.member_1, _e2924.member_1);
                                 } else {
-                                    phi_4410_ = type_12(_e2924.member_1, _e2920.member_1);
+                                    phi_4410_ = type_9(_e2924.member_1, _e2920.member_1);
                                 }
                                 let _e2933 = phi_4410_;
                                 phi_4415_ = _e2933;
                             } else {
-                                phi_4415_ = type_12(_e2920.member_1, _e2924.member_1);
+                                phi_4415_ = type_9(_e2920.member_1, _e2924.member_1);
                             }
                             let _e2935 = phi_4415_;
                             let _e2939 = atomicLoad((&shared_[12u]));
@@ -2426,15 +2426,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e3051 = atomicLoad((&shared_[0u]));
     let _e3053 = atomicLoad((&shared_[17u]));
     let _e3055 = atomicLoad((&shared_[14u]));
-    phi_4540_ = type_12(0u, 8u);
+    phi_4540_ = type_9(0u, 8u);
     loop {
         let _e3057 = phi_4540_;
         if (_e3057.member < _e3057.member_1) {
-            phi_4541_ = type_12((_e3057.member + 1u), _e3057.member_1);
-            phi_4564_ = type_12(1u, _e3057.member);
+            phi_4541_ = type_9((_e3057.member + 1u), _e3057.member_1);
+            phi_4564_ = type_9(1u, _e3057.member);
         } else {
             phi_4541_ = _e3057;
-            phi_4564_ = type_12(0u, type_12().member_1);
+            phi_4564_ = type_9(0u, type_9().member_1);
         }
         let _e3069 = phi_4541_;
         let _e3071 = phi_4564_;
@@ -2469,15 +2469,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_4620_ = _e3099;
     }
     let _e3104 = phi_4620_;
-    phi_4623_ = type_12(0u, _e3104);
+    phi_4623_ = type_9(0u, _e3104);
     loop {
         let _e3107 = phi_4623_;
         if (_e3107.member < _e3107.member_1) {
-            phi_4624_ = type_12((_e3107.member + 1u), _e3107.member_1);
-            phi_4647_ = type_12(1u, _e3107.member);
+            phi_4624_ = type_9((_e3107.member + 1u), _e3107.member_1);
+            phi_4647_ = type_9(1u, _e3107.member);
         } else {
             phi_4624_ = _e3107;
-            phi_4647_ = type_12(0u, type_12().member_1);
+            phi_4647_ = type_9(0u, type_9().member_1);
         }
         let _e3119 = phi_4624_;
         let _e3121 = phi_4647_;
@@ -2507,15 +2507,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     if (_e87.member_6 == 1u) {
         if (_e3098 == 0u) {
-            phi_4719_ = type_12(0u, _e98);
+            phi_4719_ = type_9(0u, _e98);
             loop {
                 let _e3159 = phi_4719_;
                 if (_e3159.member < _e3159.member_1) {
-                    phi_4720_ = type_12((_e3159.member + 1u), _e3159.member_1);
-                    phi_4743_ = type_12(1u, _e3159.member);
+                    phi_4720_ = type_9((_e3159.member + 1u), _e3159.member_1);
+                    phi_4743_ = type_9(1u, _e3159.member);
                 } else {
                     phi_4720_ = _e3159;
-                    phi_4743_ = type_12(0u, type_12().member_1);
+                    phi_4743_ = type_9(0u, type_9().member_1);
                 }
                 let _e3171 = phi_4720_;
                 let _e3173 = phi_4743_;

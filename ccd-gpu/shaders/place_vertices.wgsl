@@ -26,7 +26,7 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -49,22 +49,22 @@ struct type_21 {
     member: array<type_19>,
 }
 
-struct type_24 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_25 {
+struct type_22 {
     member: u32,
 }
 
-struct type_26 {
+struct type_23 {
     member: type_7,
     member_1: type_8,
-    member_2: type_25,
+    member_2: type_22,
+}
+
+struct type_24 {
+    member: type_23,
 }
 
 struct type_27 {
-    member: type_26,
+    member: array<array<array<u32, 2>, 6>>,
 }
 
 struct type_30 {
@@ -77,13 +77,13 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_27;
+var<storage> params: type_24;
 @group(0) @binding(1) 
 var<storage> positions: type_30;
 @group(0) @binding(2) 
 var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_24;
+var<storage, read_write> keys: type_27;
 @group(0) @binding(4) 
 var<storage, read_write> boxes: type_21;
 
@@ -101,9 +101,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_194_: f64;
     var phi_201_: f64;
     var phi_208_: f64;
-    var phi_238_: type_10;
-    var phi_239_: type_10;
-    var phi_262_: type_10;
+    var phi_238_: type_9;
+    var phi_239_: type_9;
+    var phi_262_: type_9;
     var phi_289_: bool;
     var phi_306_: f64;
     var phi_307_: f64;
@@ -112,9 +112,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_352_: f64;
     var phi_353_: f64;
     var phi_354_: f64;
-    var phi_409_: type_10;
-    var phi_410_: type_10;
-    var phi_433_: type_10;
+    var phi_409_: type_9;
+    var phi_410_: type_9;
+    var phi_433_: type_9;
     var phi_491_: bool;
     var phi_508_: f32;
     var phi_509_: f32;
@@ -187,9 +187,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_942_: array<u32, 2>;
     var phi_943_: bool;
     var phi_949_: array<u32, 2>;
-    var phi_955_: type_10;
-    var phi_956_: type_10;
-    var phi_979_: type_10;
+    var phi_955_: type_9;
+    var phi_956_: type_9;
+    var phi_979_: type_9;
     var phi_1011_: bool;
     var phi_1028_: f32;
     var phi_1029_: f32;
@@ -204,9 +204,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1094_: f32;
     var phi_1100_: f32;
     var phi_1105_: f32;
-    var phi_1138_: type_10;
-    var phi_1139_: type_10;
-    var phi_1162_: type_10;
+    var phi_1138_: type_9;
+    var phi_1139_: type_9;
+    var phi_1162_: type_9;
     var phi_1183_: bool;
     var phi_1206_: bool;
     var phi_1210_: f32;
@@ -271,15 +271,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e106 = bitcast<f64>(((u64(_e99[1]) * 4294967296lu) + u64(_e99[0])));
         if (_e106 > f64(0f)) {
             local_5 = type_31(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
-            phi_238_ = type_10(0u, 3u);
+            phi_238_ = type_9(0u, 3u);
             loop {
                 let _e116 = phi_238_;
                 if (_e116.member < _e116.member_1) {
-                    phi_239_ = type_10((_e116.member + 1u), _e116.member_1);
-                    phi_262_ = type_10(1u, _e116.member);
+                    phi_239_ = type_9((_e116.member + 1u), _e116.member_1);
+                    phi_262_ = type_9(1u, _e116.member);
                 } else {
                     phi_239_ = _e116;
-                    phi_262_ = type_10(0u, type_10().member_1);
+                    phi_262_ = type_9(0u, type_9().member_1);
                 }
                 let _e128 = phi_239_;
                 let _e130 = phi_262_;
@@ -357,15 +357,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_3 = array<f64, 3>(_e66[0], _e66[1], _e66[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_409_ = type_10(0u, 3u);
+        phi_409_ = type_9(0u, 3u);
         loop {
             let _e199 = phi_409_;
             if (_e199.member < _e199.member_1) {
-                phi_410_ = type_10((_e199.member + 1u), _e199.member_1);
-                phi_433_ = type_10(1u, _e199.member);
+                phi_410_ = type_9((_e199.member + 1u), _e199.member_1);
+                phi_433_ = type_9(1u, _e199.member);
             } else {
                 phi_410_ = _e199;
-                phi_433_ = type_10(0u, type_10().member_1);
+                phi_433_ = type_9(0u, type_9().member_1);
             }
             let _e211 = phi_410_;
             let _e213 = phi_433_;
@@ -822,15 +822,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e576 = phi_949_;
         keys.member[_e52] = array<array<u32, 2>, 6>(_e436, _e464, _e492, _e520, _e548, _e576);
         local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_955_ = type_10(0u, 3u);
+        phi_955_ = type_9(0u, 3u);
         loop {
             let _e580 = phi_955_;
             if (_e580.member < _e580.member_1) {
-                phi_956_ = type_10((_e580.member + 1u), _e580.member_1);
-                phi_979_ = type_10(1u, _e580.member);
+                phi_956_ = type_9((_e580.member + 1u), _e580.member_1);
+                phi_979_ = type_9(1u, _e580.member);
             } else {
                 phi_956_ = _e580;
-                phi_979_ = type_10(0u, type_10().member_1);
+                phi_979_ = type_9(0u, type_9().member_1);
             }
             let _e592 = phi_956_;
             let _e594 = phi_979_;
@@ -940,15 +940,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e672 = local_1;
         local = _e672;
-        phi_1138_ = type_10(0u, 3u);
+        phi_1138_ = type_9(0u, 3u);
         loop {
             let _e674 = phi_1138_;
             if (_e674.member < _e674.member_1) {
-                phi_1139_ = type_10((_e674.member + 1u), _e674.member_1);
-                phi_1162_ = type_10(1u, _e674.member);
+                phi_1139_ = type_9((_e674.member + 1u), _e674.member_1);
+                phi_1162_ = type_9(1u, _e674.member);
             } else {
                 phi_1139_ = _e674;
-                phi_1162_ = type_10(0u, type_10().member_1);
+                phi_1162_ = type_9(0u, type_9().member_1);
             }
             let _e686 = phi_1139_;
             let _e688 = phi_1162_;

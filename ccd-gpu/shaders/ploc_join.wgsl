@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -72,20 +72,20 @@ struct type_22 {
 @group(0) @binding(0) 
 var<storage> params: type_19;
 @group(0) @binding(1) 
-var<storage> neighbours: type_10;
+var<storage> neighbours: type_11;
 var<workgroup> masks: array<atomic<u32>, 8>;
 @group(0) @binding(6) 
-var<storage, read_write> counts: type_10;
+var<storage, read_write> counts: type_11;
 @group(0) @binding(2) 
 var<storage> clusters: type_22;
 @group(0) @binding(3) 
-var<storage> names: type_10;
+var<storage> names: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> clusters_out: type_22;
 @group(0) @binding(5) 
-var<storage, read_write> names_out: type_10;
+var<storage, read_write> names_out: type_11;
 @group(0) @binding(7) 
-var<storage, read_write> joins: type_10;
+var<storage, read_write> joins: type_11;
 var<workgroup> sums: array<atomic<u32>, 2>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
@@ -97,11 +97,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_206_: u32;
     var phi_222_: u32;
     var phi_238_: u32;
-    var phi_241_: type_12;
+    var phi_241_: type_9;
     var phi_244_: u32;
     var phi_246_: u32;
-    var phi_242_: type_12;
-    var phi_269_: type_12;
+    var phi_242_: type_9;
+    var phi_269_: type_9;
     var phi_294_: u32;
     var phi_300_: u32;
     var phi_307_: u32;
@@ -117,10 +117,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_355_: bool;
     var phi_359_: u32;
     var phi_365_: bool;
-    var phi_393_: type_12;
+    var phi_393_: type_9;
     var phi_396_: u32;
-    var phi_394_: type_12;
-    var phi_419_: type_12;
+    var phi_394_: type_9;
+    var phi_419_: type_9;
     var phi_397_: u32;
     var phi_525_: f32;
     var phi_530_: f32;
@@ -209,7 +209,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_238_ = _e102;
     }
     let _e107 = phi_238_;
-    phi_241_ = type_12(0u, _e107);
+    phi_241_ = type_9(0u, _e107);
     phi_244_ = 0u;
     phi_246_ = 0u;
     loop {
@@ -220,11 +220,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_1 = _e114;
         local_2 = _e112;
         if (_e110.member < _e110.member_1) {
-            phi_242_ = type_12((_e110.member + 1u), _e110.member_1);
-            phi_269_ = type_12(1u, _e110.member);
+            phi_242_ = type_9((_e110.member + 1u), _e110.member_1);
+            phi_269_ = type_9(1u, _e110.member);
         } else {
             phi_242_ = _e110;
-            phi_269_ = type_12(0u, type_12().member_1);
+            phi_269_ = type_9(0u, type_9().member_1);
         }
         let _e126 = phi_242_;
         let _e128 = phi_269_;
@@ -321,7 +321,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if _e191 {
         let _e200 = atomicLoad((&sums[0u]));
         let _e203 = atomicLoad((&masks[(_e30 / 32u)]));
-        phi_393_ = type_12(0u, (_e30 / 32u));
+        phi_393_ = type_9(0u, (_e30 / 32u));
         phi_396_ = (_e200 + countOneBits((_e203 & ((1u << bitcast<u32>(((_e30 % 32u) & 31u))) - 1u))));
         loop {
             let _e215 = phi_393_;
@@ -329,11 +329,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_3 = _e217;
             local_4 = _e217;
             if (_e215.member < _e215.member_1) {
-                phi_394_ = type_12((_e215.member + 1u), _e215.member_1);
-                phi_419_ = type_12(1u, _e215.member);
+                phi_394_ = type_9((_e215.member + 1u), _e215.member_1);
+                phi_419_ = type_9(1u, _e215.member);
             } else {
                 phi_394_ = _e215;
-                phi_419_ = type_12(0u, type_12().member_1);
+                phi_419_ = type_9(0u, type_9().member_1);
             }
             let _e229 = phi_394_;
             let _e231 = phi_419_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -51,6 +51,12 @@ struct type_19 {
 }
 
 struct type_20 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: f32,
+}
+
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -58,20 +64,14 @@ struct type_20 {
     member_4: u32,
 }
 
-struct type_21 {
+struct type_22 {
     member: type_7,
     member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
+    member_2: type_21,
 }
 
 struct type_23 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: f32,
+    member: type_22,
 }
 
 struct type_24 {
@@ -83,44 +83,44 @@ struct type_26 {
     member: array<type_24>,
 }
 
+@group(0) @binding(3) 
+var<storage> order: type_11;
 @group(0) @binding(1) 
 var<storage> boxes: type_17;
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_23;
 @group(0) @binding(2) 
-var<storage> bounds: type_10;
-@group(0) @binding(3) 
-var<storage> order: type_10;
+var<storage> bounds: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> clusters: type_26;
 @group(0) @binding(5) 
-var<storage, read_write> names: type_10;
+var<storage, read_write> names: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> counts: type_10;
+var<storage, read_write> counts: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;
     var local_1: type_19;
-    var local_2: type_23;
+    var local_2: type_20;
     var local_3: type_19;
     var local_4: type_19;
-    var phi_129_: type_11;
-    var phi_130_: type_11;
-    var phi_153_: type_11;
+    var phi_129_: type_9;
+    var phi_130_: type_9;
+    var phi_153_: type_9;
     var phi_179_: u32;
     var phi_205_: u32;
-    var phi_239_: type_11;
+    var phi_239_: type_9;
     var phi_242_: f32;
-    var phi_240_: type_11;
-    var phi_265_: type_11;
+    var phi_240_: type_9;
+    var phi_265_: type_9;
     var phi_295_: f32;
     var phi_243_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_305_: f32;
-    var phi_373_: type_11;
-    var phi_374_: type_11;
-    var phi_397_: type_11;
+    var phi_373_: type_9;
+    var phi_374_: type_9;
+    var phi_397_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -136,15 +136,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e54 = params.member.member.member[_e50];
     if (_e47 < _e54) {
         local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_129_ = type_11(0u, 3u);
+        phi_129_ = type_9(0u, 3u);
         loop {
             let _e57 = phi_129_;
             if (_e57.member < _e57.member_1) {
-                phi_130_ = type_11((_e57.member + 1u), _e57.member_1);
-                phi_153_ = type_11(1u, _e57.member);
+                phi_130_ = type_9((_e57.member + 1u), _e57.member_1);
+                phi_153_ = type_9(1u, _e57.member);
             } else {
                 phi_130_ = _e57;
-                phi_153_ = type_11(0u, type_11().member_1);
+                phi_153_ = type_9(0u, type_9().member_1);
             }
             let _e69 = phi_130_;
             let _e71 = phi_153_;
@@ -176,7 +176,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e103 = local_1;
         local_3 = _e103;
-        phi_239_ = type_11(0u, 3u);
+        phi_239_ = type_9(0u, 3u);
         phi_242_ = 0f;
         loop {
             let _e105 = phi_239_;
@@ -184,11 +184,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_5 = _e107;
             local_6 = _e107;
             if (_e105.member < _e105.member_1) {
-                phi_240_ = type_11((_e105.member + 1u), _e105.member_1);
-                phi_265_ = type_11(1u, _e105.member);
+                phi_240_ = type_9((_e105.member + 1u), _e105.member_1);
+                phi_265_ = type_9(1u, _e105.member);
             } else {
                 phi_240_ = _e105;
-                phi_265_ = type_11(0u, type_11().member_1);
+                phi_265_ = type_9(0u, type_9().member_1);
             }
             let _e119 = phi_240_;
             let _e121 = phi_265_;
@@ -224,21 +224,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e149 = phi_305_;
         let _e151 = local_3.member;
-        local_2 = type_23(_e151, _e149, (1024f - 1f));
+        local_2 = type_20(_e151, _e149, (1024f - 1f));
         let _e157 = params.member.member.member_2[_e50];
         let _e160 = order.member[(_e157 + _e47)];
         let _e162 = boxes.member[_e160];
         local_4 = type_19(array<f32, 3>(_e162.member.x, _e162.member.y, _e162.member_1.x), array<f32, 3>(_e162.member_1.y, _e162.member_2.x, _e162.member_2.y));
         local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_373_ = type_11(0u, 3u);
+        phi_373_ = type_9(0u, 3u);
         loop {
             let _e179 = phi_373_;
             if (_e179.member < _e179.member_1) {
-                phi_374_ = type_11((_e179.member + 1u), _e179.member_1);
-                phi_397_ = type_11(1u, _e179.member);
+                phi_374_ = type_9((_e179.member + 1u), _e179.member_1);
+                phi_397_ = type_9(1u, _e179.member);
             } else {
                 phi_374_ = _e179;
-                phi_397_ = type_11(0u, type_11().member_1);
+                phi_397_ = type_9(0u, type_9().member_1);
             }
             let _e191 = phi_374_;
             let _e193 = phi_397_;

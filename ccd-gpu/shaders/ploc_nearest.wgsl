@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_16 {
@@ -42,51 +42,51 @@ struct type_16 {
 
 struct type_18 {
     member: u32,
+    member_1: f32,
+}
+
+struct type_19 {
+    member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
     member_4: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
-}
-
-struct type_20 {
-    member: type_19,
+    member_2: type_19,
 }
 
 struct type_21 {
+    member: type_20,
+}
+
+struct type_22 {
     member: vec4<u32>,
     member_1: vec4<u32>,
 }
 
-struct type_23 {
-    member: array<type_21>,
-}
-
 struct type_24 {
-    member: u32,
-    member_1: f32,
+    member: array<type_22>,
 }
 
-@group(0) @binding(3) 
-var<storage, read_write> counts: type_10;
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_21;
 @group(0) @binding(1) 
-var<storage> clusters: type_23;
+var<storage> clusters: type_24;
 @group(0) @binding(2) 
-var<storage, read_write> neighbours: type_10;
+var<storage, read_write> neighbours: type_11;
+@group(0) @binding(3) 
+var<storage, read_write> counts: type_11;
 var<workgroup> near: array<type_16, 512>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: u32;
-    var phi_116_: type_12;
-    var phi_117_: type_12;
-    var phi_140_: type_12;
+    var phi_116_: type_9;
+    var phi_117_: type_9;
+    var phi_140_: type_9;
     var phi_195_: type_16;
     var phi_196_: type_16;
     var phi_197_: type_16;
@@ -95,10 +95,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_255_: u32;
     var phi_281_: u32;
     var phi_289_: u32;
-    var phi_293_: type_12;
-    var phi_296_: type_24;
-    var phi_294_: type_12;
-    var phi_319_: type_12;
+    var phi_293_: type_9;
+    var phi_296_: type_18;
+    var phi_294_: type_9;
+    var phi_319_: type_9;
     var phi_349_: f32;
     var phi_356_: f32;
     var phi_364_: f32;
@@ -108,10 +108,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_415_: bool;
     var phi_419_: bool;
     var phi_420_: bool;
-    var phi_425_: type_24;
-    var phi_426_: type_24;
-    var phi_297_: type_24;
-    var local: type_24;
+    var phi_425_: type_18;
+    var phi_426_: type_18;
+    var phi_297_: type_18;
+    var local: type_18;
     var phi_428_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -134,15 +134,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e43 = phi_108_;
     let _e46 = params.member.member_2.member_1;
     let _e48 = ((_e35 * 256u) + _e26);
-    phi_116_ = type_12(0u, 2u);
+    phi_116_ = type_9(0u, 2u);
     loop {
         let _e50 = phi_116_;
         if (_e50.member < _e50.member_1) {
-            phi_117_ = type_12((_e50.member + 1u), _e50.member_1);
-            phi_140_ = type_12(1u, _e50.member);
+            phi_117_ = type_9((_e50.member + 1u), _e50.member_1);
+            phi_140_ = type_9(1u, _e50.member);
         } else {
             phi_117_ = _e50;
-            phi_140_ = type_12(0u, type_12().member_1);
+            phi_140_ = type_9(0u, type_9().member_1);
         }
         let _e62 = phi_117_;
         let _e64 = phi_140_;
@@ -219,18 +219,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_289_ = _e174;
             }
             let _e177 = phi_289_;
-            phi_293_ = type_12((_e48 - _e171), _e177);
-            phi_296_ = type_24(_e48, 300000000000000000000000000000000000000f);
+            phi_293_ = type_9((_e48 - _e171), _e177);
+            phi_296_ = type_18(_e48, 300000000000000000000000000000000000000f);
             loop {
                 let _e181 = phi_293_;
                 let _e183 = phi_296_;
                 local = _e183;
                 if (_e181.member < _e181.member_1) {
-                    phi_294_ = type_12((_e181.member + 1u), _e181.member_1);
-                    phi_319_ = type_12(1u, _e181.member);
+                    phi_294_ = type_9((_e181.member + 1u), _e181.member_1);
+                    phi_319_ = type_9(1u, _e181.member);
                 } else {
                     phi_294_ = _e181;
-                    phi_319_ = type_12(0u, type_12().member_1);
+                    phi_319_ = type_9(0u, type_9().member_1);
                 }
                 let _e195 = phi_294_;
                 let _e197 = phi_319_;
@@ -297,7 +297,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         let _e256 = phi_420_;
                         if _e256 {
-                            phi_425_ = type_24(_e197.member_1, _e240);
+                            phi_425_ = type_18(_e197.member_1, _e240);
                         } else {
                             phi_425_ = _e183;
                         }
@@ -309,7 +309,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e261 = phi_426_;
                     phi_297_ = _e261;
                 } else {
-                    phi_297_ = type_24();
+                    phi_297_ = type_18();
                 }
                 let _e263 = phi_297_;
                 continue;

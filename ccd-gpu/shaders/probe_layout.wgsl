@@ -26,13 +26,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: array<u32>,
+struct type_8 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_10 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_13 {
@@ -85,7 +85,7 @@ struct type_25 {
 }
 
 struct type_27 {
-    member: array<type_10>,
+    member: array<type_8>,
 }
 
 @group(0) @binding(0) 
@@ -99,52 +99,52 @@ var<storage> touches: type_25;
 @group(0) @binding(4) 
 var<storage> pairs: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> words: type_9;
+var<storage, read_write> words: type_10;
 
 fn function_(lane_1: u32) {
     var local: type_13;
     var local_1: type_14;
-    var phi_135_: type_10;
-    var phi_136_: type_10;
-    var phi_159_: type_10;
-    var phi_182_: type_10;
-    var phi_183_: type_10;
-    var phi_206_: type_10;
-    var phi_257_: type_10;
-    var phi_258_: type_10;
-    var phi_281_: type_10;
-    var phi_352_: type_10;
-    var phi_353_: type_10;
-    var phi_376_: type_10;
-    var phi_435_: type_10;
-    var phi_436_: type_10;
-    var phi_459_: type_10;
-    var phi_469_: type_10;
-    var phi_470_: type_10;
-    var phi_493_: type_10;
-    var phi_600_: type_10;
-    var phi_601_: type_10;
-    var phi_624_: type_10;
-    var phi_659_: type_10;
-    var phi_660_: type_10;
-    var phi_683_: type_10;
+    var phi_141_: type_8;
+    var phi_142_: type_8;
+    var phi_165_: type_8;
+    var phi_188_: type_8;
+    var phi_189_: type_8;
+    var phi_212_: type_8;
+    var phi_263_: type_8;
+    var phi_264_: type_8;
+    var phi_287_: type_8;
+    var phi_358_: type_8;
+    var phi_359_: type_8;
+    var phi_382_: type_8;
+    var phi_441_: type_8;
+    var phi_442_: type_8;
+    var phi_465_: type_8;
+    var phi_475_: type_8;
+    var phi_476_: type_8;
+    var phi_499_: type_8;
+    var phi_606_: type_8;
+    var phi_607_: type_8;
+    var phi_630_: type_8;
+    var phi_665_: type_8;
+    var phi_666_: type_8;
+    var phi_689_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
     let _e60 = lane_2;
     if (_e60 == 0u) {
-        phi_135_ = type_10(0u, 3u);
+        phi_141_ = type_8(0u, 3u);
         loop {
-            let _e71 = phi_135_;
+            let _e71 = phi_141_;
             if (_e71.member < _e71.member_1) {
-                phi_136_ = type_10((_e71.member + 1u), _e71.member_1);
-                phi_159_ = type_10(1u, _e71.member);
+                phi_142_ = type_8((_e71.member + 1u), _e71.member_1);
+                phi_165_ = type_8(1u, _e71.member);
             } else {
-                phi_136_ = _e71;
-                phi_159_ = type_10(0u, type_10().member_1);
+                phi_142_ = _e71;
+                phi_165_ = type_8(0u, type_8().member_1);
             }
-            let _e83 = phi_136_;
-            let _e85 = phi_159_;
+            let _e83 = phi_142_;
+            let _e85 = phi_165_;
             let _e89 = (bitcast<i32>(_e85.member) != 0i);
             if _e89 {
                 let _e93 = params.member.member.member[_e85.member_1];
@@ -152,24 +152,24 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_135_ = _e83;
+                phi_141_ = _e83;
                 break if !(_e89);
             }
         }
         let _e98 = params.member.member.member_1;
         words.member[3u] = _e98;
-        phi_182_ = type_10(0u, 4u);
+        phi_188_ = type_8(0u, 4u);
         loop {
-            let _e101 = phi_182_;
+            let _e101 = phi_188_;
             if (_e101.member < _e101.member_1) {
-                phi_183_ = type_10((_e101.member + 1u), _e101.member_1);
-                phi_206_ = type_10(1u, _e101.member);
+                phi_189_ = type_8((_e101.member + 1u), _e101.member_1);
+                phi_212_ = type_8(1u, _e101.member);
             } else {
-                phi_183_ = _e101;
-                phi_206_ = type_10(0u, type_10().member_1);
+                phi_189_ = _e101;
+                phi_212_ = type_8(0u, type_8().member_1);
             }
-            let _e113 = phi_183_;
-            let _e115 = phi_206_;
+            let _e113 = phi_189_;
+            let _e115 = phi_212_;
             let _e119 = (bitcast<i32>(_e115.member) != 0i);
             if _e119 {
                 let _e124 = params.member.member.member_2[_e115.member_1];
@@ -177,7 +177,7 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_182_ = _e113;
+                phi_188_ = _e113;
                 break if !(_e119);
             }
         }
@@ -193,18 +193,18 @@ fn function_(lane_1: u32) {
         words.member[12u] = _e150;
         let _e155 = params.member.member.member_7[1u];
         words.member[13u] = _e155;
-        phi_257_ = type_10(0u, 3u);
+        phi_263_ = type_8(0u, 3u);
         loop {
-            let _e158 = phi_257_;
+            let _e158 = phi_263_;
             if (_e158.member < _e158.member_1) {
-                phi_258_ = type_10((_e158.member + 1u), _e158.member_1);
-                phi_281_ = type_10(1u, _e158.member);
+                phi_264_ = type_8((_e158.member + 1u), _e158.member_1);
+                phi_287_ = type_8(1u, _e158.member);
             } else {
-                phi_258_ = _e158;
-                phi_281_ = type_10(0u, type_10().member_1);
+                phi_264_ = _e158;
+                phi_287_ = type_8(0u, type_8().member_1);
             }
-            let _e170 = phi_258_;
-            let _e172 = phi_281_;
+            let _e170 = phi_264_;
+            let _e172 = phi_287_;
             let _e176 = (bitcast<i32>(_e172.member) != 0i);
             if _e176 {
                 let _e183 = params.member.member.member_8[_e172.member_1][0u];
@@ -214,7 +214,7 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_257_ = _e170;
+                phi_263_ = _e170;
                 break if !(_e176);
             }
         }
@@ -232,18 +232,18 @@ fn function_(lane_1: u32) {
         words.member[25u] = bitcast<u32>(_e221);
         let _e226 = params.member.member.member_13;
         words.member[26u] = bitcast<u32>(_e226);
-        phi_352_ = type_10(0u, 2u);
+        phi_358_ = type_8(0u, 2u);
         loop {
-            let _e230 = phi_352_;
+            let _e230 = phi_358_;
             if (_e230.member < _e230.member_1) {
-                phi_353_ = type_10((_e230.member + 1u), _e230.member_1);
-                phi_376_ = type_10(1u, _e230.member);
+                phi_359_ = type_8((_e230.member + 1u), _e230.member_1);
+                phi_382_ = type_8(1u, _e230.member);
             } else {
-                phi_353_ = _e230;
-                phi_376_ = type_10(0u, type_10().member_1);
+                phi_359_ = _e230;
+                phi_382_ = type_8(0u, type_8().member_1);
             }
-            let _e242 = phi_353_;
-            let _e244 = phi_376_;
+            let _e242 = phi_359_;
+            let _e244 = phi_382_;
             let _e248 = (bitcast<i32>(_e244.member) != 0i);
             if _e248 {
                 let _e253 = params.member.member.member_14[_e244.member_1];
@@ -255,7 +255,7 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_352_ = _e242;
+                phi_358_ = _e242;
                 break if !(_e248);
             }
         }
@@ -267,32 +267,32 @@ fn function_(lane_1: u32) {
         words.member[35u] = _e275;
         let _e278 = params.member.member_1.member_3;
         words.member[36u] = _e278;
-        phi_435_ = type_10(0u, 8u);
+        phi_441_ = type_8(0u, 8u);
         loop {
-            let _e281 = phi_435_;
+            let _e281 = phi_441_;
             if (_e281.member < _e281.member_1) {
-                phi_436_ = type_10((_e281.member + 1u), _e281.member_1);
-                phi_459_ = type_10(1u, _e281.member);
+                phi_442_ = type_8((_e281.member + 1u), _e281.member_1);
+                phi_465_ = type_8(1u, _e281.member);
             } else {
-                phi_436_ = _e281;
-                phi_459_ = type_10(0u, type_10().member_1);
+                phi_442_ = _e281;
+                phi_465_ = type_8(0u, type_8().member_1);
             }
-            let _e293 = phi_436_;
-            let _e295 = phi_459_;
+            let _e293 = phi_442_;
+            let _e295 = phi_465_;
             let _e299 = (bitcast<i32>(_e295.member) != 0i);
             if _e299 {
-                phi_469_ = type_10(0u, 4u);
+                phi_475_ = type_8(0u, 4u);
                 loop {
-                    let _e301 = phi_469_;
+                    let _e301 = phi_475_;
                     if (_e301.member < _e301.member_1) {
-                        phi_470_ = type_10((_e301.member + 1u), _e301.member_1);
-                        phi_493_ = type_10(1u, _e301.member);
+                        phi_476_ = type_8((_e301.member + 1u), _e301.member_1);
+                        phi_499_ = type_8(1u, _e301.member);
                     } else {
-                        phi_470_ = _e301;
-                        phi_493_ = type_10(0u, type_10().member_1);
+                        phi_476_ = _e301;
+                        phi_499_ = type_8(0u, type_8().member_1);
                     }
-                    let _e313 = phi_470_;
-                    let _e315 = phi_493_;
+                    let _e313 = phi_476_;
+                    let _e315 = phi_499_;
                     let _e319 = (bitcast<i32>(_e315.member) != 0i);
                     if _e319 {
                         let _e326 = params.member.member_2.member[_e295.member_1][_e315.member_1];
@@ -300,14 +300,14 @@ fn function_(lane_1: u32) {
                     }
                     continue;
                     continuing {
-                        phi_469_ = _e313;
+                        phi_475_ = _e313;
                         break if !(_e319);
                     }
                 }
             }
             continue;
             continuing {
-                phi_435_ = _e293;
+                phi_441_ = _e293;
                 break if !(_e299);
             }
         }
@@ -326,18 +326,18 @@ fn function_(lane_1: u32) {
         let _e367 = touches.member[1u];
         let _e370 = pairs.member[1u].member;
         let _e372 = pairs.member[1u].member_1;
-        phi_600_ = type_10(0u, 4u);
+        phi_606_ = type_8(0u, 4u);
         loop {
-            let _e374 = phi_600_;
+            let _e374 = phi_606_;
             if (_e374.member < _e374.member_1) {
-                phi_601_ = type_10((_e374.member + 1u), _e374.member_1);
-                phi_624_ = type_10(1u, _e374.member);
+                phi_607_ = type_8((_e374.member + 1u), _e374.member_1);
+                phi_630_ = type_8(1u, _e374.member);
             } else {
-                phi_601_ = _e374;
-                phi_624_ = type_10(0u, type_10().member_1);
+                phi_607_ = _e374;
+                phi_630_ = type_8(0u, type_8().member_1);
             }
-            let _e386 = phi_601_;
-            let _e388 = phi_624_;
+            let _e386 = phi_607_;
+            let _e388 = phi_630_;
             let _e392 = (bitcast<i32>(_e388.member) != 0i);
             if _e392 {
                 let _e396 = local.member[_e388.member_1];
@@ -347,22 +347,22 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_600_ = _e386;
+                phi_606_ = _e386;
                 break if !(_e392);
             }
         }
-        phi_659_ = type_10(0u, 3u);
+        phi_665_ = type_8(0u, 3u);
         loop {
-            let _e407 = phi_659_;
+            let _e407 = phi_665_;
             if (_e407.member < _e407.member_1) {
-                phi_660_ = type_10((_e407.member + 1u), _e407.member_1);
-                phi_683_ = type_10(1u, _e407.member);
+                phi_666_ = type_8((_e407.member + 1u), _e407.member_1);
+                phi_689_ = type_8(1u, _e407.member);
             } else {
-                phi_660_ = _e407;
-                phi_683_ = type_10(0u, type_10().member_1);
+                phi_666_ = _e407;
+                phi_689_ = type_8(0u, type_8().member_1);
             }
-            let _e419 = phi_660_;
-            let _e421 = phi_683_;
+            let _e419 = phi_666_;
+            let _e421 = phi_689_;
             let _e425 = (bitcast<i32>(_e421.member) != 0i);
             if _e425 {
                 let _e429 = local_1.member[_e421.member_1];
@@ -370,7 +370,7 @@ fn function_(lane_1: u32) {
             }
             continue;
             continuing {
-                phi_659_ = _e419;
+                phi_665_ = _e419;
                 break if !(_e425);
             }
         }

@@ -1,5 +1,5 @@
 // Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
-struct type_5 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
@@ -56,9 +56,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_373_: f32;
     var phi_374_: f32;
     var phi_376_: f32;
-    var phi_445_: type_5;
-    var phi_446_: type_5;
-    var phi_469_: type_5;
+    var phi_445_: type_4;
+    var phi_446_: type_4;
+    var phi_469_: type_4;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -256,15 +256,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_1[11u] = array<u32, 2>(bitcast<u32>(_e253), select(0u, 1u, ((bitcast<u64>(_e71) & 9218868437227405312lu) != 9218868437227405312lu)));
         local_1[12u] = array<u32, 2>(u32(_e262), u32((_e262 / 4294967296lu)));
         local = array<u32, 26>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_445_ = type_5(0u, 13u);
+        phi_445_ = type_4(0u, 13u);
         loop {
             let _e293 = phi_445_;
             if (_e293.member < _e293.member_1) {
-                phi_446_ = type_5((_e293.member + 1u), _e293.member_1);
-                phi_469_ = type_5(1u, _e293.member);
+                phi_446_ = type_4((_e293.member + 1u), _e293.member_1);
+                phi_469_ = type_4(1u, _e293.member);
             } else {
                 phi_446_ = _e293;
-                phi_469_ = type_5(0u, type_5().member_1);
+                phi_469_ = type_4(0u, type_4().member_1);
             }
             let _e305 = phi_446_;
             let _e307 = phi_469_;

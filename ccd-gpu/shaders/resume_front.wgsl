@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -88,13 +88,13 @@ var<storage> a_nodes: type_16;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_16;
 @group(0) @binding(6) 
-var<storage, read_write> front: type_10;
+var<storage, read_write> front: type_11;
+@group(0) @binding(5) 
+var<storage, read_write> pairs: type_22;
 @group(0) @binding(3) 
 var<storage, read_write> control: type_22;
 @group(0) @binding(4) 
 var<storage, read_write> nodes: type_22;
-@group(0) @binding(5) 
-var<storage, read_write> pairs: type_22;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
@@ -110,8 +110,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_272_: array<u32, 2>;
     var phi_284_: array<u32, 2>;
     var phi_285_: array<u32, 2>;
-    var phi_424_: type_12;
-    var phi_429_: type_12;
+    var phi_424_: type_9;
+    var phi_429_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -264,14 +264,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e218 = b_nodes.member[_e69[1]];
                 if (_e71.member == 1u) {
                     if (_e214.member_1 < _e218.member_1) {
-                        phi_424_ = type_12(_e214.member_1, _e218.member_1);
+                        phi_424_ = type_9(_e214.member_1, _e218.member_1);
                     } else {
-                        phi_424_ = type_12(_e218.member_1, _e214.member_1);
+                        phi_424_ = type_9(_e218.member_1, _e214.member_1);
                     }
                     let _e227 = phi_424_;
                     phi_429_ = _e227;
                 } else {
-                    phi_429_ = type_12(_e214.member_1, _e218.member_1);
+                    phi_429_ = type_9(_e214.member_1, _e218.member_1);
                 }
                 let _e229 = phi_429_;
                 let _e233 = atomicLoad((&shared_[12u]));

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -115,20 +115,20 @@ var<storage> a_nodes: type_16;
 var<storage> b_nodes: type_16;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_29;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_11;
+@group(0) @binding(3) 
+var<storage> oriented: type_25;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_29;
 var<workgroup> shared_: array<atomic<u32>, 22>;
-@group(0) @binding(3) 
-var<storage> oriented: type_25;
 @group(0) @binding(5) 
 var<storage, read_write> nodes: type_29;
-@group(0) @binding(7) 
-var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_21;
     var phi_164_: array<u32, 2>;
-    var phi_242_: array<u32, 2>;
+    var phi_246_: array<u32, 2>;
     var phi_274_: array<u32, 2>;
     var phi_299_: bool;
     var phi_311_: bool;
@@ -262,8 +262,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2587_: array<u32, 2>;
     var phi_2599_: array<u32, 2>;
     var phi_2600_: array<u32, 2>;
-    var phi_2739_: type_12;
-    var phi_2744_: type_12;
+    var phi_2739_: type_9;
+    var phi_2744_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -298,27 +298,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e97 = b_nodes.member[_e83[1]];
         if ((((((_e94.member[0] <= _e97.member_2[0]) && (_e97.member[0] <= _e94.member_2[0])) && (_e94.member[1] <= _e97.member_2[1])) && (_e97.member[1] <= _e94.member_2[1])) && (_e94.member[2] <= _e97.member_2[2])) && (_e97.member[2] <= _e94.member_2[2])) {
             let _e127 = params.member.member_2.member;
-            if (_e127 == 0u) {
-                phi_242_ = array<u32, 2>(0u, 2u);
+            let _e131 = params.member.member_2.member;
+            if (_e131 == 0u) {
+                phi_246_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_242_ = array<u32, 2>(1u, 1u);
+                phi_246_ = array<u32, 2>(1u, 1u);
             }
-            let _e130 = phi_242_;
-            let _e136 = params.member.member.member_2[_e130[0]];
-            let _e140 = params.member.member.member_2[_e130[1]];
-            let _e143 = params.member.member_2.member;
-            let _e147 = params.member.member_2.member;
-            if (_e147 == 0u) {
+            let _e134 = phi_246_;
+            let _e140 = params.member.member.member[_e134[0]];
+            let _e141 = (_e140 - 1u);
+            let _e145 = params.member.member.member[_e134[1]];
+            let _e146 = (_e145 - 1u);
+            let _e149 = params.member.member_2.member;
+            if (_e149 == 0u) {
                 phi_274_ = array<u32, 2>(0u, 2u);
             } else {
                 phi_274_ = array<u32, 2>(1u, 1u);
             }
-            let _e150 = phi_274_;
-            let _e156 = params.member.member.member[_e150[0]];
-            let _e157 = (_e156 - 1u);
-            let _e161 = params.member.member.member[_e150[1]];
-            let _e162 = (_e161 - 1u);
-            if (_e143 == 1u) {
+            let _e152 = phi_274_;
+            let _e158 = params.member.member.member_2[_e152[0]];
+            let _e162 = params.member.member.member_2[_e152[1]];
+            if (_e127 == 1u) {
                 phi_299_ = (_e83[0] == _e83[1]);
             } else {
                 phi_299_ = false;
@@ -328,8 +328,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 phi_2508_ = bool();
                 phi_2509_ = true;
             } else {
-                if (_e83[0] >= _e157) {
-                    if (_e83[1] >= _e162) {
+                if (_e83[0] >= _e141) {
+                    if (_e83[1] >= _e146) {
                         phi_311_ = false;
                     } else {
                         phi_311_ = true;
@@ -341,8 +341,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e173 = phi_312_;
                 if _e173 {
-                    if (_e83[0] < _e157) {
-                        let _e253 = oriented.member[(_e136 + _e83[0])];
+                    if (_e83[0] < _e141) {
+                        let _e253 = oriented.member[(_e158 + _e83[0])];
                         phi_459_ = type_26(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e253.member.w, _e253.member_1.x, _e253.member_1.y), array<f32, 3>(_e253.member_1.z, _e253.member_1.w, _e253.member_2.x), array<f32, 3>(_e253.member_2.y, _e253.member_2.z, _e253.member_2.w)), array<f32, 3>(_e253.member_3.x, _e253.member_3.y, _e253.member_3.z));
                     } else {
                         let _e176 = a_nodes.member[_e83[0]];
@@ -414,8 +414,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_459_ = type_26(array<f32, 3>(_e209, _e213, _e217), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e233 * _e241) + _e245), ((_e236 * _e241) + _e245), ((_e239 * _e241) + _e245)));
                     }
                     let _e292 = phi_459_;
-                    if (_e83[1] < _e162) {
-                        let _e372 = oriented.member[(_e140 + _e83[1])];
+                    if (_e83[1] < _e146) {
+                        let _e372 = oriented.member[(_e162 + _e83[1])];
                         phi_603_ = type_26(array<f32, 3>(_e372.member.x, _e372.member.y, _e372.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e372.member.w, _e372.member_1.x, _e372.member_1.y), array<f32, 3>(_e372.member_1.z, _e372.member_1.w, _e372.member_2.x), array<f32, 3>(_e372.member_2.y, _e372.member_2.z, _e372.member_2.w)), array<f32, 3>(_e372.member_3.x, _e372.member_3.y, _e372.member_3.z));
                     } else {
                         let _e295 = b_nodes.member[_e83[1]];
@@ -1338,14 +1338,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e1706 = b_nodes.member[_e83[1]];
                 if (_e85.member == 1u) {
                     if (_e1702.member_1 < _e1706.member_1) {
-                        phi_2739_ = type_12(_e1702.member_1, _e1706.member_1);
+                        phi_2739_ = type_9(_e1702.member_1, _e1706.member_1);
                     } else {
-                        phi_2739_ = type_12(_e1706.member_1, _e1702.member_1);
+                        phi_2739_ = type_9(_e1706.member_1, _e1702.member_1);
                     }
                     let _e1715 = phi_2739_;
                     phi_2744_ = _e1715;
                 } else {
-                    phi_2744_ = type_12(_e1702.member_1, _e1706.member_1);
+                    phi_2744_ = type_9(_e1702.member_1, _e1706.member_1);
                 }
                 let _e1717 = phi_2744_;
                 let _e1721 = atomicLoad((&shared_[12u]));

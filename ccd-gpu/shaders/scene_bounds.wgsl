@@ -26,7 +26,7 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -74,20 +74,20 @@ struct type_26 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_17;
 @group(0) @binding(0) 
 var<storage> params: type_22;
+@group(0) @binding(1) 
+var<storage> boxes: type_17;
 @group(0) @binding(2) 
 var<storage, read_write> words: type_26;
 var<workgroup> shared_: array<type_19, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;
-    var phi_103_: type_10;
+    var phi_103_: type_9;
     var phi_106_: type_19;
-    var phi_104_: type_10;
-    var phi_129_: type_10;
+    var phi_104_: type_9;
+    var phi_129_: type_9;
     var phi_164_: f32;
     var phi_170_: f32;
     var phi_176_: f32;
@@ -113,9 +113,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_347_: f32;
     var phi_356_: f32;
     var phi_240_: u32;
-    var phi_401_: type_10;
-    var phi_402_: type_10;
-    var phi_425_: type_10;
+    var phi_401_: type_9;
+    var phi_402_: type_9;
+    var phi_425_: type_9;
     var phi_471_: u32;
     var phi_452_: u32;
     var phi_472_: u32;
@@ -130,7 +130,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e30 = n_2;
     let _e31 = lane_2;
     let _e44 = params.member.member_1.member;
-    phi_103_ = type_10(0u, 8u);
+    phi_103_ = type_9(0u, 8u);
     phi_106_ = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     loop {
         let _e46 = phi_103_;
@@ -140,11 +140,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_3 = _e48;
         local_4 = _e48;
         if (_e46.member < _e46.member_1) {
-            phi_104_ = type_10((_e46.member + 1u), _e46.member_1);
-            phi_129_ = type_10(1u, _e46.member);
+            phi_104_ = type_9((_e46.member + 1u), _e46.member_1);
+            phi_129_ = type_9(1u, _e46.member);
         } else {
             phi_104_ = _e46;
-            phi_129_ = type_10(0u, type_10().member_1);
+            phi_129_ = type_9(0u, type_9().member_1);
         }
         let _e60 = phi_104_;
         let _e62 = phi_129_;
@@ -302,15 +302,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     if (_e31 == 0u) {
-        phi_401_ = type_10(0u, 6u);
+        phi_401_ = type_9(0u, 6u);
         loop {
             let _e246 = phi_401_;
             if (_e246.member < _e246.member_1) {
-                phi_402_ = type_10((_e246.member + 1u), _e246.member_1);
-                phi_425_ = type_10(1u, _e246.member);
+                phi_402_ = type_9((_e246.member + 1u), _e246.member_1);
+                phi_425_ = type_9(1u, _e246.member);
             } else {
                 phi_402_ = _e246;
-                phi_425_ = type_10(0u, type_10().member_1);
+                phi_425_ = type_9(0u, type_9().member_1);
             }
             let _e258 = phi_402_;
             let _e260 = phi_425_;

@@ -26,31 +26,31 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_11 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_13 {
+struct type_10 {
     member: type_7,
     member_1: type_8,
-    member_2: type_11,
+    member_2: type_9,
 }
 
-struct type_14 {
-    member: type_13,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> keys: type_10;
+var<storage> keys: type_13;
 @group(0) @binding(2) 
-var<storage, read_write> table: type_10;
+var<storage, read_write> table: type_13;
 var<workgroup> counts: array<atomic<u32>, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
@@ -70,9 +70,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_352_: u32;
     var phi_371_: u32;
     var phi_390_: u32;
-    var phi_608_: type_11;
-    var phi_609_: type_11;
-    var phi_632_: type_11;
+    var phi_608_: type_9;
+    var phi_609_: type_9;
+    var phi_632_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -299,15 +299,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     workgroupBarrier();
     let _e369 = params.member.member_2.member_1;
     if (_e40 < _e369) {
-        phi_608_ = type_11(0u, 2u);
+        phi_608_ = type_9(0u, 2u);
         loop {
             let _e372 = phi_608_;
             if (_e372.member < _e372.member_1) {
-                phi_609_ = type_11((_e372.member + 1u), _e372.member_1);
-                phi_632_ = type_11(1u, _e372.member);
+                phi_609_ = type_9((_e372.member + 1u), _e372.member_1);
+                phi_632_ = type_9(1u, _e372.member);
             } else {
                 phi_609_ = _e372;
-                phi_632_ = type_11(0u, type_11().member_1);
+                phi_632_ = type_9(0u, type_9().member_1);
             }
             let _e384 = phi_609_;
             let _e386 = phi_632_;

@@ -26,210 +26,214 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_11 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_13 {
+struct type_10 {
     member: type_7,
     member_1: type_8,
-    member_2: type_11,
+    member_2: type_9,
 }
 
-struct type_14 {
-    member: type_13,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage, read_write> table: type_10;
+var<storage, read_write> table: type_13;
 var<workgroup> sums: array<u32, 512>;
 
-fn function_(id_1: vec3<u32>, lane_1: u32) {
-    var phi_77_: u32;
-    var phi_80_: type_11;
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_83_: u32;
-    var phi_81_: type_11;
-    var phi_106_: type_11;
-    var phi_132_: u32;
-    var phi_149_: u32;
-    var phi_166_: u32;
-    var phi_183_: u32;
-    var phi_190_: type_11;
-    var phi_193_: u32;
-    var phi_195_: u32;
-    var phi_197_: u32;
-    var phi_194_: u32;
-    var phi_191_: type_11;
-    var phi_220_: type_11;
-    var phi_236_: u32;
-    var phi_196_: u32;
-    var phi_198_: u32;
+    var phi_86_: type_9;
+    var phi_89_: u32;
+    var phi_87_: type_9;
+    var phi_112_: type_9;
+    var phi_138_: u32;
+    var phi_155_: u32;
+    var phi_172_: u32;
+    var phi_189_: u32;
+    var phi_196_: type_9;
+    var phi_199_: u32;
+    var phi_201_: u32;
+    var phi_203_: u32;
+    var phi_200_: u32;
+    var phi_197_: type_9;
+    var phi_226_: type_9;
+    var phi_242_: u32;
+    var phi_202_: u32;
+    var phi_204_: u32;
     var local: u32;
-    var phi_84_: u32;
+    var phi_90_: u32;
     var local_1: u32;
     var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
     var lane_2: u32;
 
     id_2 = id_1;
+    n_2 = n_1;
     lane_2 = lane_1;
-    let _e17 = id_2;
-    let _e18 = lane_2;
-    let _e23 = params.member.member_2.member_1;
-    let _e25 = (_e17.x * _e23);
-    let _e26 = (_e23 / 1024u);
-    if ((_e23 % 1024u) > 0u) {
-        phi_77_ = (_e26 + 1u);
+    let _e18 = id_2;
+    let _e19 = n_2;
+    let _e20 = lane_2;
+    let _e27 = ((_e18.y * _e19.x) + _e18.x);
+    let _e30 = params.member.member_2.member_1;
+    let _e31 = (_e27 * _e30);
+    let _e32 = (_e30 / 1024u);
+    if ((_e30 % 1024u) > 0u) {
+        phi_83_ = (_e32 + 1u);
     } else {
-        phi_77_ = _e26;
+        phi_83_ = _e32;
     }
-    let _e31 = phi_77_;
-    phi_80_ = type_11(0u, _e31);
-    phi_83_ = 0u;
+    let _e37 = phi_83_;
+    phi_86_ = type_9(0u, _e37);
+    phi_89_ = 0u;
     loop {
-        let _e34 = phi_80_;
-        let _e36 = phi_83_;
-        local_1 = _e36;
-        if (_e34.member < _e34.member_1) {
-            phi_81_ = type_11((_e34.member + 1u), _e34.member_1);
-            phi_106_ = type_11(1u, _e34.member);
+        let _e40 = phi_86_;
+        let _e42 = phi_89_;
+        local_1 = _e42;
+        if (_e40.member < _e40.member_1) {
+            phi_87_ = type_9((_e40.member + 1u), _e40.member_1);
+            phi_112_ = type_9(1u, _e40.member);
         } else {
-            phi_81_ = _e34;
-            phi_106_ = type_11(0u, type_11().member_1);
+            phi_87_ = _e40;
+            phi_112_ = type_9(0u, type_9().member_1);
         }
-        let _e48 = phi_81_;
-        let _e50 = phi_106_;
-        let _e54 = (bitcast<i32>(_e50.member) != 0i);
-        if _e54 {
-            let _e57 = ((_e50.member_1 * 1024u) + (4u * _e18));
-            if (_e57 < _e23) {
-                let _e61 = table.member[(_e25 + _e57)];
-                phi_132_ = _e61;
+        let _e54 = phi_87_;
+        let _e56 = phi_112_;
+        let _e60 = (bitcast<i32>(_e56.member) != 0i);
+        if _e60 {
+            let _e63 = ((_e56.member_1 * 1024u) + (4u * _e20));
+            if (_e63 < _e30) {
+                let _e67 = table.member[(_e31 + _e63)];
+                phi_138_ = _e67;
             } else {
-                phi_132_ = 0u;
+                phi_138_ = 0u;
             }
-            let _e63 = phi_132_;
-            let _e64 = (_e57 + 1u);
-            if (_e64 < _e23) {
-                let _e68 = table.member[(_e25 + _e64)];
-                phi_149_ = _e68;
+            let _e69 = phi_138_;
+            let _e70 = (_e63 + 1u);
+            if (_e70 < _e30) {
+                let _e74 = table.member[(_e31 + _e70)];
+                phi_155_ = _e74;
             } else {
-                phi_149_ = 0u;
+                phi_155_ = 0u;
             }
-            let _e70 = phi_149_;
-            let _e71 = (_e57 + 2u);
-            if (_e71 < _e23) {
-                let _e75 = table.member[(_e25 + _e71)];
-                phi_166_ = _e75;
+            let _e76 = phi_155_;
+            let _e77 = (_e63 + 2u);
+            if (_e77 < _e30) {
+                let _e81 = table.member[(_e31 + _e77)];
+                phi_172_ = _e81;
             } else {
-                phi_166_ = 0u;
+                phi_172_ = 0u;
             }
-            let _e77 = phi_166_;
-            let _e78 = (_e57 + 3u);
-            if (_e78 < _e23) {
-                let _e82 = table.member[(_e25 + _e78)];
-                phi_183_ = _e82;
+            let _e83 = phi_172_;
+            let _e84 = (_e63 + 3u);
+            if (_e84 < _e30) {
+                let _e88 = table.member[(_e31 + _e84)];
+                phi_189_ = _e88;
             } else {
-                phi_183_ = 0u;
+                phi_189_ = 0u;
             }
-            let _e84 = phi_183_;
-            let _e87 = (((_e63 + _e70) + _e77) + _e84);
-            sums[_e18] = _e87;
-            phi_190_ = type_11(0u, 8u);
-            phi_193_ = 0u;
-            phi_195_ = 1u;
-            phi_197_ = _e87;
-            phi_194_ = 256u;
+            let _e90 = phi_189_;
+            let _e93 = (((_e69 + _e76) + _e83) + _e90);
+            sums[_e20] = _e93;
+            phi_196_ = type_9(0u, 8u);
+            phi_199_ = 0u;
+            phi_201_ = 1u;
+            phi_203_ = _e93;
+            phi_200_ = 256u;
             loop {
-                let _e90 = phi_190_;
-                let _e92 = phi_193_;
-                let _e94 = phi_195_;
-                let _e96 = phi_197_;
-                let _e98 = phi_194_;
-                local = _e96;
-                if (_e90.member < _e90.member_1) {
-                    phi_191_ = type_11((_e90.member + 1u), _e90.member_1);
-                    phi_220_ = type_11(1u, _e90.member);
+                let _e96 = phi_196_;
+                let _e98 = phi_199_;
+                let _e100 = phi_201_;
+                let _e102 = phi_203_;
+                let _e104 = phi_200_;
+                local = _e102;
+                if (_e96.member < _e96.member_1) {
+                    phi_197_ = type_9((_e96.member + 1u), _e96.member_1);
+                    phi_226_ = type_9(1u, _e96.member);
                 } else {
-                    phi_191_ = _e90;
-                    phi_220_ = type_11(0u, type_11().member_1);
+                    phi_197_ = _e96;
+                    phi_226_ = type_9(0u, type_9().member_1);
                 }
-                let _e110 = phi_191_;
-                let _e112 = phi_220_;
-                let _e115 = (bitcast<i32>(_e112.member) != 0i);
-                if _e115 {
+                let _e116 = phi_197_;
+                let _e118 = phi_226_;
+                let _e121 = (bitcast<i32>(_e118.member) != 0i);
+                if _e121 {
                     workgroupBarrier();
-                    if (_e18 >= _e94) {
-                        let _e120 = sums[((_e92 + _e18) - _e94)];
-                        phi_236_ = (_e96 + _e120);
+                    if (_e20 >= _e100) {
+                        let _e126 = sums[((_e98 + _e20) - _e100)];
+                        phi_242_ = (_e102 + _e126);
                     } else {
-                        phi_236_ = _e96;
+                        phi_242_ = _e102;
                     }
-                    let _e123 = phi_236_;
-                    sums[(_e98 + _e18)] = _e123;
-                    phi_196_ = (_e94 * 2u);
-                    phi_198_ = _e123;
+                    let _e129 = phi_242_;
+                    sums[(_e104 + _e20)] = _e129;
+                    phi_202_ = (_e100 * 2u);
+                    phi_204_ = _e129;
                 } else {
-                    phi_196_ = u32();
-                    phi_198_ = u32();
+                    phi_202_ = u32();
+                    phi_204_ = u32();
                 }
-                let _e128 = phi_196_;
-                let _e130 = phi_198_;
+                let _e134 = phi_202_;
+                let _e136 = phi_204_;
                 continue;
                 continuing {
-                    phi_190_ = _e110;
-                    phi_193_ = _e98;
-                    phi_195_ = _e128;
-                    phi_197_ = _e130;
-                    phi_194_ = _e92;
-                    break if !(_e115);
+                    phi_196_ = _e116;
+                    phi_199_ = _e104;
+                    phi_201_ = _e134;
+                    phi_203_ = _e136;
+                    phi_200_ = _e98;
+                    break if !(_e121);
                 }
             }
             workgroupBarrier();
-            let _e133 = local;
-            let _e135 = ((_e36 + _e133) - _e87);
-            if (_e57 < _e23) {
-                table.member[(_e25 + _e57)] = _e135;
+            let _e139 = local;
+            let _e141 = ((_e42 + _e139) - _e93);
+            if (_e63 < _e30) {
+                table.member[(_e31 + _e63)] = _e141;
             }
-            let _e139 = (_e135 + _e63);
-            if ((_e57 + 1u) < _e23) {
-                table.member[((_e25 + _e57) + 1u)] = _e139;
+            let _e145 = (_e141 + _e69);
+            if ((_e63 + 1u) < _e30) {
+                table.member[((_e31 + _e63) + 1u)] = _e145;
             }
-            let _e145 = (_e139 + _e70);
-            if ((_e57 + 2u) < _e23) {
-                table.member[((_e25 + _e57) + 2u)] = _e145;
+            let _e151 = (_e145 + _e76);
+            if ((_e63 + 2u) < _e30) {
+                table.member[((_e31 + _e63) + 2u)] = _e151;
             }
-            if ((_e57 + 3u) < _e23) {
-                table.member[((_e25 + _e57) + 3u)] = (_e145 + _e77);
+            if ((_e63 + 3u) < _e30) {
+                table.member[((_e31 + _e63) + 3u)] = (_e151 + _e83);
             }
-            let _e158 = sums[255u];
+            let _e164 = sums[255u];
             workgroupBarrier();
-            phi_84_ = (_e36 + _e158);
+            phi_90_ = (_e42 + _e164);
         } else {
-            phi_84_ = u32();
+            phi_90_ = u32();
         }
-        let _e161 = phi_84_;
+        let _e167 = phi_90_;
         continue;
         continuing {
-            phi_80_ = _e48;
-            phi_83_ = _e161;
-            break if !(_e54);
+            phi_86_ = _e54;
+            phi_89_ = _e167;
+            break if !(_e60);
         }
     }
-    if (_e18 == 0u) {
-        let _e169 = local_1;
-        table.member[((256u * _e23) + _e17.x)] = _e169;
+    if (_e20 == 0u) {
+        let _e174 = local_1;
+        table.member[((256u * _e30) + _e27)] = _e174;
     }
     return;
 }
 
 @compute @workgroup_size(256, 1, 1) 
-fn sort_scan(@builtin(workgroup_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, lane);
+fn sort_scan(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    function_(id, n, lane);
 }

@@ -26,37 +26,37 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_11 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_14 {
+struct type_10 {
     member: type_7,
     member_1: type_8,
-    member_2: type_11,
+    member_2: type_9,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> table: type_10;
+var<storage> table: type_13;
 @group(0) @binding(2) 
-var<storage> keys: type_10;
+var<storage> keys: type_13;
 @group(0) @binding(3) 
-var<storage> values: type_10;
+var<storage> values: type_13;
 @group(0) @binding(4) 
-var<storage, read_write> keys_out: type_10;
+var<storage, read_write> keys_out: type_13;
 @group(0) @binding(5) 
-var<storage, read_write> values_out: type_10;
+var<storage, read_write> values_out: type_13;
 var<workgroup> words: array<atomic<u32>, 2048>;
 var<workgroup> counts: array<atomic<u32>, 1024>;
 var<workgroup> starts: array<u32, 256>;
@@ -94,57 +94,57 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_808_: u32;
     var phi_832_: u32;
     var phi_855_: u32;
-    var phi_858_: type_11;
-    var phi_859_: type_11;
-    var phi_882_: type_11;
-    var phi_1647_: type_11;
+    var phi_858_: type_9;
+    var phi_859_: type_9;
+    var phi_882_: type_9;
+    var phi_1647_: type_9;
     var phi_1650_: u32;
     var phi_1652_: u32;
-    var phi_1648_: type_11;
-    var phi_1675_: type_11;
-    var phi_1687_: type_11;
+    var phi_1648_: type_9;
+    var phi_1675_: type_9;
+    var phi_1687_: type_9;
     var phi_1690_: u32;
-    var phi_1688_: type_11;
-    var phi_1713_: type_11;
+    var phi_1688_: type_9;
+    var phi_1713_: type_9;
     var phi_1691_: u32;
     var phi_1651_: u32;
     var phi_1653_: u32;
     var local: u32;
-    var phi_1742_: type_11;
+    var phi_1742_: type_9;
     var phi_1745_: u32;
     var phi_1747_: u32;
     var phi_1749_: u32;
     var phi_1746_: u32;
-    var phi_1743_: type_11;
-    var phi_1772_: type_11;
+    var phi_1743_: type_9;
+    var phi_1772_: type_9;
     var phi_1788_: u32;
     var phi_1748_: u32;
     var phi_1750_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1796_: type_11;
+    var phi_1796_: type_9;
     var phi_1799_: u32;
     var phi_1801_: u32;
     var phi_1803_: u32;
     var phi_1800_: u32;
-    var phi_1797_: type_11;
-    var phi_1826_: type_11;
+    var phi_1797_: type_9;
+    var phi_1826_: type_9;
     var phi_1842_: u32;
     var phi_1802_: u32;
     var phi_1804_: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1849_: type_11;
+    var phi_1849_: type_9;
     var phi_1852_: u32;
     var phi_1854_: u32;
-    var phi_1850_: type_11;
-    var phi_1877_: type_11;
+    var phi_1850_: type_9;
+    var phi_1877_: type_9;
     var phi_1903_: u32;
-    var phi_1922_: type_11;
+    var phi_1922_: type_9;
     var phi_1925_: u32;
-    var phi_1923_: type_11;
-    var phi_1948_: type_11;
+    var phi_1923_: type_9;
+    var phi_1948_: type_9;
     var phi_1926_: u32;
     var phi_1853_: u32;
     var phi_1855_: u32;
@@ -455,15 +455,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_855_ = 0u;
     }
     let _e459 = phi_855_;
-    phi_858_ = type_11(0u, 8u);
+    phi_858_ = type_9(0u, 8u);
     loop {
         let _e461 = phi_858_;
         if (_e461.member < _e461.member_1) {
-            phi_859_ = type_11((_e461.member + 1u), _e461.member_1);
-            phi_882_ = type_11(1u, _e461.member);
+            phi_859_ = type_9((_e461.member + 1u), _e461.member_1);
+            phi_882_ = type_9(1u, _e461.member);
         } else {
             phi_859_ = _e461;
-            phi_882_ = type_11(0u, type_11().member_1);
+            phi_882_ = type_9(0u, type_9().member_1);
         }
         let _e473 = phi_859_;
         let _e475 = phi_882_;
@@ -752,7 +752,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     workgroupBarrier();
-    phi_1647_ = type_11(0u, 2u);
+    phi_1647_ = type_9(0u, 2u);
     phi_1650_ = 0u;
     phi_1652_ = 0u;
     loop {
@@ -766,29 +766,29 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_8 = _e1126;
         local_5 = _e1126;
         if (_e1124.member < _e1124.member_1) {
-            phi_1648_ = type_11((_e1124.member + 1u), _e1124.member_1);
-            phi_1675_ = type_11(1u, _e1124.member);
+            phi_1648_ = type_9((_e1124.member + 1u), _e1124.member_1);
+            phi_1675_ = type_9(1u, _e1124.member);
         } else {
             phi_1648_ = _e1124;
-            phi_1675_ = type_11(0u, type_11().member_1);
+            phi_1675_ = type_9(0u, type_9().member_1);
         }
         let _e1140 = phi_1648_;
         let _e1142 = phi_1675_;
         let _e1146 = (bitcast<i32>(_e1142.member) != 0i);
         if _e1146 {
             let _e1148 = ((2u * _e54) + _e1142.member_1);
-            phi_1687_ = type_11(0u, 4u);
+            phi_1687_ = type_9(0u, 4u);
             phi_1690_ = _e1128;
             loop {
                 let _e1150 = phi_1687_;
                 let _e1152 = phi_1690_;
                 local_6 = _e1152;
                 if (_e1150.member < _e1150.member_1) {
-                    phi_1688_ = type_11((_e1150.member + 1u), _e1150.member_1);
-                    phi_1713_ = type_11(1u, _e1150.member);
+                    phi_1688_ = type_9((_e1150.member + 1u), _e1150.member_1);
+                    phi_1713_ = type_9(1u, _e1150.member);
                 } else {
                     phi_1688_ = _e1150;
-                    phi_1713_ = type_11(0u, type_11().member_1);
+                    phi_1713_ = type_9(0u, type_9().member_1);
                 }
                 let _e1164 = phi_1688_;
                 let _e1166 = phi_1713_;
@@ -827,7 +827,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     let _e1191 = local;
     atomicStore((&words[_e54]), _e1191);
-    phi_1742_ = type_11(0u, 7u);
+    phi_1742_ = type_9(0u, 7u);
     phi_1745_ = 0u;
     phi_1747_ = 1u;
     let _e2766 = local_7;
@@ -841,11 +841,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e1201 = phi_1746_;
         local_1 = _e1199;
         if (_e1193.member < _e1193.member_1) {
-            phi_1743_ = type_11((_e1193.member + 1u), _e1193.member_1);
-            phi_1772_ = type_11(1u, _e1193.member);
+            phi_1743_ = type_9((_e1193.member + 1u), _e1193.member_1);
+            phi_1772_ = type_9(1u, _e1193.member);
         } else {
             phi_1743_ = _e1193;
-            phi_1772_ = type_11(0u, type_11().member_1);
+            phi_1772_ = type_9(0u, type_9().member_1);
         }
         let _e1213 = phi_1743_;
         let _e1215 = phi_1772_;
@@ -883,7 +883,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e1238 = local_2;
     let _e1242 = local_3;
     atomicStore((&words[_e54]), _e1242);
-    phi_1796_ = type_11(0u, 7u);
+    phi_1796_ = type_9(0u, 7u);
     phi_1799_ = 0u;
     phi_1801_ = 1u;
     let _e2781 = local_8;
@@ -897,11 +897,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e1252 = phi_1800_;
         local_4 = _e1250;
         if (_e1244.member < _e1244.member_1) {
-            phi_1797_ = type_11((_e1244.member + 1u), _e1244.member_1);
-            phi_1826_ = type_11(1u, _e1244.member);
+            phi_1797_ = type_9((_e1244.member + 1u), _e1244.member_1);
+            phi_1826_ = type_9(1u, _e1244.member);
         } else {
             phi_1797_ = _e1244;
-            phi_1826_ = type_11(0u, type_11().member_1);
+            phi_1826_ = type_9(0u, type_9().member_1);
         }
         let _e1264 = phi_1797_;
         let _e1266 = phi_1826_;
@@ -937,7 +937,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     workgroupBarrier();
     let _e1287 = local_4;
     let _e1289 = local_5;
-    phi_1849_ = type_11(0u, 2u);
+    phi_1849_ = type_9(0u, 2u);
     phi_1852_ = (_e1287 - _e1289);
     phi_1854_ = (_e1236 - _e1238);
     loop {
@@ -945,11 +945,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e1294 = phi_1852_;
         let _e1296 = phi_1854_;
         if (_e1292.member < _e1292.member_1) {
-            phi_1850_ = type_11((_e1292.member + 1u), _e1292.member_1);
-            phi_1877_ = type_11(1u, _e1292.member);
+            phi_1850_ = type_9((_e1292.member + 1u), _e1292.member_1);
+            phi_1877_ = type_9(1u, _e1292.member);
         } else {
             phi_1850_ = _e1292;
-            phi_1877_ = type_11(0u, type_11().member_1);
+            phi_1877_ = type_9(0u, type_9().member_1);
         }
         let _e1308 = phi_1850_;
         let _e1310 = phi_1877_;
@@ -965,18 +965,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e1323 = phi_1903_;
             starts[_e1316] = ((_e1294 + _e1323) - _e1296);
             let _e1330 = table.member[((256u * _e76) + _e1316)];
-            phi_1922_ = type_11(0u, 4u);
+            phi_1922_ = type_9(0u, 4u);
             phi_1925_ = _e1296;
             loop {
                 let _e1333 = phi_1922_;
                 let _e1335 = phi_1925_;
                 local_9 = _e1335;
                 if (_e1333.member < _e1333.member_1) {
-                    phi_1923_ = type_11((_e1333.member + 1u), _e1333.member_1);
-                    phi_1948_ = type_11(1u, _e1333.member);
+                    phi_1923_ = type_9((_e1333.member + 1u), _e1333.member_1);
+                    phi_1948_ = type_9(1u, _e1333.member);
                 } else {
                     phi_1923_ = _e1333;
-                    phi_1948_ = type_11(0u, type_11().member_1);
+                    phi_1948_ = type_9(0u, type_9().member_1);
                 }
                 let _e1347 = phi_1923_;
                 let _e1349 = phi_1948_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_17 {
@@ -58,20 +58,20 @@ struct type_20 {
 }
 
 @group(0) @binding(1) 
-var<storage> keys: type_10;
+var<storage> keys: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_20;
 var<workgroup> begins: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> levels: type_10;
+var<storage> levels: type_11;
 @group(0) @binding(3) 
-var<storage> present: type_10;
+var<storage> present: type_11;
 @group(0) @binding(4) 
-var<storage> table: type_10;
+var<storage> table: type_11;
 @group(0) @binding(5) 
-var<storage> entries: type_10;
+var<storage> entries: type_11;
 @group(0) @binding(6) 
-var<storage> list: type_10;
+var<storage> list: type_11;
 @group(0) @binding(7) 
 var<storage, read_write> branches: type_17;
 
@@ -79,16 +79,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var phi_125_: u32;
     var phi_130_: u32;
-    var phi_133_: type_12;
+    var phi_133_: type_9;
     var phi_136_: u32;
-    var phi_134_: type_12;
-    var phi_159_: type_12;
+    var phi_134_: type_9;
+    var phi_159_: type_9;
     var phi_137_: u32;
     var local_1: u32;
-    var phi_249_: type_12;
+    var phi_249_: type_9;
     var phi_252_: u32;
-    var phi_250_: type_12;
-    var phi_275_: type_12;
+    var phi_250_: type_9;
+    var phi_275_: type_9;
     var phi_297_: u32;
     var phi_298_: u32;
     var phi_253_: u32;
@@ -183,18 +183,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_130_ = _e33;
     }
     let _e65 = phi_130_;
-    phi_133_ = type_12(0u, _e65);
+    phi_133_ = type_9(0u, _e65);
     phi_136_ = 0u;
     loop {
         let _e68 = phi_133_;
         let _e70 = phi_136_;
         local_1 = _e70;
         if (_e68.member < _e68.member_1) {
-            phi_134_ = type_12((_e68.member + 1u), _e68.member_1);
-            phi_159_ = type_12(1u, _e68.member);
+            phi_134_ = type_9((_e68.member + 1u), _e68.member_1);
+            phi_159_ = type_9(1u, _e68.member);
         } else {
             phi_134_ = _e68;
-            phi_159_ = type_12(0u, type_12().member_1);
+            phi_159_ = type_9(0u, type_9().member_1);
         }
         let _e82 = phi_134_;
         let _e84 = phi_159_;
@@ -226,7 +226,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e112 = present.member[1u];
             let _e114 = present.member[2u];
             local = array<u32, 3>(_e110, _e112, _e114);
-            phi_249_ = type_12(0u, 3u);
+            phi_249_ = type_9(0u, 3u);
             phi_252_ = 0u;
             loop {
                 let _e117 = phi_249_;
@@ -234,11 +234,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 local_2 = _e119;
                 local_3 = _e119;
                 if (_e117.member < _e117.member_1) {
-                    phi_250_ = type_12((_e117.member + 1u), _e117.member_1);
-                    phi_275_ = type_12(1u, _e117.member);
+                    phi_250_ = type_9((_e117.member + 1u), _e117.member_1);
+                    phi_275_ = type_9(1u, _e117.member);
                 } else {
                     phi_250_ = _e117;
-                    phi_275_ = type_12(0u, type_12().member_1);
+                    phi_275_ = type_9(0u, type_9().member_1);
                 }
                 let _e131 = phi_250_;
                 let _e133 = phi_275_;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_13 {
@@ -57,11 +57,11 @@ var<workgroup> counts: array<atomic<u32>, 256>;
 @group(0) @binding(0) 
 var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> levels: type_10;
+var<storage> levels: type_11;
 @group(0) @binding(2) 
-var<storage> present: type_10;
+var<storage> present: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> table: type_10;
+var<storage, read_write> table: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
@@ -70,26 +70,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_154_: u32;
     var phi_175_: u32;
     var phi_176_: u32;
-    var phi_193_: type_11;
+    var phi_193_: type_9;
     var phi_196_: u32;
-    var phi_194_: type_11;
-    var phi_219_: type_11;
+    var phi_194_: type_9;
+    var phi_219_: type_9;
     var phi_241_: u32;
     var phi_242_: u32;
     var phi_197_: u32;
-    var phi_259_: type_11;
+    var phi_259_: type_9;
     var phi_262_: u32;
-    var phi_260_: type_11;
-    var phi_285_: type_11;
+    var phi_260_: type_9;
+    var phi_285_: type_9;
     var phi_307_: u32;
     var phi_308_: u32;
     var phi_263_: u32;
     var local_2: u32;
     var local_3: u32;
     var phi_320_: array<u32, 2>;
-    var phi_326_: type_11;
-    var phi_327_: type_11;
-    var phi_350_: type_11;
+    var phi_326_: type_9;
+    var phi_327_: type_9;
+    var phi_350_: type_9;
     var phi_375_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -141,18 +141,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e72 = phi_176_;
         let _e74 = levels.member[_e44];
         local_1 = array<u32, 3>(_e47, _e49, _e51);
-        phi_193_ = type_11(0u, 3u);
+        phi_193_ = type_9(0u, 3u);
         phi_196_ = 0u;
         loop {
             let _e77 = phi_193_;
             let _e79 = phi_196_;
             local_2 = _e79;
             if (_e77.member < _e77.member_1) {
-                phi_194_ = type_11((_e77.member + 1u), _e77.member_1);
-                phi_219_ = type_11(1u, _e77.member);
+                phi_194_ = type_9((_e77.member + 1u), _e77.member_1);
+                phi_219_ = type_9(1u, _e77.member);
             } else {
                 phi_194_ = _e77;
-                phi_219_ = type_11(0u, type_11().member_1);
+                phi_219_ = type_9(0u, type_9().member_1);
             }
             let _e91 = phi_194_;
             let _e93 = phi_219_;
@@ -185,18 +185,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         local = array<u32, 3>(_e47, _e49, _e51);
-        phi_259_ = type_11(0u, 3u);
+        phi_259_ = type_9(0u, 3u);
         phi_262_ = 0u;
         loop {
             let _e121 = phi_259_;
             let _e123 = phi_262_;
             local_3 = _e123;
             if (_e121.member < _e121.member_1) {
-                phi_260_ = type_11((_e121.member + 1u), _e121.member_1);
-                phi_285_ = type_11(1u, _e121.member);
+                phi_260_ = type_9((_e121.member + 1u), _e121.member_1);
+                phi_285_ = type_9(1u, _e121.member);
             } else {
                 phi_260_ = _e121;
-                phi_285_ = type_11(0u, type_11().member_1);
+                phi_285_ = type_9(0u, type_9().member_1);
             }
             let _e135 = phi_260_;
             let _e137 = phi_285_;
@@ -235,15 +235,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_320_ = array<u32, 2>(1u, 0u);
     }
     let _e169 = phi_320_;
-    phi_326_ = type_11(_e169[0], (_e169[1] + 1u));
+    phi_326_ = type_9(_e169[0], (_e169[1] + 1u));
     loop {
         let _e175 = phi_326_;
         if (_e175.member < _e175.member_1) {
-            phi_327_ = type_11((_e175.member + 1u), _e175.member_1);
-            phi_350_ = type_11(1u, _e175.member);
+            phi_327_ = type_9((_e175.member + 1u), _e175.member_1);
+            phi_350_ = type_9(1u, _e175.member);
         } else {
             phi_327_ = _e175;
-            phi_350_ = type_11(0u, type_11().member_1);
+            phi_350_ = type_9(0u, type_9().member_1);
         }
         let _e187 = phi_327_;
         let _e189 = phi_350_;

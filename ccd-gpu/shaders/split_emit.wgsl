@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -56,15 +56,15 @@ struct type_16 {
 @group(0) @binding(0) 
 var<storage> params: type_16;
 @group(0) @binding(1) 
-var<storage> levels: type_10;
+var<storage> levels: type_11;
 @group(0) @binding(2) 
-var<storage> present: type_10;
+var<storage> present: type_11;
 @group(0) @binding(3) 
-var<storage> table: type_10;
+var<storage> table: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> entries: type_10;
+var<storage, read_write> entries: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_10;
+var<storage, read_write> list: type_11;
 var<workgroup> masks: array<atomic<u32>, 768>;
 var<workgroup> begins: array<u32, 256>;
 
@@ -72,47 +72,47 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: array<u32, 3>;
     var phi_112_: u32;
-    var phi_117_: type_11;
-    var phi_118_: type_11;
-    var phi_141_: type_11;
+    var phi_117_: type_9;
+    var phi_118_: type_9;
+    var phi_141_: type_9;
     var phi_156_: u32;
-    var phi_159_: type_11;
+    var phi_159_: type_9;
     var phi_162_: u32;
-    var phi_160_: type_11;
-    var phi_185_: type_11;
+    var phi_160_: type_9;
+    var phi_185_: type_9;
     var phi_163_: u32;
     var local_2: u32;
     var phi_272_: u32;
     var phi_273_: u32;
     var phi_294_: u32;
     var phi_295_: u32;
-    var phi_312_: type_11;
+    var phi_312_: type_9;
     var phi_315_: u32;
-    var phi_313_: type_11;
-    var phi_338_: type_11;
+    var phi_313_: type_9;
+    var phi_338_: type_9;
     var phi_360_: u32;
     var phi_361_: u32;
     var phi_316_: u32;
-    var phi_378_: type_11;
+    var phi_378_: type_9;
     var phi_381_: u32;
-    var phi_379_: type_11;
-    var phi_404_: type_11;
+    var phi_379_: type_9;
+    var phi_404_: type_9;
     var phi_426_: u32;
     var phi_427_: u32;
     var phi_382_: u32;
     var local_3: u32;
     var local_4: u32;
     var phi_439_: array<u32, 2>;
-    var phi_445_: type_11;
-    var phi_446_: type_11;
-    var phi_469_: type_11;
-    var phi_488_: type_11;
-    var phi_489_: type_11;
-    var phi_512_: type_11;
-    var phi_538_: type_11;
+    var phi_445_: type_9;
+    var phi_446_: type_9;
+    var phi_469_: type_9;
+    var phi_488_: type_9;
+    var phi_489_: type_9;
+    var phi_512_: type_9;
+    var phi_538_: type_9;
     var phi_541_: u32;
-    var phi_539_: type_11;
-    var phi_564_: type_11;
+    var phi_539_: type_9;
+    var phi_564_: type_9;
     var phi_542_: u32;
     var local_5: u32;
     var id_2: vec3<u32>;
@@ -137,15 +137,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     let _e55 = phi_112_;
     let _e57 = ((_e41 * 256u) + _e30);
-    phi_117_ = type_11(0u, 3u);
+    phi_117_ = type_9(0u, 3u);
     loop {
         let _e59 = phi_117_;
         if (_e59.member < _e59.member_1) {
-            phi_118_ = type_11((_e59.member + 1u), _e59.member_1);
-            phi_141_ = type_11(1u, _e59.member);
+            phi_118_ = type_9((_e59.member + 1u), _e59.member_1);
+            phi_141_ = type_9(1u, _e59.member);
         } else {
             phi_118_ = _e59;
-            phi_141_ = type_11(0u, type_11().member_1);
+            phi_141_ = type_9(0u, type_9().member_1);
         }
         let _e71 = phi_118_;
         let _e73 = phi_141_;
@@ -165,18 +165,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_156_ = _e30;
     }
     let _e84 = phi_156_;
-    phi_159_ = type_11(0u, _e84);
+    phi_159_ = type_9(0u, _e84);
     phi_162_ = 0u;
     loop {
         let _e87 = phi_159_;
         let _e89 = phi_162_;
         local_2 = _e89;
         if (_e87.member < _e87.member_1) {
-            phi_160_ = type_11((_e87.member + 1u), _e87.member_1);
-            phi_185_ = type_11(1u, _e87.member);
+            phi_160_ = type_9((_e87.member + 1u), _e87.member_1);
+            phi_185_ = type_9(1u, _e87.member);
         } else {
             phi_160_ = _e87;
-            phi_185_ = type_11(0u, type_11().member_1);
+            phi_185_ = type_9(0u, type_9().member_1);
         }
         let _e101 = phi_160_;
         let _e103 = phi_185_;
@@ -231,18 +231,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e146 = phi_295_;
         let _e148 = levels.member[_e57];
         local_1 = array<u32, 3>(_e121, _e123, _e125);
-        phi_312_ = type_11(0u, 3u);
+        phi_312_ = type_9(0u, 3u);
         phi_315_ = 0u;
         loop {
             let _e151 = phi_312_;
             let _e153 = phi_315_;
             local_3 = _e153;
             if (_e151.member < _e151.member_1) {
-                phi_313_ = type_11((_e151.member + 1u), _e151.member_1);
-                phi_338_ = type_11(1u, _e151.member);
+                phi_313_ = type_9((_e151.member + 1u), _e151.member_1);
+                phi_338_ = type_9(1u, _e151.member);
             } else {
                 phi_313_ = _e151;
-                phi_338_ = type_11(0u, type_11().member_1);
+                phi_338_ = type_9(0u, type_9().member_1);
             }
             let _e165 = phi_313_;
             let _e167 = phi_338_;
@@ -275,18 +275,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         local = array<u32, 3>(_e121, _e123, _e125);
-        phi_378_ = type_11(0u, 3u);
+        phi_378_ = type_9(0u, 3u);
         phi_381_ = 0u;
         loop {
             let _e195 = phi_378_;
             let _e197 = phi_381_;
             local_4 = _e197;
             if (_e195.member < _e195.member_1) {
-                phi_379_ = type_11((_e195.member + 1u), _e195.member_1);
-                phi_404_ = type_11(1u, _e195.member);
+                phi_379_ = type_9((_e195.member + 1u), _e195.member_1);
+                phi_404_ = type_9(1u, _e195.member);
             } else {
                 phi_379_ = _e195;
-                phi_404_ = type_11(0u, type_11().member_1);
+                phi_404_ = type_9(0u, type_9().member_1);
             }
             let _e209 = phi_379_;
             let _e211 = phi_404_;
@@ -325,15 +325,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_439_ = array<u32, 2>(1u, 0u);
     }
     let _e243 = phi_439_;
-    phi_445_ = type_11(_e243[0], (_e243[1] + 1u));
+    phi_445_ = type_9(_e243[0], (_e243[1] + 1u));
     loop {
         let _e249 = phi_445_;
         if (_e249.member < _e249.member_1) {
-            phi_446_ = type_11((_e249.member + 1u), _e249.member_1);
-            phi_469_ = type_11(1u, _e249.member);
+            phi_446_ = type_9((_e249.member + 1u), _e249.member_1);
+            phi_469_ = type_9(1u, _e249.member);
         } else {
             phi_446_ = _e249;
-            phi_469_ = type_11(0u, type_11().member_1);
+            phi_469_ = type_9(0u, type_9().member_1);
         }
         let _e261 = phi_446_;
         let _e263 = phi_469_;
@@ -348,15 +348,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     workgroupBarrier();
-    phi_488_ = type_11(_e243[0], (_e243[1] + 1u));
+    phi_488_ = type_9(_e243[0], (_e243[1] + 1u));
     loop {
         let _e281 = phi_488_;
         if (_e281.member < _e281.member_1) {
-            phi_489_ = type_11((_e281.member + 1u), _e281.member_1);
-            phi_512_ = type_11(1u, _e281.member);
+            phi_489_ = type_9((_e281.member + 1u), _e281.member_1);
+            phi_512_ = type_9(1u, _e281.member);
         } else {
             phi_489_ = _e281;
-            phi_512_ = type_11(0u, type_11().member_1);
+            phi_512_ = type_9(0u, type_9().member_1);
         }
         let _e293 = phi_489_;
         let _e295 = phi_512_;
@@ -364,18 +364,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if _e299 {
             let _e301 = begins[_e295.member_1];
             let _e305 = table.member[((_e295.member_1 * _e55) + _e41)];
-            phi_538_ = type_11(0u, (_e30 / 32u));
+            phi_538_ = type_9(0u, (_e30 / 32u));
             phi_541_ = (_e301 + _e305);
             loop {
                 let _e310 = phi_538_;
                 let _e312 = phi_541_;
                 local_5 = _e312;
                 if (_e310.member < _e310.member_1) {
-                    phi_539_ = type_11((_e310.member + 1u), _e310.member_1);
-                    phi_564_ = type_11(1u, _e310.member);
+                    phi_539_ = type_9((_e310.member + 1u), _e310.member_1);
+                    phi_564_ = type_9(1u, _e310.member);
                 } else {
                     phi_539_ = _e310;
-                    phi_564_ = type_11(0u, type_11().member_1);
+                    phi_564_ = type_9(0u, type_9().member_1);
                 }
                 let _e324 = phi_539_;
                 let _e326 = phi_564_;

@@ -26,13 +26,13 @@ struct type_7 {
     member_3: u32,
 }
 
-struct type_9 {
-    member: array<u32>,
-}
-
-struct type_11 {
+struct type_8 {
     member: u32,
     member_1: u32,
+}
+
+struct type_10 {
+    member: array<u32>,
 }
 
 struct type_13 {
@@ -79,7 +79,7 @@ var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> boxes: type_18;
 @group(0) @binding(2) 
-var<storage, read_write> survey: type_9;
+var<storage, read_write> survey: type_10;
 var<workgroup> shared_: array<type_22, 256>;
 
 fn function_(lane_1: u32) {
@@ -91,61 +91,61 @@ fn function_(lane_1: u32) {
     var local_5: type_22;
     var local_6: type_22;
     var local_7: type_22;
-    var phi_102_: type_11;
-    var phi_103_: type_11;
-    var phi_126_: type_11;
-    var phi_164_: type_11;
-    var phi_165_: type_11;
-    var phi_188_: type_11;
-    var phi_219_: type_11;
-    var phi_220_: type_11;
-    var phi_243_: type_11;
-    var phi_287_: type_11;
-    var phi_288_: type_11;
-    var phi_311_: type_11;
-    var phi_340_: type_11;
-    var phi_341_: type_11;
-    var phi_364_: type_11;
-    var phi_395_: type_11;
-    var phi_396_: type_11;
-    var phi_419_: type_11;
-    var phi_515_: type_11;
-    var phi_516_: type_11;
-    var phi_539_: type_11;
-    var phi_664_: type_13;
-    var phi_667_: u32;
-    var phi_688_: bool;
-    var phi_694_: type_14;
-    var phi_665_: type_13;
-    var phi_708_: type_14;
-    var phi_765_: type_11;
-    var phi_766_: type_11;
-    var phi_789_: type_11;
-    var phi_668_: u32;
-    var phi_939_: u32;
-    var phi_934_: u32;
+    var phi_108_: type_8;
+    var phi_109_: type_8;
+    var phi_132_: type_8;
+    var phi_170_: type_8;
+    var phi_171_: type_8;
+    var phi_194_: type_8;
+    var phi_225_: type_8;
+    var phi_226_: type_8;
+    var phi_249_: type_8;
+    var phi_293_: type_8;
+    var phi_294_: type_8;
+    var phi_317_: type_8;
+    var phi_346_: type_8;
+    var phi_347_: type_8;
+    var phi_370_: type_8;
+    var phi_401_: type_8;
+    var phi_402_: type_8;
+    var phi_425_: type_8;
+    var phi_521_: type_8;
+    var phi_522_: type_8;
+    var phi_545_: type_8;
+    var phi_670_: type_13;
+    var phi_673_: u32;
+    var phi_694_: bool;
+    var phi_700_: type_14;
+    var phi_671_: type_13;
+    var phi_714_: type_14;
+    var phi_771_: type_8;
+    var phi_772_: type_8;
+    var phi_795_: type_8;
+    var phi_674_: u32;
+    var phi_945_: u32;
     var phi_940_: u32;
-    var phi_949_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
-    var phi_974_: array<u32, 3>;
+    var phi_946_: u32;
+    var phi_955_: u32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_980_: array<u32, 3>;
     var lane_2: u32;
 
     lane_2 = lane_1;
     let _e34 = lane_2;
     local_5 = type_22(0f, array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-    phi_102_ = type_11(0u, 32u);
+    phi_108_ = type_8(0u, 32u);
     loop {
-        let _e39 = phi_102_;
+        let _e39 = phi_108_;
         if (_e39.member < _e39.member_1) {
-            phi_103_ = type_11((_e39.member + 1u), _e39.member_1);
-            phi_126_ = type_11(1u, _e39.member);
+            phi_109_ = type_8((_e39.member + 1u), _e39.member_1);
+            phi_132_ = type_8(1u, _e39.member);
         } else {
-            phi_103_ = _e39;
-            phi_126_ = type_11(0u, type_11().member_1);
+            phi_109_ = _e39;
+            phi_132_ = type_8(0u, type_8().member_1);
         }
-        let _e51 = phi_103_;
-        let _e53 = phi_126_;
+        let _e51 = phi_109_;
+        let _e53 = phi_132_;
         let _e57 = (bitcast<i32>(_e53.member) != 0i);
         if _e57 {
             let _e62 = params.member.member_1.member_1;
@@ -155,34 +155,34 @@ fn function_(lane_1: u32) {
                 local_2.member = 1f;
                 local_2.member_1 = array<f32, 3>(0f, 0f, 0f);
                 local_2.member_2 = array<f32, 3>(0f, 0f, 0f);
-                phi_164_ = type_11(_e63, (_e63 + 1u));
+                phi_170_ = type_8(_e63, (_e63 + 1u));
                 loop {
-                    let _e74 = phi_164_;
+                    let _e74 = phi_170_;
                     if (_e74.member < _e74.member_1) {
-                        phi_165_ = type_11((_e74.member + 1u), _e74.member_1);
-                        phi_188_ = type_11(1u, _e74.member);
+                        phi_171_ = type_8((_e74.member + 1u), _e74.member_1);
+                        phi_194_ = type_8(1u, _e74.member);
                     } else {
-                        phi_165_ = _e74;
-                        phi_188_ = type_11(0u, type_11().member_1);
+                        phi_171_ = _e74;
+                        phi_194_ = type_8(0u, type_8().member_1);
                     }
-                    let _e86 = phi_165_;
-                    let _e88 = phi_188_;
+                    let _e86 = phi_171_;
+                    let _e88 = phi_194_;
                     let _e92 = (bitcast<i32>(_e88.member) != 0i);
                     if _e92 {
                         let _e94 = boxes.member[_e88.member_1];
                         local_3 = type_16(array<f32, 3>(_e94.member[0], _e94.member[1], _e94.member[2]), array<f32, 3>(_e94.member_1[0], _e94.member_1[1], _e94.member_1[2]));
-                        phi_219_ = type_11(0u, 3u);
+                        phi_225_ = type_8(0u, 3u);
                         loop {
-                            let _e107 = phi_219_;
+                            let _e107 = phi_225_;
                             if (_e107.member < _e107.member_1) {
-                                phi_220_ = type_11((_e107.member + 1u), _e107.member_1);
-                                phi_243_ = type_11(1u, _e107.member);
+                                phi_226_ = type_8((_e107.member + 1u), _e107.member_1);
+                                phi_249_ = type_8(1u, _e107.member);
                             } else {
-                                phi_220_ = _e107;
-                                phi_243_ = type_11(0u, type_11().member_1);
+                                phi_226_ = _e107;
+                                phi_249_ = type_8(0u, type_8().member_1);
                             }
-                            let _e119 = phi_220_;
-                            let _e121 = phi_243_;
+                            let _e119 = phi_226_;
+                            let _e121 = phi_249_;
                             let _e125 = (bitcast<i32>(_e121.member) != 0i);
                             if _e125 {
                                 let _e128 = local_2.member_1[_e121.member_1];
@@ -192,29 +192,29 @@ fn function_(lane_1: u32) {
                             }
                             continue;
                             continuing {
-                                phi_219_ = _e119;
+                                phi_225_ = _e119;
                                 break if !(_e125);
                             }
                         }
                     }
                     continue;
                     continuing {
-                        phi_164_ = _e86;
+                        phi_170_ = _e86;
                         break if !(_e92);
                     }
                 }
-                phi_287_ = type_11(0u, 3u);
+                phi_293_ = type_8(0u, 3u);
                 loop {
-                    let _e144 = phi_287_;
+                    let _e144 = phi_293_;
                     if (_e144.member < _e144.member_1) {
-                        phi_288_ = type_11((_e144.member + 1u), _e144.member_1);
-                        phi_311_ = type_11(1u, _e144.member);
+                        phi_294_ = type_8((_e144.member + 1u), _e144.member_1);
+                        phi_317_ = type_8(1u, _e144.member);
                     } else {
-                        phi_288_ = _e144;
-                        phi_311_ = type_11(0u, type_11().member_1);
+                        phi_294_ = _e144;
+                        phi_317_ = type_8(0u, type_8().member_1);
                     }
-                    let _e156 = phi_288_;
-                    let _e158 = phi_311_;
+                    let _e156 = phi_294_;
+                    let _e158 = phi_317_;
                     let _e162 = (bitcast<i32>(_e158.member) != 0i);
                     if _e162 {
                         let _e165 = local_2.member_1[_e158.member_1];
@@ -223,38 +223,38 @@ fn function_(lane_1: u32) {
                     }
                     continue;
                     continuing {
-                        phi_287_ = _e156;
+                        phi_293_ = _e156;
                         break if !(_e162);
                     }
                 }
-                phi_340_ = type_11(_e63, (_e63 + 1u));
+                phi_346_ = type_8(_e63, (_e63 + 1u));
                 loop {
-                    let _e175 = phi_340_;
+                    let _e175 = phi_346_;
                     if (_e175.member < _e175.member_1) {
-                        phi_341_ = type_11((_e175.member + 1u), _e175.member_1);
-                        phi_364_ = type_11(1u, _e175.member);
+                        phi_347_ = type_8((_e175.member + 1u), _e175.member_1);
+                        phi_370_ = type_8(1u, _e175.member);
                     } else {
-                        phi_341_ = _e175;
-                        phi_364_ = type_11(0u, type_11().member_1);
+                        phi_347_ = _e175;
+                        phi_370_ = type_8(0u, type_8().member_1);
                     }
-                    let _e187 = phi_341_;
-                    let _e189 = phi_364_;
+                    let _e187 = phi_347_;
+                    let _e189 = phi_370_;
                     let _e193 = (bitcast<i32>(_e189.member) != 0i);
                     if _e193 {
                         let _e195 = boxes.member[_e189.member_1];
                         local_4 = type_16(array<f32, 3>(_e195.member[0], _e195.member[1], _e195.member[2]), array<f32, 3>(_e195.member_1[0], _e195.member_1[1], _e195.member_1[2]));
-                        phi_395_ = type_11(0u, 3u);
+                        phi_401_ = type_8(0u, 3u);
                         loop {
-                            let _e208 = phi_395_;
+                            let _e208 = phi_401_;
                             if (_e208.member < _e208.member_1) {
-                                phi_396_ = type_11((_e208.member + 1u), _e208.member_1);
-                                phi_419_ = type_11(1u, _e208.member);
+                                phi_402_ = type_8((_e208.member + 1u), _e208.member_1);
+                                phi_425_ = type_8(1u, _e208.member);
                             } else {
-                                phi_396_ = _e208;
-                                phi_419_ = type_11(0u, type_11().member_1);
+                                phi_402_ = _e208;
+                                phi_425_ = type_8(0u, type_8().member_1);
                             }
-                            let _e220 = phi_396_;
-                            let _e222 = phi_419_;
+                            let _e220 = phi_402_;
+                            let _e222 = phi_425_;
                             let _e226 = (bitcast<i32>(_e222.member) != 0i);
                             if _e226 {
                                 let _e229 = local_4.member[_e222.member_1];
@@ -266,14 +266,14 @@ fn function_(lane_1: u32) {
                             }
                             continue;
                             continuing {
-                                phi_395_ = _e220;
+                                phi_401_ = _e220;
                                 break if !(_e226);
                             }
                         }
                     }
                     continue;
                     continuing {
-                        phi_340_ = _e187;
+                        phi_346_ = _e187;
                         break if !(_e193);
                     }
                 }
@@ -290,18 +290,18 @@ fn function_(lane_1: u32) {
                     local_1.member_2 = _e263;
                     let _e265 = local_6.member;
                     let _e266 = (_e265 / _e254);
-                    phi_515_ = type_11(0u, 3u);
+                    phi_521_ = type_8(0u, 3u);
                     loop {
-                        let _e268 = phi_515_;
+                        let _e268 = phi_521_;
                         if (_e268.member < _e268.member_1) {
-                            phi_516_ = type_11((_e268.member + 1u), _e268.member_1);
-                            phi_539_ = type_11(1u, _e268.member);
+                            phi_522_ = type_8((_e268.member + 1u), _e268.member_1);
+                            phi_545_ = type_8(1u, _e268.member);
                         } else {
-                            phi_516_ = _e268;
-                            phi_539_ = type_11(0u, type_11().member_1);
+                            phi_522_ = _e268;
+                            phi_545_ = type_8(0u, type_8().member_1);
                         }
-                        let _e280 = phi_516_;
-                        let _e282 = phi_539_;
+                        let _e280 = phi_522_;
+                        let _e282 = phi_545_;
                         let _e286 = (bitcast<i32>(_e282.member) != 0i);
                         if _e286 {
                             let _e289 = local_6.member_1[_e282.member_1];
@@ -316,7 +316,7 @@ fn function_(lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_515_ = _e280;
+                            phi_521_ = _e280;
                             break if !(_e286);
                         }
                     }
@@ -330,39 +330,39 @@ fn function_(lane_1: u32) {
         }
         continue;
         continuing {
-            phi_102_ = _e51;
+            phi_108_ = _e51;
             break if !(_e57);
         }
     }
     let _e319 = local_5;
     shared_[_e34] = _e319;
-    phi_664_ = type_13(0i, 8i);
-    phi_667_ = 128u;
+    phi_670_ = type_13(0i, 8i);
+    phi_673_ = 128u;
     loop {
-        let _e322 = phi_664_;
-        let _e324 = phi_667_;
+        let _e322 = phi_670_;
+        let _e324 = phi_673_;
         if (_e322.member < _e322.member_1) {
             let _e331 = (_e322.member + 1i);
             if ((false == (_e331 > _e322.member)) != false) {
-                phi_688_ = true;
+                phi_694_ = true;
             } else {
-                phi_688_ = false;
+                phi_694_ = false;
             }
-            let _e336 = phi_688_;
+            let _e336 = phi_694_;
             if _e336 {
-                phi_694_ = type_14(0u, type_14().member_1);
+                phi_700_ = type_14(0u, type_14().member_1);
             } else {
-                phi_694_ = type_14(1u, _e331);
+                phi_700_ = type_14(1u, _e331);
             }
-            let _e341 = phi_694_;
-            phi_665_ = type_13(_e341.member_1, _e322.member_1);
-            phi_708_ = type_14(1u, _e322.member);
+            let _e341 = phi_700_;
+            phi_671_ = type_13(_e341.member_1, _e322.member_1);
+            phi_714_ = type_14(1u, _e322.member);
         } else {
-            phi_665_ = _e322;
-            phi_708_ = type_14(0u, type_14().member_1);
+            phi_671_ = _e322;
+            phi_714_ = type_14(0u, type_14().member_1);
         }
-        let _e347 = phi_665_;
-        let _e349 = phi_708_;
+        let _e347 = phi_671_;
+        let _e349 = phi_714_;
         let _e352 = (bitcast<i32>(_e349.member) != 0i);
         if _e352 {
             workgroupBarrier();
@@ -380,18 +380,18 @@ fn function_(lane_1: u32) {
                     local.member_2 = _e370;
                     let _e372 = local_7.member;
                     let _e373 = (_e372 / _e361);
-                    phi_765_ = type_11(0u, 3u);
+                    phi_771_ = type_8(0u, 3u);
                     loop {
-                        let _e375 = phi_765_;
+                        let _e375 = phi_771_;
                         if (_e375.member < _e375.member_1) {
-                            phi_766_ = type_11((_e375.member + 1u), _e375.member_1);
-                            phi_789_ = type_11(1u, _e375.member);
+                            phi_772_ = type_8((_e375.member + 1u), _e375.member_1);
+                            phi_795_ = type_8(1u, _e375.member);
                         } else {
-                            phi_766_ = _e375;
-                            phi_789_ = type_11(0u, type_11().member_1);
+                            phi_772_ = _e375;
+                            phi_795_ = type_8(0u, type_8().member_1);
                         }
-                        let _e387 = phi_766_;
-                        let _e389 = phi_789_;
+                        let _e387 = phi_772_;
+                        let _e389 = phi_795_;
                         let _e393 = (bitcast<i32>(_e389.member) != 0i);
                         if _e393 {
                             let _e396 = local_7.member_1[_e389.member_1];
@@ -406,7 +406,7 @@ fn function_(lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_765_ = _e387;
+                            phi_771_ = _e387;
                             break if !(_e393);
                         }
                     }
@@ -419,15 +419,15 @@ fn function_(lane_1: u32) {
                 let _e425 = local_5;
                 shared_[_e34] = _e425;
             }
-            phi_668_ = (_e324 / 2u);
+            phi_674_ = (_e324 / 2u);
         } else {
-            phi_668_ = u32();
+            phi_674_ = u32();
         }
-        let _e429 = phi_668_;
+        let _e429 = phi_674_;
         continue;
         continuing {
-            phi_664_ = _e347;
-            phi_667_ = _e429;
+            phi_670_ = _e347;
+            phi_673_ = _e429;
             break if !(_e352);
         }
     }
@@ -437,45 +437,45 @@ fn function_(lane_1: u32) {
         let _e440 = local_5.member_2[2u];
         if (_e437 > _e434) {
             if (_e440 > _e437) {
-                phi_934_ = 2u;
+                phi_940_ = 2u;
             } else {
-                phi_934_ = 1u;
+                phi_940_ = 1u;
             }
-            let _e447 = phi_934_;
-            phi_940_ = _e447;
+            let _e447 = phi_940_;
+            phi_946_ = _e447;
         } else {
             if (_e440 > _e434) {
-                phi_939_ = 2u;
+                phi_945_ = 2u;
             } else {
-                phi_939_ = 0u;
+                phi_945_ = 0u;
             }
-            let _e444 = phi_939_;
-            phi_940_ = _e444;
+            let _e444 = phi_945_;
+            phi_946_ = _e444;
         }
-        let _e449 = phi_940_;
+        let _e449 = phi_946_;
         if (_e449 == 0u) {
-            phi_950_ = 2u;
-            phi_951_ = 1u;
+            phi_956_ = 2u;
+            phi_957_ = 1u;
         } else {
             if (_e449 == 1u) {
-                phi_949_ = 2u;
+                phi_955_ = 2u;
             } else {
-                phi_949_ = 1u;
+                phi_955_ = 1u;
             }
-            let _e453 = phi_949_;
-            phi_950_ = _e453;
-            phi_951_ = 0u;
+            let _e453 = phi_955_;
+            phi_956_ = _e453;
+            phi_957_ = 0u;
         }
-        let _e455 = phi_950_;
-        let _e457 = phi_951_;
+        let _e455 = phi_956_;
+        let _e457 = phi_957_;
         let _e462 = local_5.member_2[_e455];
         let _e463 = local_5.member_2[_e457];
         if (_e462 > _e463) {
-            phi_974_ = array<u32, 3>(_e449, _e455, _e457);
+            phi_980_ = array<u32, 3>(_e449, _e455, _e457);
         } else {
-            phi_974_ = array<u32, 3>(_e449, _e457, _e455);
+            phi_980_ = array<u32, 3>(_e449, _e457, _e455);
         }
-        let _e468 = phi_974_;
+        let _e468 = phi_980_;
         survey.member[6u] = _e468[0];
     }
     return;

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -76,7 +76,7 @@ struct type_25 {
 }
 
 @group(0) @binding(2) 
-var<storage> keys: type_10;
+var<storage> keys: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_22;
 @group(0) @binding(1) 
@@ -87,10 +87,10 @@ var<workgroup> sums: array<atomic<u32>, 4>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_17;
-    var phi_164_: type_12;
+    var phi_164_: type_9;
     var phi_167_: u32;
-    var phi_165_: type_12;
-    var phi_190_: type_12;
+    var phi_165_: type_9;
+    var phi_190_: type_9;
     var phi_237_: u32;
     var phi_238_: bool;
     var phi_242_: u32;
@@ -142,9 +142,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_478_: u32;
     var phi_497_: u32;
     var phi_516_: u32;
-    var phi_520_: type_12;
-    var phi_521_: type_12;
-    var phi_544_: type_12;
+    var phi_520_: type_9;
+    var phi_521_: type_9;
+    var phi_544_: type_9;
     var phi_686_: f32;
     var phi_691_: f32;
     var phi_700_: f32;
@@ -192,34 +192,34 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e46 = id_2;
     let _e47 = n_2;
     let _e48 = lane_2;
+    let _e59 = ((((_e46.y * _e47.x) + _e46.x) * 256u) + _e48);
     if (_e48 < 3u) {
         atomicStore((&sums[_e48]), 0u);
     }
     workgroupBarrier();
-    let _e61 = ((((_e46.y * _e47.x) + _e46.x) * 256u) + _e48);
     let _e64 = params.member.member_2.member_1;
     let _e67 = params.member.member_1.member;
-    if (_e61 < _e67) {
+    if (_e59 < _e67) {
         let _e72 = params.member.member.member_2[_e64];
         let _e75 = params.member.member_1.member_1;
-        let _e77 = (_e72 + (_e61 * _e75));
+        let _e77 = (_e72 + (_e59 * _e75));
         let _e79 = keys.member[_e77];
         let _e83 = params.member.member.member_2[3u];
         let _e84 = (_e79 & 1073741823u);
         let _e85 = (_e84 & 1023u);
         let _e92 = (_e64 << bitcast<u32>(30i));
-        phi_164_ = type_12(0u, 9u);
+        phi_164_ = type_9(0u, 9u);
         phi_167_ = 0u;
         loop {
             let _e94 = phi_164_;
             let _e96 = phi_167_;
             local_3 = _e96;
             if (_e94.member < _e94.member_1) {
-                phi_165_ = type_12((_e94.member + 1u), _e94.member_1);
-                phi_190_ = type_12(1u, _e94.member);
+                phi_165_ = type_9((_e94.member + 1u), _e94.member_1);
+                phi_190_ = type_9(1u, _e94.member);
             } else {
                 phi_165_ = _e94;
-                phi_190_ = type_12(0u, type_12().member_1);
+                phi_190_ = type_9(0u, type_9().member_1);
             }
             let _e108 = phi_165_;
             let _e110 = phi_190_;
@@ -487,15 +487,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e340 = phi_516_;
         let _e341 = bitcast<f32>(_e340);
-        phi_520_ = type_12(0u, 3u);
+        phi_520_ = type_9(0u, 3u);
         loop {
             let _e343 = phi_520_;
             if (_e343.member < _e343.member_1) {
-                phi_521_ = type_12((_e343.member + 1u), _e343.member_1);
-                phi_544_ = type_12(1u, _e343.member);
+                phi_521_ = type_9((_e343.member + 1u), _e343.member_1);
+                phi_544_ = type_9(1u, _e343.member);
             } else {
                 phi_521_ = _e343;
-                phi_544_ = type_12(0u, type_12().member_1);
+                phi_544_ = type_9(0u, type_9().member_1);
             }
             let _e355 = phi_521_;
             let _e357 = phi_544_;

@@ -75,10 +75,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_18;
     var local_1: type_18;
     var local_2: type_12;
-    var phi_97_: type_9;
-    var phi_100_: type_18;
-    var phi_98_: type_9;
-    var phi_123_: type_9;
+    var phi_102_: type_9;
+    var phi_105_: type_18;
+    var phi_103_: type_9;
+    var phi_128_: type_9;
     var phi_262_: f32;
     var phi_270_: f32;
     var phi_278_: f32;
@@ -90,7 +90,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_353_: type_9;
     var phi_397_: f32;
     var phi_424_: type_18;
-    var phi_101_: type_18;
+    var phi_106_: type_18;
     var local_3: type_18;
     var phi_434_: u32;
     var local_4: type_18;
@@ -111,26 +111,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         atomicStore((&sides[_e28]), 0u);
     }
     workgroupBarrier();
-    phi_97_ = type_9(0u, 32u);
-    phi_100_ = type_18(type_12(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), array<f32, 3>(0f, 0f, 0f));
+    phi_102_ = type_9(0u, 32u);
+    phi_105_ = type_18(type_12(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), array<f32, 3>(0f, 0f, 0f));
     loop {
-        let _e35 = phi_97_;
-        let _e37 = phi_100_;
-        local_3 = _e37;
-        local_4 = _e37;
-        local_5 = _e37;
-        if (_e35.member < _e35.member_1) {
-            phi_98_ = type_9((_e35.member + 1u), _e35.member_1);
-            phi_123_ = type_9(1u, _e35.member);
+        let _e40 = phi_102_;
+        let _e42 = phi_105_;
+        local_3 = _e42;
+        local_4 = _e42;
+        local_5 = _e42;
+        if (_e40.member < _e40.member_1) {
+            phi_103_ = type_9((_e40.member + 1u), _e40.member_1);
+            phi_128_ = type_9(1u, _e40.member);
         } else {
-            phi_98_ = _e35;
-            phi_123_ = type_9(0u, type_9().member_1);
+            phi_103_ = _e40;
+            phi_128_ = type_9(0u, type_9().member_1);
         }
-        let _e49 = phi_98_;
-        let _e51 = phi_123_;
-        let _e55 = (bitcast<i32>(_e51.member) != 0i);
-        if _e55 {
-            let _e64 = ((((((_e26.y * _e27.x) + _e26.x) * 32u) + _e51.member_1) * 256u) + _e28);
+        let _e54 = phi_103_;
+        let _e56 = phi_128_;
+        let _e60 = (bitcast<i32>(_e56.member) != 0i);
+        if _e60 {
+            let _e64 = ((((((_e26.y * _e27.x) + _e26.x) * 32u) + _e56.member_1) * 256u) + _e28);
             let _e67 = params.member.member_1.member;
             if (_e64 < _e67) {
                 let _e70 = boxes.member[_e64];
@@ -143,49 +143,49 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e106 = local_2.member[2u];
                 local_1 = type_18(type_12(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2])), array<f32, 3>(((_e84 * 0.5f) - (_e88 * 0.5f)), ((_e93 * 0.5f) - (_e97 * 0.5f)), ((_e102 * 0.5f) - (_e106 * 0.5f))));
                 let _e128 = local_1.member.member[0u];
-                if (_e37.member.member[0] < _e128) {
-                    phi_262_ = _e37.member.member[0];
+                if (_e42.member.member[0] < _e128) {
+                    phi_262_ = _e42.member.member[0];
                 } else {
                     phi_262_ = _e128;
                 }
                 let _e131 = phi_262_;
                 let _e137 = local_1.member.member[1u];
-                if (_e37.member.member[1] < _e137) {
-                    phi_270_ = _e37.member.member[1];
+                if (_e42.member.member[1] < _e137) {
+                    phi_270_ = _e42.member.member[1];
                 } else {
                     phi_270_ = _e137;
                 }
                 let _e140 = phi_270_;
                 let _e146 = local_1.member.member[2u];
-                if (_e37.member.member[2] < _e146) {
-                    phi_278_ = _e37.member.member[2];
+                if (_e42.member.member[2] < _e146) {
+                    phi_278_ = _e42.member.member[2];
                 } else {
                     phi_278_ = _e146;
                 }
                 let _e149 = phi_278_;
                 let _e155 = local_1.member.member_1[0u];
-                if (_e37.member.member_1[0] > _e155) {
-                    phi_288_ = _e37.member.member_1[0];
+                if (_e42.member.member_1[0] > _e155) {
+                    phi_288_ = _e42.member.member_1[0];
                 } else {
                     phi_288_ = _e155;
                 }
                 let _e158 = phi_288_;
                 let _e164 = local_1.member.member_1[1u];
-                if (_e37.member.member_1[1] > _e164) {
-                    phi_297_ = _e37.member.member_1[1];
+                if (_e42.member.member_1[1] > _e164) {
+                    phi_297_ = _e42.member.member_1[1];
                 } else {
                     phi_297_ = _e164;
                 }
                 let _e167 = phi_297_;
                 let _e173 = local_1.member.member_1[2u];
-                if (_e37.member.member_1[2] > _e173) {
-                    phi_306_ = _e37.member.member_1[2];
+                if (_e42.member.member_1[2] > _e173) {
+                    phi_306_ = _e42.member.member_1[2];
                 } else {
                     phi_306_ = _e173;
                 }
                 let _e176 = phi_306_;
                 local.member = type_12(array<f32, 3>(_e131, _e140, _e149), array<f32, 3>(_e158, _e167, _e176));
-                local.member_1 = array<f32, 3>(_e37.member_1[0], _e37.member_1[1], _e37.member_1[2]);
+                local.member_1 = array<f32, 3>(_e42.member_1[0], _e42.member_1[1], _e42.member_1[2]);
                 phi_329_ = type_9(0u, 3u);
                 loop {
                     let _e188 = phi_329_;
@@ -221,19 +221,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e225 = local;
                 phi_424_ = type_18(type_12(array<f32, 3>(_e225.member.member[0], _e225.member.member[1], _e225.member.member[2]), array<f32, 3>(_e225.member.member_1[0], _e225.member.member_1[1], _e225.member.member_1[2])), array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
             } else {
-                phi_424_ = _e37;
+                phi_424_ = _e42;
             }
             let _e245 = phi_424_;
-            phi_101_ = _e245;
+            phi_106_ = _e245;
         } else {
-            phi_101_ = type_18();
+            phi_106_ = type_18();
         }
-        let _e247 = phi_101_;
+        let _e247 = phi_106_;
         continue;
         continuing {
-            phi_97_ = _e49;
-            phi_100_ = _e247;
-            break if !(_e55);
+            phi_102_ = _e54;
+            phi_105_ = _e247;
+            break if !(_e60);
         }
     }
     let _e250 = local_3;

@@ -26,7 +26,7 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
@@ -80,9 +80,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_132_: f32;
     var phi_137_: f32;
     var phi_142_: f32;
-    var phi_162_: type_10;
-    var phi_163_: type_10;
-    var phi_186_: type_10;
+    var phi_162_: type_9;
+    var phi_163_: type_9;
+    var phi_186_: type_9;
     var phi_213_: bool;
     var phi_230_: f32;
     var phi_231_: f32;
@@ -91,9 +91,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_276_: f32;
     var phi_277_: f32;
     var phi_278_: f32;
-    var phi_322_: type_10;
-    var phi_323_: type_10;
-    var phi_346_: type_10;
+    var phi_322_: type_9;
+    var phi_323_: type_9;
+    var phi_346_: type_9;
     var phi_376_: bool;
     var phi_393_: f32;
     var phi_394_: f32;
@@ -161,15 +161,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e69 = phi_142_;
         if (_e43 > 0f) {
             local_1 = type_17(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
-            phi_162_ = type_10(0u, 3u);
+            phi_162_ = type_9(0u, 3u);
             loop {
                 let _e78 = phi_162_;
                 if (_e78.member < _e78.member_1) {
-                    phi_163_ = type_10((_e78.member + 1u), _e78.member_1);
-                    phi_186_ = type_10(1u, _e78.member);
+                    phi_163_ = type_9((_e78.member + 1u), _e78.member_1);
+                    phi_186_ = type_9(1u, _e78.member);
                 } else {
                     phi_163_ = _e78;
-                    phi_186_ = type_10(0u, type_10().member_1);
+                    phi_186_ = type_9(0u, type_9().member_1);
                 }
                 let _e90 = phi_163_;
                 let _e92 = phi_186_;
@@ -244,15 +244,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e148 = local_1;
         local_2 = _e148;
         local = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_322_ = type_10(0u, 3u);
+        phi_322_ = type_9(0u, 3u);
         loop {
             let _e150 = phi_322_;
             if (_e150.member < _e150.member_1) {
-                phi_323_ = type_10((_e150.member + 1u), _e150.member_1);
-                phi_346_ = type_10(1u, _e150.member);
+                phi_323_ = type_9((_e150.member + 1u), _e150.member_1);
+                phi_346_ = type_9(1u, _e150.member);
             } else {
                 phi_323_ = _e150;
-                phi_346_ = type_10(0u, type_10().member_1);
+                phi_346_ = type_9(0u, type_9().member_1);
             }
             let _e162 = phi_323_;
             let _e164 = phi_346_;

@@ -26,23 +26,23 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_14 {
+struct type_10 {
     member: type_7,
     member_1: type_8,
-    member_2: type_12,
+    member_2: type_9,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 struct type_18 {
@@ -78,11 +78,11 @@ struct type_28 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_11;
+@group(0) @binding(2) 
+var<storage> order: type_13;
 @group(0) @binding(1) 
 var<storage> boxes: type_20;
-@group(0) @binding(2) 
-var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(4) 
@@ -94,30 +94,30 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_145_: u32;
     var phi_244_: array<u32, 2>;
     var phi_277_: bool;
-    var phi_347_: type_12;
-    var phi_348_: type_12;
-    var phi_371_: type_12;
-    var phi_486_: u32;
-    var phi_487_: bool;
-    var phi_488_: u32;
-    var phi_489_: bool;
+    var phi_347_: type_9;
+    var phi_348_: type_9;
+    var phi_371_: type_9;
+    var phi_491_: u32;
+    var phi_492_: bool;
     var phi_493_: u32;
-    var phi_501_: u32;
-    var phi_502_: bool;
-    var phi_503_: u32;
-    var phi_504_: bool;
+    var phi_494_: bool;
+    var phi_498_: u32;
+    var phi_506_: u32;
+    var phi_507_: bool;
     var phi_508_: u32;
-    var phi_513_: bool;
+    var phi_509_: bool;
+    var phi_513_: u32;
     var phi_518_: bool;
-    var phi_530_: u32;
-    var phi_546_: u32;
-    var phi_548_: bool;
-    var phi_549_: bool;
-    var phi_595_: array<u32, 2>;
-    var phi_628_: bool;
-    var phi_671_: array<u32, 2>;
-    var phi_704_: bool;
-    var phi_734_: bool;
+    var phi_523_: bool;
+    var phi_535_: u32;
+    var phi_551_: u32;
+    var phi_553_: bool;
+    var phi_554_: bool;
+    var phi_600_: array<u32, 2>;
+    var phi_633_: bool;
+    var phi_676_: array<u32, 2>;
+    var phi_709_: bool;
+    var phi_760_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -152,11 +152,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e71 = boxes.member[_e69];
         let _e87 = params.member.member.member_2[_e50[0]];
         let _e88 = (_e69 - _e87);
-        let _e92 = params.member.member.member[_e50[1]];
-        let _e93 = (_e92 - 1u);
-        if (_e93 == 0u) {
-            let _e98 = params.member.member.member_2[_e50[1]];
-            let _e100 = order.member[_e98];
+        let _e92 = params.member.member.member_2[_e50[1]];
+        let _e96 = params.member.member.member[_e50[1]];
+        let _e97 = (_e96 - 1u);
+        if (_e97 == 0u) {
+            let _e100 = order.member[_e92];
             let _e102 = boxes.member[_e100];
             if ((((((_e102.member.x <= _e71.member_1.y) && (_e71.member.x <= _e102.member_1.y)) && (_e102.member.y <= _e71.member_2.x)) && (_e71.member.y <= _e102.member_2.x)) && (_e102.member_1.x <= _e71.member_2.y)) && (_e71.member_1.x <= _e102.member_2.y)) {
                 let _e128 = params.member.member_2.member;
@@ -191,15 +191,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_347_ = type_12(0u, _e93);
+        phi_347_ = type_9(0u, _e97);
         loop {
             let _e164 = phi_347_;
             if (_e164.member < _e164.member_1) {
-                phi_348_ = type_12((_e164.member + 1u), _e164.member_1);
-                phi_371_ = type_12(1u, _e164.member);
+                phi_348_ = type_9((_e164.member + 1u), _e164.member_1);
+                phi_371_ = type_9(1u, _e164.member);
             } else {
                 phi_348_ = _e164;
-                phi_371_ = type_12(0u, type_12().member_1);
+                phi_371_ = type_9(0u, type_9().member_1);
             }
             let _e176 = phi_348_;
             let _e178 = phi_371_;
@@ -214,94 +214,94 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e247 = ((_e187.member_1.w & 2147483648u) != 0u);
                     if _e232 {
                         if _e245 {
-                            phi_486_ = (_e187.member.w & 2147483647u);
-                            phi_487_ = false;
+                            phi_491_ = (_e187.member.w & 2147483647u);
+                            phi_492_ = false;
                         } else {
-                            phi_486_ = u32();
-                            phi_487_ = true;
+                            phi_491_ = u32();
+                            phi_492_ = true;
                         }
-                        let _e250 = phi_486_;
-                        let _e252 = phi_487_;
-                        phi_488_ = _e250;
-                        phi_489_ = _e252;
+                        let _e250 = phi_491_;
+                        let _e252 = phi_492_;
+                        phi_493_ = _e250;
+                        phi_494_ = _e252;
                     } else {
-                        phi_488_ = u32();
-                        phi_489_ = true;
+                        phi_493_ = u32();
+                        phi_494_ = true;
                     }
-                    let _e254 = phi_488_;
-                    let _e256 = phi_489_;
+                    let _e254 = phi_493_;
+                    let _e256 = phi_494_;
                     if _e256 {
-                        phi_493_ = 4294967295u;
+                        phi_498_ = 4294967295u;
                     } else {
-                        phi_493_ = _e254;
+                        phi_498_ = _e254;
                     }
-                    let _e258 = phi_493_;
+                    let _e258 = phi_498_;
                     if _e243 {
                         if _e247 {
-                            phi_501_ = (_e187.member_1.w & 2147483647u);
-                            phi_502_ = false;
+                            phi_506_ = (_e187.member_1.w & 2147483647u);
+                            phi_507_ = false;
                         } else {
-                            phi_501_ = u32();
-                            phi_502_ = true;
+                            phi_506_ = u32();
+                            phi_507_ = true;
                         }
-                        let _e261 = phi_501_;
-                        let _e263 = phi_502_;
-                        phi_503_ = _e261;
-                        phi_504_ = _e263;
+                        let _e261 = phi_506_;
+                        let _e263 = phi_507_;
+                        phi_508_ = _e261;
+                        phi_509_ = _e263;
                     } else {
-                        phi_503_ = u32();
-                        phi_504_ = true;
+                        phi_508_ = u32();
+                        phi_509_ = true;
                     }
-                    let _e265 = phi_503_;
-                    let _e267 = phi_504_;
+                    let _e265 = phi_508_;
+                    let _e267 = phi_509_;
                     if _e267 {
-                        phi_508_ = 4294967295u;
+                        phi_513_ = 4294967295u;
                     } else {
-                        phi_508_ = _e265;
+                        phi_513_ = _e265;
                     }
-                    let _e269 = phi_508_;
+                    let _e269 = phi_513_;
                     if _e232 {
-                        phi_513_ = !(_e245);
-                    } else {
-                        phi_513_ = false;
-                    }
-                    let _e272 = phi_513_;
-                    if _e243 {
-                        phi_518_ = !(_e247);
+                        phi_518_ = !(_e245);
                     } else {
                         phi_518_ = false;
                     }
-                    let _e275 = phi_518_;
+                    let _e272 = phi_518_;
+                    if _e243 {
+                        phi_523_ = !(_e247);
+                    } else {
+                        phi_523_ = false;
+                    }
+                    let _e275 = phi_523_;
                     if _e272 {
                         if _e275 {
                             let _e277 = ((_e187.member_3.w & 2147483648u) != 0u);
                             if _e277 {
-                                phi_530_ = _e187.member_1.w;
+                                phi_535_ = _e187.member_1.w;
                             } else {
-                                phi_530_ = _e187.member.w;
+                                phi_535_ = _e187.member.w;
                             }
-                            let _e279 = phi_530_;
+                            let _e279 = phi_535_;
                             let _e281 = local.member_1;
                             local.member[_e281] = _e279;
                             let _e286 = local.member_1;
                             local.member_1 = (_e286 + 1u);
                             if _e277 {
-                                phi_546_ = _e187.member.w;
+                                phi_551_ = _e187.member.w;
                             } else {
-                                phi_546_ = _e187.member_1.w;
+                                phi_551_ = _e187.member_1.w;
                             }
-                            let _e289 = phi_546_;
+                            let _e289 = phi_551_;
                             local.member_2 = _e289;
-                            phi_548_ = false;
+                            phi_553_ = false;
                         } else {
-                            phi_548_ = true;
+                            phi_553_ = true;
                         }
-                        let _e292 = phi_548_;
-                        phi_549_ = _e292;
+                        let _e292 = phi_553_;
+                        phi_554_ = _e292;
                     } else {
-                        phi_549_ = true;
+                        phi_554_ = true;
                     }
-                    let _e294 = phi_549_;
+                    let _e294 = phi_554_;
                     if _e294 {
                         if _e272 {
                             local.member_2 = _e187.member.w;
@@ -325,21 +325,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e258 != 4294967295u) {
                         let _e314 = params.member.member_2.member;
                         if (_e314 == 0u) {
-                            phi_595_ = array<u32, 2>(0u, 2u);
+                            phi_600_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_595_ = array<u32, 2>(1u, 1u);
+                            phi_600_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e317 = phi_595_;
+                        let _e317 = phi_600_;
                         let _e322 = params.member.member.member_2[_e317[1]];
                         let _e325 = order.member[(_e322 + _e258)];
                         let _e326 = (_e325 - _e322);
                         let _e329 = params.member.member_2.member;
                         if (_e329 == 0u) {
-                            phi_628_ = true;
+                            phi_633_ = true;
                         } else {
-                            phi_628_ = (_e326 > _e88);
+                            phi_633_ = (_e326 > _e88);
                         }
-                        let _e333 = phi_628_;
+                        let _e333 = phi_633_;
                         if _e333 {
                             let _e336 = params.member.member_1.member_3;
                             let _e338 = atomicAdd((&pairs.member[0u]), 1u);
@@ -356,21 +356,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e269 != 4294967295u) {
                         let _e352 = params.member.member_2.member;
                         if (_e352 == 0u) {
-                            phi_671_ = array<u32, 2>(0u, 2u);
+                            phi_676_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_671_ = array<u32, 2>(1u, 1u);
+                            phi_676_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e355 = phi_671_;
+                        let _e355 = phi_676_;
                         let _e360 = params.member.member.member_2[_e355[1]];
                         let _e363 = order.member[(_e360 + _e269)];
                         let _e364 = (_e363 - _e360);
                         let _e367 = params.member.member_2.member;
                         if (_e367 == 0u) {
-                            phi_704_ = true;
+                            phi_709_ = true;
                         } else {
-                            phi_704_ = (_e364 > _e88);
+                            phi_709_ = (_e364 > _e88);
                         }
-                        let _e371 = phi_704_;
+                        let _e371 = phi_709_;
                         if _e371 {
                             let _e374 = params.member.member_1.member_3;
                             let _e376 = atomicAdd((&pairs.member[0u]), 1u);
@@ -385,11 +385,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                     }
                 }
-                phi_734_ = _e183;
+                phi_760_ = _e183;
             } else {
-                phi_734_ = false;
+                phi_760_ = false;
             }
-            let _e388 = phi_734_;
+            let _e388 = phi_760_;
             continue;
             continuing {
                 phi_347_ = _e176;

@@ -26,23 +26,23 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
 }
 
-struct type_14 {
+struct type_10 {
     member: type_7,
     member_1: type_8,
-    member_2: type_12,
+    member_2: type_9,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
 }
 
 struct type_18 {
@@ -67,13 +67,6 @@ struct type_23 {
 }
 
 struct type_26 {
-    member: array<u32, 31>,
-    member_1: u32,
-    member_2: u32,
-    member_3: bool,
-}
-
-struct type_28 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -82,15 +75,22 @@ struct type_28 {
     member_5: f32,
 }
 
-struct type_30 {
+struct type_28 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
+struct type_30 {
+    member: array<type_28>,
+}
+
 struct type_32 {
-    member: array<type_30>,
+    member: array<u32, 31>,
+    member_1: u32,
+    member_2: u32,
+    member_3: bool,
 }
 
 struct type_35 {
@@ -98,28 +98,28 @@ struct type_35 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_11;
+@group(0) @binding(4) 
+var<storage> oriented: type_30;
+@group(0) @binding(2) 
+var<storage> order: type_13;
 @group(0) @binding(1) 
 var<storage> boxes: type_20;
-@group(0) @binding(2) 
-var<storage> order: type_10;
 @group(0) @binding(3) 
 var<storage> nodes: type_23;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_35;
-@group(0) @binding(4) 
-var<storage> oriented: type_32;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_28;
-    var local_1: type_26;
+    var local: type_26;
+    var local_1: type_32;
     var phi_144_: array<u32, 2>;
     var phi_177_: u32;
     var phi_276_: array<u32, 2>;
     var phi_309_: bool;
-    var phi_379_: type_12;
-    var phi_380_: type_12;
-    var phi_403_: type_12;
+    var phi_379_: type_9;
+    var phi_380_: type_9;
+    var phi_403_: type_9;
     var phi_457_: f32;
     var phi_462_: f32;
     var phi_467_: f32;
@@ -314,16 +314,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
         }
-        local_1 = type_26(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_379_ = type_12(0u, _e109);
+        local_1 = type_32(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_379_ = type_9(0u, _e109);
         loop {
             let _e176 = phi_379_;
             if (_e176.member < _e176.member_1) {
-                phi_380_ = type_12((_e176.member + 1u), _e176.member_1);
-                phi_403_ = type_12(1u, _e176.member);
+                phi_380_ = type_9((_e176.member + 1u), _e176.member_1);
+                phi_403_ = type_9(1u, _e176.member);
             } else {
                 phi_380_ = _e176;
-                phi_403_ = type_12(0u, type_12().member_1);
+                phi_403_ = type_9(0u, type_9().member_1);
             }
             let _e188 = phi_380_;
             let _e190 = phi_403_;
@@ -457,7 +457,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_596_ = _e200.member_3.z;
                     }
                     let _e340 = phi_596_;
-                    local = type_28(array<array<f32, 3>, 3>(array<f32, 3>(_e200.member.w, _e200.member_1.z, _e200.member_2.y), array<f32, 3>(_e200.member_1.x, _e200.member_1.w, _e200.member_2.z), array<f32, 3>(_e200.member_1.y, _e200.member_2.x, _e200.member_2.w)), array<f32, 3>(_e282, _e283, _e284), array<f32, 3>((((_e200.member.w * _e282) + (_e200.member_1.x * _e283)) + (_e200.member_1.y * _e284)), (((_e200.member_1.z * _e282) + (_e200.member_1.w * _e283)) + (_e200.member_2.x * _e284)), (((_e200.member_2.y * _e282) + (_e200.member_2.z * _e283)) + (_e200.member_2.w * _e284))), array<f32, 3>(_e279, _e280, _e281), array<f32, 3>(_e200.member_3.x, _e200.member_3.y, _e200.member_3.z), ((((((_e303 + _e307) + _e312) + (((_e317 + _e321) + _e326) + ((_e331 + _e335) + _e340))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                    local = type_26(array<array<f32, 3>, 3>(array<f32, 3>(_e200.member.w, _e200.member_1.z, _e200.member_2.y), array<f32, 3>(_e200.member_1.x, _e200.member_1.w, _e200.member_2.z), array<f32, 3>(_e200.member_1.y, _e200.member_2.x, _e200.member_2.w)), array<f32, 3>(_e282, _e283, _e284), array<f32, 3>((((_e200.member.w * _e282) + (_e200.member_1.x * _e283)) + (_e200.member_1.y * _e284)), (((_e200.member_1.z * _e282) + (_e200.member_1.w * _e283)) + (_e200.member_2.x * _e284)), (((_e200.member_2.y * _e282) + (_e200.member_2.z * _e283)) + (_e200.member_2.w * _e284))), array<f32, 3>(_e279, _e280, _e281), array<f32, 3>(_e200.member_3.x, _e200.member_3.y, _e200.member_3.z), ((((((_e303 + _e307) + _e312) + (((_e317 + _e321) + _e326) + ((_e331 + _e335) + _e340))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                     let _e361 = local.member[0u][0u];
                     let _e365 = local.member[0u][1u];
                     let _e369 = local.member[0u][2u];

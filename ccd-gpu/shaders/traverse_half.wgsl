@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -88,7 +88,7 @@ struct type_30 {
 @group(0) @binding(0) 
 var<storage> params: type_17;
 @group(0) @binding(2) 
-var<storage> order: type_10;
+var<storage> order: type_11;
 @group(0) @binding(3) 
 var<storage> nodes: type_25;
 @group(0) @binding(4) 
@@ -98,32 +98,32 @@ var<storage> leaves: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_27;
-    var phi_199_: type_12;
-    var phi_200_: type_12;
-    var phi_223_: type_12;
-    var phi_288_: bool;
-    var phi_303_: bool;
-    var phi_311_: bool;
-    var phi_326_: bool;
-    var phi_338_: u32;
-    var phi_339_: bool;
-    var phi_340_: u32;
-    var phi_341_: bool;
+    var phi_199_: type_9;
+    var phi_200_: type_9;
+    var phi_223_: type_9;
+    var phi_293_: bool;
+    var phi_308_: bool;
+    var phi_316_: bool;
+    var phi_331_: bool;
+    var phi_343_: u32;
+    var phi_344_: bool;
     var phi_345_: u32;
-    var phi_353_: u32;
-    var phi_354_: bool;
-    var phi_355_: u32;
-    var phi_356_: bool;
+    var phi_346_: bool;
+    var phi_350_: u32;
+    var phi_358_: u32;
+    var phi_359_: bool;
     var phi_360_: u32;
-    var phi_365_: bool;
+    var phi_361_: bool;
+    var phi_365_: u32;
     var phi_370_: bool;
-    var phi_382_: u32;
-    var phi_398_: u32;
-    var phi_400_: bool;
-    var phi_401_: bool;
-    var phi_462_: type_12;
-    var phi_516_: type_12;
-    var phi_542_: bool;
+    var phi_375_: bool;
+    var phi_387_: u32;
+    var phi_403_: u32;
+    var phi_405_: bool;
+    var phi_406_: bool;
+    var phi_467_: type_9;
+    var phi_521_: type_9;
+    var phi_568_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -146,15 +146,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e77 = order.member[(_e70 + _e46)];
         let _e78 = (_e77 - _e70);
         local = type_27(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_199_ = type_12(0u, (_e74 - 1u));
+        phi_199_ = type_9(0u, (_e74 - 1u));
         loop {
             let _e82 = phi_199_;
             if (_e82.member < _e82.member_1) {
-                phi_200_ = type_12((_e82.member + 1u), _e82.member_1);
-                phi_223_ = type_12(1u, _e82.member);
+                phi_200_ = type_9((_e82.member + 1u), _e82.member_1);
+                phi_223_ = type_9(1u, _e82.member);
             } else {
                 phi_200_ = _e82;
-                phi_223_ = type_12(0u, type_12().member_1);
+                phi_223_ = type_9(0u, type_9().member_1);
             }
             let _e94 = phi_200_;
             let _e96 = phi_223_;
@@ -165,121 +165,121 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e105 = nodes.member[_e103];
                     let _e142 = (_e46 == 4294967295u);
                     if _e142 {
-                        phi_288_ = true;
+                        phi_293_ = true;
                     } else {
-                        phi_288_ = (_e105.member_2.w > _e46);
+                        phi_293_ = (_e105.member_2.w > _e46);
                     }
-                    let _e146 = phi_288_;
+                    let _e146 = phi_293_;
                     if _e146 {
-                        phi_303_ = ((((((bitcast<f32>(_e105.member.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_1.x))) && (bitcast<f32>(_e105.member.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_1.y))) && (bitcast<f32>(_e105.member.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_1.z)));
+                        phi_308_ = ((((((bitcast<f32>(_e105.member.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_1.x))) && (bitcast<f32>(_e105.member.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_1.y))) && (bitcast<f32>(_e105.member.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_1.z)));
                     } else {
-                        phi_303_ = false;
+                        phi_308_ = false;
                     }
-                    let _e159 = phi_303_;
+                    let _e159 = phi_308_;
                     if _e142 {
-                        phi_311_ = true;
+                        phi_316_ = true;
                     } else {
-                        phi_311_ = ((_e105.member_3.w & 2147483647u) > _e46);
+                        phi_316_ = ((_e105.member_3.w & 2147483647u) > _e46);
                     }
-                    let _e162 = phi_311_;
+                    let _e162 = phi_316_;
                     if _e162 {
-                        phi_326_ = ((((((bitcast<f32>(_e105.member_2.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_3.x))) && (bitcast<f32>(_e105.member_2.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_3.y))) && (bitcast<f32>(_e105.member_2.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_3.z)));
+                        phi_331_ = ((((((bitcast<f32>(_e105.member_2.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e105.member_3.x))) && (bitcast<f32>(_e105.member_2.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e105.member_3.y))) && (bitcast<f32>(_e105.member_2.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e105.member_3.z)));
                     } else {
-                        phi_326_ = false;
+                        phi_331_ = false;
                     }
-                    let _e175 = phi_326_;
+                    let _e175 = phi_331_;
                     let _e177 = ((_e105.member.w & 2147483648u) != 0u);
                     let _e179 = ((_e105.member_1.w & 2147483648u) != 0u);
                     if _e159 {
                         if _e177 {
-                            phi_338_ = (_e105.member.w & 2147483647u);
-                            phi_339_ = false;
+                            phi_343_ = (_e105.member.w & 2147483647u);
+                            phi_344_ = false;
                         } else {
-                            phi_338_ = u32();
-                            phi_339_ = true;
+                            phi_343_ = u32();
+                            phi_344_ = true;
                         }
-                        let _e182 = phi_338_;
-                        let _e184 = phi_339_;
-                        phi_340_ = _e182;
-                        phi_341_ = _e184;
+                        let _e182 = phi_343_;
+                        let _e184 = phi_344_;
+                        phi_345_ = _e182;
+                        phi_346_ = _e184;
                     } else {
-                        phi_340_ = u32();
-                        phi_341_ = true;
+                        phi_345_ = u32();
+                        phi_346_ = true;
                     }
-                    let _e186 = phi_340_;
-                    let _e188 = phi_341_;
+                    let _e186 = phi_345_;
+                    let _e188 = phi_346_;
                     if _e188 {
-                        phi_345_ = 4294967295u;
+                        phi_350_ = 4294967295u;
                     } else {
-                        phi_345_ = _e186;
+                        phi_350_ = _e186;
                     }
-                    let _e190 = phi_345_;
+                    let _e190 = phi_350_;
                     if _e175 {
                         if _e179 {
-                            phi_353_ = (_e105.member_1.w & 2147483647u);
-                            phi_354_ = false;
+                            phi_358_ = (_e105.member_1.w & 2147483647u);
+                            phi_359_ = false;
                         } else {
-                            phi_353_ = u32();
-                            phi_354_ = true;
+                            phi_358_ = u32();
+                            phi_359_ = true;
                         }
-                        let _e193 = phi_353_;
-                        let _e195 = phi_354_;
-                        phi_355_ = _e193;
-                        phi_356_ = _e195;
+                        let _e193 = phi_358_;
+                        let _e195 = phi_359_;
+                        phi_360_ = _e193;
+                        phi_361_ = _e195;
                     } else {
-                        phi_355_ = u32();
-                        phi_356_ = true;
+                        phi_360_ = u32();
+                        phi_361_ = true;
                     }
-                    let _e197 = phi_355_;
-                    let _e199 = phi_356_;
+                    let _e197 = phi_360_;
+                    let _e199 = phi_361_;
                     if _e199 {
-                        phi_360_ = 4294967295u;
+                        phi_365_ = 4294967295u;
                     } else {
-                        phi_360_ = _e197;
+                        phi_365_ = _e197;
                     }
-                    let _e201 = phi_360_;
+                    let _e201 = phi_365_;
                     if _e159 {
-                        phi_365_ = !(_e177);
-                    } else {
-                        phi_365_ = false;
-                    }
-                    let _e204 = phi_365_;
-                    if _e175 {
-                        phi_370_ = !(_e179);
+                        phi_370_ = !(_e177);
                     } else {
                         phi_370_ = false;
                     }
-                    let _e207 = phi_370_;
+                    let _e204 = phi_370_;
+                    if _e175 {
+                        phi_375_ = !(_e179);
+                    } else {
+                        phi_375_ = false;
+                    }
+                    let _e207 = phi_375_;
                     if _e204 {
                         if _e207 {
                             let _e209 = ((_e105.member_3.w & 2147483648u) != 0u);
                             if _e209 {
-                                phi_382_ = _e105.member_1.w;
+                                phi_387_ = _e105.member_1.w;
                             } else {
-                                phi_382_ = _e105.member.w;
+                                phi_387_ = _e105.member.w;
                             }
-                            let _e211 = phi_382_;
+                            let _e211 = phi_387_;
                             let _e213 = local.member_1;
                             local.member[_e213] = _e211;
                             let _e218 = local.member_1;
                             local.member_1 = (_e218 + 1u);
                             if _e209 {
-                                phi_398_ = _e105.member.w;
+                                phi_403_ = _e105.member.w;
                             } else {
-                                phi_398_ = _e105.member_1.w;
+                                phi_403_ = _e105.member_1.w;
                             }
-                            let _e221 = phi_398_;
+                            let _e221 = phi_403_;
                             local.member_2 = _e221;
-                            phi_400_ = false;
+                            phi_405_ = false;
                         } else {
-                            phi_400_ = true;
+                            phi_405_ = true;
                         }
-                        let _e224 = phi_400_;
-                        phi_401_ = _e224;
+                        let _e224 = phi_405_;
+                        phi_406_ = _e224;
                     } else {
-                        phi_401_ = true;
+                        phi_406_ = true;
                     }
-                    let _e226 = phi_401_;
+                    let _e226 = phi_406_;
                     if _e226 {
                         if _e204 {
                             local.member_2 = _e105.member.w;
@@ -306,11 +306,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e251 = (_e250 - _e247);
                         let _e254 = params.member.member_1.member_3;
                         if (_e78 < _e251) {
-                            phi_462_ = type_12(_e78, _e251);
+                            phi_467_ = type_9(_e78, _e251);
                         } else {
-                            phi_462_ = type_12(_e251, _e78);
+                            phi_467_ = type_9(_e251, _e78);
                         }
-                        let _e259 = phi_462_;
+                        let _e259 = phi_467_;
                         let _e263 = atomicAdd((&pairs.member[0u]), 1u);
                         if ((_e263 + 1u) < _e263) {
                             let _e267 = atomicAdd((&pairs.member[2u]), 1u);
@@ -327,11 +327,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e282 = (_e281 - _e278);
                         let _e285 = params.member.member_1.member_3;
                         if (_e78 < _e282) {
-                            phi_516_ = type_12(_e78, _e282);
+                            phi_521_ = type_9(_e78, _e282);
                         } else {
-                            phi_516_ = type_12(_e282, _e78);
+                            phi_521_ = type_9(_e282, _e78);
                         }
-                        let _e290 = phi_516_;
+                        let _e290 = phi_521_;
                         let _e294 = atomicAdd((&pairs.member[0u]), 1u);
                         if ((_e294 + 1u) < _e294) {
                             let _e298 = atomicAdd((&pairs.member[2u]), 1u);
@@ -343,11 +343,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                     }
                 }
-                phi_542_ = _e101;
+                phi_568_ = _e101;
             } else {
-                phi_542_ = false;
+                phi_568_ = false;
             }
-            let _e306 = phi_542_;
+            let _e306 = phi_568_;
             continue;
             continuing {
                 phi_199_ = _e94;

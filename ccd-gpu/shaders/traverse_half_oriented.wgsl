@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -75,13 +75,6 @@ struct type_25 {
 }
 
 struct type_28 {
-    member: array<u32, 31>,
-    member_1: u32,
-    member_2: u32,
-    member_3: bool,
-}
-
-struct type_30 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -90,15 +83,22 @@ struct type_30 {
     member_5: f32,
 }
 
-struct type_32 {
+struct type_30 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
+struct type_32 {
+    member: array<type_30>,
+}
+
 struct type_34 {
-    member: array<type_32>,
+    member: array<u32, 31>,
+    member_1: u32,
+    member_2: u32,
+    member_3: bool,
 }
 
 struct type_37 {
@@ -107,23 +107,23 @@ struct type_37 {
 
 @group(0) @binding(0) 
 var<storage> params: type_17;
+@group(0) @binding(4) 
+var<storage> oriented: type_32;
 @group(0) @binding(2) 
-var<storage> order: type_10;
+var<storage> order: type_11;
 @group(0) @binding(3) 
 var<storage> nodes: type_25;
 @group(0) @binding(1) 
 var<storage> leaves: type_22;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_37;
-@group(0) @binding(4) 
-var<storage> oriented: type_34;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_28;
-    var phi_231_: type_12;
-    var phi_232_: type_12;
-    var phi_255_: type_12;
+    var local: type_28;
+    var local_1: type_34;
+    var phi_231_: type_9;
+    var phi_232_: type_9;
+    var phi_255_: type_9;
     var phi_309_: f32;
     var phi_314_: f32;
     var phi_319_: f32;
@@ -245,8 +245,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2266_: u32;
     var phi_2268_: bool;
     var phi_2269_: bool;
-    var phi_2330_: type_12;
-    var phi_2384_: type_12;
+    var phi_2330_: type_9;
+    var phi_2384_: type_9;
     var phi_2431_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -269,16 +269,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e86 = params.member.member.member[1u];
         let _e89 = order.member[(_e82 + _e58)];
         let _e90 = (_e89 - _e82);
-        local_1 = type_28(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_231_ = type_12(0u, (_e86 - 1u));
+        local_1 = type_34(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_231_ = type_9(0u, (_e86 - 1u));
         loop {
             let _e94 = phi_231_;
             if (_e94.member < _e94.member_1) {
-                phi_232_ = type_12((_e94.member + 1u), _e94.member_1);
-                phi_255_ = type_12(1u, _e94.member);
+                phi_232_ = type_9((_e94.member + 1u), _e94.member_1);
+                phi_255_ = type_9(1u, _e94.member);
             } else {
                 phi_232_ = _e94;
-                phi_255_ = type_12(0u, type_12().member_1);
+                phi_255_ = type_9(0u, type_9().member_1);
             }
             let _e106 = phi_232_;
             let _e108 = phi_255_;
@@ -412,7 +412,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_448_ = _e118.member_3.z;
                     }
                     let _e258 = phi_448_;
-                    local = type_30(array<array<f32, 3>, 3>(array<f32, 3>(_e118.member.w, _e118.member_1.z, _e118.member_2.y), array<f32, 3>(_e118.member_1.x, _e118.member_1.w, _e118.member_2.z), array<f32, 3>(_e118.member_1.y, _e118.member_2.x, _e118.member_2.w)), array<f32, 3>(_e200, _e201, _e202), array<f32, 3>((((_e118.member.w * _e200) + (_e118.member_1.x * _e201)) + (_e118.member_1.y * _e202)), (((_e118.member_1.z * _e200) + (_e118.member_1.w * _e201)) + (_e118.member_2.x * _e202)), (((_e118.member_2.y * _e200) + (_e118.member_2.z * _e201)) + (_e118.member_2.w * _e202))), array<f32, 3>(_e197, _e198, _e199), array<f32, 3>(_e118.member_3.x, _e118.member_3.y, _e118.member_3.z), ((((((_e221 + _e225) + _e230) + (((_e235 + _e239) + _e244) + ((_e249 + _e253) + _e258))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                    local = type_28(array<array<f32, 3>, 3>(array<f32, 3>(_e118.member.w, _e118.member_1.z, _e118.member_2.y), array<f32, 3>(_e118.member_1.x, _e118.member_1.w, _e118.member_2.z), array<f32, 3>(_e118.member_1.y, _e118.member_2.x, _e118.member_2.w)), array<f32, 3>(_e200, _e201, _e202), array<f32, 3>((((_e118.member.w * _e200) + (_e118.member_1.x * _e201)) + (_e118.member_1.y * _e202)), (((_e118.member_1.z * _e200) + (_e118.member_1.w * _e201)) + (_e118.member_2.x * _e202)), (((_e118.member_2.y * _e200) + (_e118.member_2.z * _e201)) + (_e118.member_2.w * _e202))), array<f32, 3>(_e197, _e198, _e199), array<f32, 3>(_e118.member_3.x, _e118.member_3.y, _e118.member_3.z), ((((((_e221 + _e225) + _e230) + (((_e235 + _e239) + _e244) + ((_e249 + _e253) + _e258))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                     let _e279 = local.member[0u][0u];
                     let _e283 = local.member[0u][1u];
                     let _e287 = local.member[0u][2u];
@@ -1208,9 +1208,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1346 = (_e1345 - _e1342);
                             let _e1349 = params.member.member_1.member_3;
                             if (_e90 < _e1346) {
-                                phi_2330_ = type_12(_e90, _e1346);
+                                phi_2330_ = type_9(_e90, _e1346);
                             } else {
-                                phi_2330_ = type_12(_e1346, _e90);
+                                phi_2330_ = type_9(_e1346, _e90);
                             }
                             let _e1354 = phi_2330_;
                             let _e1358 = atomicAdd((&pairs.member[0u]), 1u);
@@ -1229,9 +1229,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e1377 = (_e1376 - _e1373);
                             let _e1380 = params.member.member_1.member_3;
                             if (_e90 < _e1377) {
-                                phi_2384_ = type_12(_e90, _e1377);
+                                phi_2384_ = type_9(_e90, _e1377);
                             } else {
-                                phi_2384_ = type_12(_e1377, _e90);
+                                phi_2384_ = type_9(_e1377, _e90);
                             }
                             let _e1385 = phi_2384_;
                             let _e1389 = atomicAdd((&pairs.member[0u]), 1u);

@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
-}
-
-struct type_12 {
+struct type_9 {
     member: u32,
     member_1: u32,
+}
+
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
@@ -68,20 +68,20 @@ struct type_25 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(1) 
-var<storage> boxes: type_17;
+@group(0) @binding(2) 
+var<storage> worlds: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_22;
-@group(0) @binding(2) 
-var<storage> worlds: type_10;
+@group(0) @binding(1) 
+var<storage> boxes: type_17;
 @group(0) @binding(3) 
 var<storage, read_write> words: type_25;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;
-    var phi_91_: type_12;
-    var phi_92_: type_12;
-    var phi_115_: type_12;
+    var phi_91_: type_9;
+    var phi_92_: type_9;
+    var phi_115_: type_9;
     var phi_163_: f32;
     var phi_170_: f32;
     var phi_177_: f32;
@@ -90,9 +90,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_202_: f32;
     var phi_226_: bool;
     var phi_242_: bool;
-    var phi_248_: type_12;
-    var phi_249_: type_12;
-    var phi_272_: type_12;
+    var phi_248_: type_9;
+    var phi_249_: type_9;
+    var phi_272_: type_9;
     var phi_318_: u32;
     var phi_299_: u32;
     var phi_319_: u32;
@@ -107,15 +107,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e24 = n_2;
     let _e25 = lane_2;
     local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    phi_91_ = type_12(0u, 8u);
+    phi_91_ = type_9(0u, 8u);
     loop {
         let _e39 = phi_91_;
         if (_e39.member < _e39.member_1) {
-            phi_92_ = type_12((_e39.member + 1u), _e39.member_1);
-            phi_115_ = type_12(1u, _e39.member);
+            phi_92_ = type_9((_e39.member + 1u), _e39.member_1);
+            phi_115_ = type_9(1u, _e39.member);
         } else {
             phi_92_ = _e39;
-            phi_115_ = type_12(0u, type_12().member_1);
+            phi_115_ = type_9(0u, type_9().member_1);
         }
         let _e51 = phi_92_;
         let _e53 = phi_115_;
@@ -184,15 +184,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e132 = phi_242_;
                 if _e132 {
-                    phi_248_ = type_12(0u, 6u);
+                    phi_248_ = type_9(0u, 6u);
                     loop {
                         let _e134 = phi_248_;
                         if (_e134.member < _e134.member_1) {
-                            phi_249_ = type_12((_e134.member + 1u), _e134.member_1);
-                            phi_272_ = type_12(1u, _e134.member);
+                            phi_249_ = type_9((_e134.member + 1u), _e134.member_1);
+                            phi_272_ = type_9(1u, _e134.member);
                         } else {
                             phi_249_ = _e134;
-                            phi_272_ = type_12(0u, type_12().member_1);
+                            phi_272_ = type_9(0u, type_9().member_1);
                         }
                         let _e146 = phi_249_;
                         let _e148 = phi_272_;

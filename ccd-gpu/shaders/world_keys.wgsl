@@ -26,13 +26,13 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
+    member: array<u32>,
 }
 
 struct type_14 {
@@ -51,63 +51,63 @@ struct type_18 {
 }
 
 struct type_19 {
+    member: u32,
+}
+
+struct type_20 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_19,
+}
+
+struct type_21 {
+    member: type_20,
+}
+
+struct type_22 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_20 {
-    member: u32,
-}
-
-struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
-}
-
+@group(0) @binding(2) 
+var<storage> worlds: type_11;
+@group(0) @binding(0) 
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> boxes: type_16;
-@group(0) @binding(0) 
-var<storage> params: type_22;
-@group(0) @binding(2) 
-var<storage> worlds: type_10;
 @group(0) @binding(3) 
-var<storage> words: type_10;
+var<storage> words: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> keys: type_10;
+var<storage, read_write> keys: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> order: type_10;
+var<storage, read_write> order: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: type_18;
     var local_2: type_18;
-    var local_3: type_19;
+    var local_3: type_22;
     var local_4: type_18;
     var phi_143_: u32;
     var phi_144_: u32;
-    var phi_158_: type_11;
-    var phi_159_: type_11;
-    var phi_182_: type_11;
+    var phi_158_: type_9;
+    var phi_159_: type_9;
+    var phi_182_: type_9;
     var phi_209_: u32;
     var phi_236_: u32;
-    var phi_270_: type_11;
+    var phi_270_: type_9;
     var phi_273_: f32;
-    var phi_271_: type_11;
-    var phi_296_: type_11;
+    var phi_271_: type_9;
+    var phi_296_: type_9;
     var phi_326_: f32;
     var phi_274_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_336_: f32;
-    var phi_388_: type_11;
-    var phi_389_: type_11;
-    var phi_412_: type_11;
+    var phi_388_: type_9;
+    var phi_389_: type_9;
+    var phi_412_: type_9;
     var phi_475_: u32;
     var phi_476_: u32;
     var id_2: vec3<u32>;
@@ -140,15 +140,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e82 = worlds.member[_e63];
         let _e83 = (6u * _e82);
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_158_ = type_11(0u, 3u);
+        phi_158_ = type_9(0u, 3u);
         loop {
             let _e85 = phi_158_;
             if (_e85.member < _e85.member_1) {
-                phi_159_ = type_11((_e85.member + 1u), _e85.member_1);
-                phi_182_ = type_11(1u, _e85.member);
+                phi_159_ = type_9((_e85.member + 1u), _e85.member_1);
+                phi_182_ = type_9(1u, _e85.member);
             } else {
                 phi_159_ = _e85;
-                phi_182_ = type_11(0u, type_11().member_1);
+                phi_182_ = type_9(0u, type_9().member_1);
             }
             let _e97 = phi_159_;
             let _e99 = phi_182_;
@@ -180,7 +180,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e133 = local_2;
         local_4 = _e133;
-        phi_270_ = type_11(0u, 3u);
+        phi_270_ = type_9(0u, 3u);
         phi_273_ = 0f;
         loop {
             let _e135 = phi_270_;
@@ -188,11 +188,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local_5 = _e137;
             local_6 = _e137;
             if (_e135.member < _e135.member_1) {
-                phi_271_ = type_11((_e135.member + 1u), _e135.member_1);
-                phi_296_ = type_11(1u, _e135.member);
+                phi_271_ = type_9((_e135.member + 1u), _e135.member_1);
+                phi_296_ = type_9(1u, _e135.member);
             } else {
                 phi_271_ = _e135;
-                phi_296_ = type_11(0u, type_11().member_1);
+                phi_296_ = type_9(0u, type_9().member_1);
             }
             let _e149 = phi_271_;
             let _e151 = phi_296_;
@@ -228,20 +228,20 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e179 = phi_336_;
         let _e181 = local_4.member;
-        local_3 = type_19(_e181, _e179, (1024f - 1f));
+        local_3 = type_22(_e181, _e179, (1024f - 1f));
         let _e186 = params.member.member_2.member;
         let _e188 = boxes.member[_e63];
         local_1 = type_18(array<f32, 3>(_e188.member.x, _e188.member.y, _e188.member_1.x), array<f32, 3>(_e188.member_1.y, _e188.member_2.x, _e188.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
-        phi_388_ = type_11(0u, 3u);
+        phi_388_ = type_9(0u, 3u);
         loop {
             let _e205 = phi_388_;
             if (_e205.member < _e205.member_1) {
-                phi_389_ = type_11((_e205.member + 1u), _e205.member_1);
-                phi_412_ = type_11(1u, _e205.member);
+                phi_389_ = type_9((_e205.member + 1u), _e205.member_1);
+                phi_412_ = type_9(1u, _e205.member);
             } else {
                 phi_389_ = _e205;
-                phi_412_ = type_11(0u, type_11().member_1);
+                phi_412_ = type_9(0u, type_9().member_1);
             }
             let _e217 = phi_389_;
             let _e219 = phi_412_;

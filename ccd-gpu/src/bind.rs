@@ -32,11 +32,11 @@ macro_rules! own {
 }
 
 macro_rules! binds {
-    ($(
+    ($($group:ident {$(
         $(#[$doc:meta])*
         $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
             $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
-    )*) => {$(
+    )*})*) => {$($(
         $(#[$doc])*
         #[derive(Clone, Debug)]
         pub struct $id<B> {
@@ -60,7 +60,7 @@ macro_rules! binds {
         }
 
         const _: () = assert!(size_of::<Params<own!($($own)?)>>() <= PARAMS_BYTES);
-    )*};
+    )*)*};
 }
 
 ccd_core::kernels!(binds);

@@ -252,6 +252,12 @@ impl Device {
         }
     }
 
+    /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few
+    /// where a CPU plays one, because each costs it some time to start.
+    pub(crate) fn groups(&self) -> u32 {
+        if self.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
+    }
+
     /// Fails once the device is lost.
     pub(crate) fn check_lost(&self) -> Result<(), Error> {
         match &*self.inner.lost.lock().unwrap_or_else(|e| e.into_inner()) {

@@ -20,6 +20,10 @@
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
 //! | `harness.rs` | one kernel by itself, for tests and `flushing.rs`; a device that fails |
 //!
+//! The kernels of the default methods are always there: blocks, and trees by LBVH that each box
+//! queries; with the feature `catalogue` those of all others, too. A method without its kernels is
+//! refused with that reason.
+//!
 //! [`bind`] and [`harness`] are public for tests, and may change with the kernels.
 //!
 //! With `RUST_LOG` and a logger, wgpu says what it does. The environment variable `CCD_ADAPTER`

@@ -40,17 +40,18 @@ impl Pipeline {
         checked: Option<&Checked>,
     ) -> Self {
         let row = id.row();
-        let module = module(id);
+        let module = || module(id, path);
         let shader = match path {
             Path::Wgsl => {
-                let source = wgpu::ShaderSource::Wgsl(module.wgsl.into());
+                let source = String::from_utf8(module()).unwrap_or_default();
+                let source = wgpu::ShaderSource::Wgsl(source.into());
                 device.create_shader_module(wgpu::ShaderModuleDescriptor {
                     label: Some(row.name),
                     source,
                 })
             }
             Path::Passthrough => {
-                let spirv = checked.map_or(module.spirv, |of| &of.modules[id as usize]);
+                let spirv = checked.map_or_else(module, |of| of.modules[id as usize].clone());
                 let words: Vec<u32> = spirv
                     .chunks_exact(4)
                     .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))

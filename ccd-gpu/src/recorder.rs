@@ -255,6 +255,34 @@ impl Recorder<'_> {
         self.run(K::ID, params.parts(), &buffers, groups);
     }
 
+    /// The same, over trees of oriented boxes if there are some.
+    pub fn each_variant<'b, K: Bind<&'b wgpu::Buffer>>(
+        &mut self,
+        kernel: &K,
+        oriented: Option<&'b wgpu::Buffer>,
+        params: &Params<K::Own>,
+        n: u32,
+    ) {
+        self.dispatch_variant(kernel, (oriented, false), params, n.div_ceil(K::ID.threads()));
+    }
+
+    /// Runs a variant of a kernel; see [`Id::variant`]. `oriented`: the buffer of oriented boxes.
+    pub fn dispatch_variant<'b, K: Bind<&'b wgpu::Buffer>>(
+        &mut self,
+        kernel: &K,
+        (oriented, steals): (Option<&'b wgpu::Buffer>, bool),
+        params: &Params<K::Own>,
+        groups: u32,
+    ) {
+        let id = K::ID.variant(oriented.is_some(), steals);
+        let mut buffers: Vec<&wgpu::Buffer> = kernel.buffers().into_iter().copied().collect();
+        let place = id.row().buffers.iter().position(|(name, _)| *name == "oriented");
+        if let Some((place, oriented)) = place.zip(oriented) {
+            buffers.insert(place, oriented);
+        }
+        self.run(id, params.parts(), &buffers, groups);
+    }
+
     /// Runs a kernel by its id. `params`: parts of [`Params`]; `buffers`: in the order of the
     /// table.
     pub fn run(&mut self, id: Id, params: [&[u8]; 3], buffers: &[&wgpu::Buffer], groups: u32) {

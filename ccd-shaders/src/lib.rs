@@ -8,9 +8,9 @@
 #![deny(unsafe_code)]
 
 pub mod broad_phase;
+mod entry;
 pub mod probe;
 mod records;
-pub mod scheduling;
 pub mod sort;
 pub mod step;
 mod workgroup;

@@ -1,30 +1,25 @@
 //! Kernels for tests, and to say what a device flushes: where it sees the fields of records, and
 //! what it makes of scalar operations.
 
+use crate::entry::kernel;
 use crate::workgroup::group;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::kernel::{Id, probe};
-use ccd_core::layout::{Blocks, Leaf, Pair, Params, Path, Touch};
+use ccd_core::layout::{Leaf, Pair, Path, Touch};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
 const THREADS: u32 = Id::ProbeScalars.threads();
 
-/// Writes what each field of one record of every type holds, in the order of the fields.
-#[spirv(compute(threads(64)))]
-pub fn probe_layout(
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Blocks>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] paths: &[Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] leaves: &[Leaf],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] touches: &[Touch],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] pairs: &[Pair],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] words: &mut [u32],
-) {
-    if lane == 0 {
-        // The second record of each, so that the stride counts.
-        probe::params(params, words);
-        probe::records(&at(paths, 1), &at(leaves, 1), &at(touches, 1), &at(pairs, 1), words);
+kernel! {
+    /// Writes what each field of one record of every type holds, in the order of the fields.
+    probe_layout[64](t; params: Blocks;; paths: [Path], leaves: [Leaf], touches: [Touch],
+        pairs: [Pair], mut words: [u32]) {
+        if t.lane == 0 {
+            // The second record of each, so that the stride counts.
+            probe::params(params, words);
+            probe::records(&at(paths, 1), &at(leaves, 1), &at(touches, 1), &at(pairs, 1), words);
+        }
     }
 }
 

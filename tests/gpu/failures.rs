@@ -2,7 +2,7 @@
 //! goes on afterwards.
 
 use crate::support::{bytes, list, not_run, read, room, run};
-use ccd::gpu::bind::{DecideEdgeEdge, DecideVertexFace};
+use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
 use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
@@ -53,19 +53,13 @@ fn check_rooms(device: &Device) {
         // In two parts, of which the second may take more than there is.
         for (first, most, sum) in [(0, 150, 150), (150, n, n)] {
             let dispatch = Dispatch { n: most, first, room_in: n, room_out: n };
-            let p = Params { frame, dispatch, own: Decision { room_open } };
+            let p = Params { frame, dispatch, own: Decision { kind, room_open } };
             let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
             let (paths, input, earliest) = (bytes(&paths), list(&pairs), vec![0xff; 16]);
-            undecided = if kind == 0 {
-                let faces = bytes(&[1u32, 2, 3, 4, 5, 6]);
-                let kernel =
-                    DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
-                run(device, kernel, &p, 3).undecided
-            } else {
-                let edges = bytes(&[0u32, 1, 2, 3]);
-                let kernel = DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
-                run(device, kernel, &p, 3).undecided
-            };
+            let elements =
+                bytes(if kind == 0 { &[1u32, 2, 3, 4, 5, 6][..] } else { &[0, 1, 2, 3] });
+            let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+            undecided = run(device, kernel, &p, 3).undecided;
             assert_eq!(read::<u32>(&undecided)[0], sum, "pairs of this part and those before");
         }
         let words: Vec<u32> = read(&undecided);

@@ -5,12 +5,10 @@ use crate::pairs::{candidates, filtered};
 use crate::scenes::{check_pairs, check_step};
 use crate::support::{bytes, entries, list, methods, paths, read, room, run, twin};
 use crate::twin::Twin;
-use ccd::gpu::bind::{
-    FilterListedEdgeEdge, FilterListedVertexFace, ListListedEdgeEdge, ListListedVertexFace,
-};
+use ccd::gpu::bind::{FilterListed, ListListed};
 use ccd::gpu::{Device, Session};
 use ccd::{Bodies, Options, Pair};
-use ccd_core::layout::{Dispatch, LIST_HEADER, Params};
+use ccd_core::layout::{Decision, Dispatch, LIST_HEADER, Params};
 use ccd_testkit::{brute, compare, generate};
 
 pub const TESTS: crate::Tests = &[
@@ -38,28 +36,17 @@ fn looked_at(
     dispatch: Dispatch,
 ) -> Vec<u8> {
     let (boxes, bodies, keys) = (bytes(&twin.boxes), vec![0; 16], vec![0; 48]);
-    let (faces, edges) = (bytes(step.mesh.faces()), bytes(step.mesh.edges()));
+    let elements = if kind == 0 { bytes(step.mesh.faces()) } else { bytes(step.mesh.edges()) };
     let paths = bytes(&paths(step, false));
     let (input, output) = (list(pairs), room(dispatch.room_out));
     let dispatch = Dispatch { room_in: pairs.len() as u32, ..dispatch };
-    let p: Params = twin.plain(dispatch);
-    match (kind, filters) {
-        (0, false) => {
-            let k = ListListedVertexFace { boxes, faces, bodies, keys, input, output };
-            run(device, k, &p, 3).output
-        }
-        (0, true) => {
-            let k = FilterListedVertexFace { boxes, faces, bodies, keys, paths, input, output };
-            run(device, k, &p, 3).output
-        }
-        (_, false) => {
-            let k = ListListedEdgeEdge { boxes, edges, bodies, keys, input, output };
-            run(device, k, &p, 3).output
-        }
-        (_, true) => {
-            let k = FilterListedEdgeEdge { boxes, edges, bodies, keys, paths, input, output };
-            run(device, k, &p, 3).output
-        }
+    let p = Params { frame: twin.frame, dispatch, own: Decision { kind, room_open: 0 } };
+    if filters {
+        let k = FilterListed { boxes, elements, bodies, keys, paths, input, output };
+        run(device, k, &p, 3).output
+    } else {
+        let k = ListListed { boxes, elements, bodies, keys, input, output };
+        run(device, k, &p, 3).output
     }
 }
 

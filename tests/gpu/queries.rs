@@ -3,12 +3,11 @@
 use crate::scenes::{Runnable, Test};
 use crate::support::{bytes, entries, list, room, run};
 use ccd::gpu::Device;
-use ccd::gpu::bind::{DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide};
+use ccd::gpu::bind::{Decide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Pair, Verdict};
 use ccd_core::layout::{
-    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join,
-    split,
+    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS, Touch, join, split,
 };
 use ccd_core::model::quantization::{Scan, Table};
 use ccd_core::narrow_phase::search::Search;
@@ -103,28 +102,11 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
+    let p = Params { frame, dispatch, own: Decision { kind: !is_vf as u32, room_open: count } };
     if device.info().wide {
         let positions = bytes(&[x0, x1].concat());
-        let p = Params { frame, dispatch, own: Plain::default() };
-        let contacts = if is_vf {
-            let faces = elements;
-            run(
-                device,
-                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
-        } else {
-            let edges = elements;
-            run(
-                device,
-                DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
-        };
+        let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
+        let contacts = run(device, kernel, &p, 3).contacts;
         for touch in touches(&contacts) {
             let toi = join(touch.toi);
             verdicts[of_pair(touch.a)] =
@@ -132,22 +114,9 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         }
     } else {
         let undecided = room(count);
-        let p = Params { frame, dispatch, own: Decision { room_open: count } };
-        let (contacts, undecided) = if is_vf {
-            let faces = elements;
-            let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
-            let done = run(device, kernel, &p, 3);
-            (done.contacts, done.undecided)
-        } else {
-            let edges = elements;
-            let done = run(
-                device,
-                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
-                &p,
-                3,
-            );
-            (done.contacts, done.undecided)
-        };
+        let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+        let done = run(device, kernel, &p, 3);
+        let (contacts, undecided) = (done.contacts, done.undecided);
         touches(&contacts)
             .iter()
             .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });

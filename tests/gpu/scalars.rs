@@ -229,7 +229,7 @@ pub fn check_decorations() {
         let Some(record) = kernel.params else { continue };
         let own: &[u32] = match record {
             "Blocks" => &[0, 128, 132, 136, 140],
-            "SortPass" | "Queries" => &[0, 4],
+            "SortPass" | "Queries" | "Decision" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
             "Expansion" => &[0, 4, 8, 12, 20],
             "NodeDescent" => &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68],
@@ -237,7 +237,7 @@ pub fn check_decorations() {
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
-            "Plain" | "Decision" | "ContactSort" | "Worlds" => &[0],
+            "Plain" | "ContactSort" | "Worlds" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };
         let found = offsets(kernel.name);

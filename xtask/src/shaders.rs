@@ -22,7 +22,7 @@ const MANIFEST: &str = "ccd-gpu/shaders/manifest.json";
 const GENERATED: &str = "// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.";
 /// For tools that leave out what is generated.
 #[cfg(feature = "shaders")]
-const ATTRIBUTES: &str = "** linguist-generated\n*.spv binary\n";
+const ATTRIBUTES: &str = "** linguist-generated\n*.spv binary\n*.z binary\n";
 
 /// What decides the products: folders (all files below) and files.
 #[cfg(any(feature = "shaders", test))]
@@ -184,8 +184,10 @@ mod build {
             } else {
                 crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?
             };
+            let wgsl = format!("{GENERATED}\n{wgsl}").into_bytes();
+            products.insert(format!("{name}.z"), packed(&spirv, &wgsl));
             products.insert(format!("{name}.spv"), spirv);
-            products.insert(format!("{name}.wgsl"), format!("{GENERATED}\n{wgsl}").into_bytes());
+            products.insert(format!("{name}.wgsl"), wgsl);
         }
         let manifest =
             json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
@@ -193,6 +195,12 @@ mod build {
         products.insert("manifest.json".into(), text.into_bytes());
         products.insert(".gitattributes".into(), ATTRIBUTES.into());
         Ok(products)
+    }
+
+    /// Both modules of a kernel as they are embedded: the length of the first, then both.
+    fn packed(spirv: &[u8], wgsl: &[u8]) -> Vec<u8> {
+        let length = (spirv.len() as u32).to_le_bytes();
+        miniz_oxide::deflate::compress_to_vec(&[&length, spirv, wgsl].concat(), 10)
     }
 
     /// What a native kernel has instead of WGSL.

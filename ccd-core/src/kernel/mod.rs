@@ -14,9 +14,11 @@ pub mod memory;
 pub mod prefix;
 pub mod probe;
 pub mod sort;
+mod table;
 mod threads;
 mod word_access;
 
+pub use table::{Id, TABLE};
 pub use word_access::{ReadWords, Words};
 
 /// What a kernel does with a buffer.
@@ -54,345 +56,6 @@ impl Kernel {
     }
 }
 
-/// The kernel table: calls a macro with all rows. A row says, in this order: id, name of the entry
-/// point, threads of a workgroup, barriers that its source has, the numbers that it needs, its
-/// record in [`Params`](crate::layout::Params) if it takes parameters, and its buffers in the order
-/// of their bindings.
-#[macro_export]
-macro_rules! kernels {
-    ($callback:ident) => {
-        $callback! {
-            /// Vertices in `f64`: their paths, keys of their exact boxes, their boxes.
-            PlaceVertices = place_vertices(256 threads, 0 barriers, f64, Params<Plain>)
-                { positions: Read, paths: Write, keys: Write, boxes: Write }
-            /// Boxes of vertices.
-            SweepVertices = sweep_vertices(256 threads, 0 barriers, f32, Params<Plain>)
-                { paths: Read, boxes: Write }
-            /// Boxes of edges.
-            SweepEdges = sweep_edges(256 threads, 0 barriers, f32, Params<Plain>)
-                { edges: Read, boxes: Write }
-            /// Boxes of faces.
-            SweepFaces = sweep_faces(256 threads, 0 barriers, f32, Params<Plain>)
-                { faces: Read, boxes: Write }
-            /// Paths up to the earliest time of impact so far, which each kind has.
-            Shorten = shorten(256 threads, 0 barriers, f32, Params<Plain>)
-                { paths: Read, of_vf: Read, of_ee: Read, shortened: Write }
-            /// Bounds of all boxes, in six words.
-            SceneBounds = scene_bounds(256 threads, 1 barriers, f32, Params<Plain>)
-                { boxes: Read, bounds: Write }
-            /// Sort keys of boxes, and their numbers.
-            Morton = morton(256 threads, 0 barriers, f32, Params<Plain>)
-                { boxes: Read, bounds: Read, keys: Write, order: Write }
-            /// Digits of each tile.
-            SortCount = sort_count(128 threads, 2 barriers, f32, Params<SortPass>)
-                { keys: Read, table: Write }
-            /// Sums of the table.
-            SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
-                { table: Write }
-            /// One pass of the sort.
-            SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
-                { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
-            /// Leaves in order and the nodes above.
-            FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
-                { boxes: Read, order: Read, edges: Read, faces: Read, nodes: Write, leaves: Write }
-            /// Nodes of the next level.
-            FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
-                { nodes: Write }
-            /// Internal nodes of a binary tree.
-            Branches = branches(256 threads, 0 barriers, f32, Params<Blocks>)
-                { keys: Read, branches: Write }
-            /// Where neighbours of sorted codes part, and at which levels any do.
-            SplitLevels = split_levels(256 threads, 2 barriers, f32, Params<Building>)
-                { keys: Read, levels: Write, present: Write }
-            /// Entries of each tile on the list of each level.
-            SplitCount = split_count(256 threads, 2 barriers, f32, Params<Building>)
-                { levels: Read, present: Read, table: Write }
-            /// The lists of all levels, one after the other.
-            SplitEmit = split_emit(256 threads, 2 barriers, f32, Params<Building>)
-                { levels: Read, present: Read, table: Read, entries: Write, list: Write }
-            /// Internal nodes of a binary tree from those lists.
-            SplitBranches = split_branches(256 threads, 1 barriers, f32, Params<Building>)
-                { keys: Read, levels: Read, present: Read, table: Read, entries: Read, list: Read,
-                  branches: Write }
-            /// Boxes along the Morton curve as clusters.
-            PlocLeaves = ploc_leaves(256 threads, 0 barriers, f32, Params<Building>)
-                { boxes: Read, bounds: Read, order: Read,
-                  clusters: Write, names: Write, counts: Write }
-            /// The nearest neighbour of each cluster.
-            PlocNearest = ploc_nearest(256 threads, 1 barriers, f32, Params<Building>)
-                { clusters: Read, neighbours: Write, counts: Write }
-            /// How many clusters of each tile are left.
-            PlocCount = ploc_count(256 threads, 2 barriers, f32, Params<Building>)
-                { neighbours: Read, counts: Write }
-            /// Clusters joined and moved together.
-            PlocJoin = ploc_join(256 threads, 2 barriers, f32, Params<Building>)
-                { neighbours: Read, clusters: Read, names: Read,
-                  clusters_out: Write, names_out: Write, counts: Write, joins: Write }
-            /// The rounds of the last clusters.
-            PlocFinish = ploc_finish(256 threads, 4 barriers, f32, Params<Building>)
-                { counts: Read, even_clusters: Read, even_names: Read,
-                  odd_clusters: Read, odd_names: Read, joins: Write }
-            /// Boxes in the order of input as nodes to be paired.
-            PairLeaves = pair_leaves(256 threads, 0 barriers, f32, Params<Building>)
-                { boxes: Read, bounds: Read, clusters: Write, items: Write }
-            /// Nodes of a level in pairs, each with its nearest free neighbour.
-            PairNearest = pair_nearest(256 threads, 4 barriers, f32, Params<Building>)
-                { items: Write }
-            /// The level above.
-            PairJoin = pair_join(256 threads, 0 barriers, f32, Params<Building>)
-                { clusters: Read, items: Read,
-                  clusters_out: Write, items_out: Write, joins: Write }
-            /// Numbers of nodes that were joined bottom up, and the order of their leaves.
-            NumberLeaves = number_leaves(256 threads, 0 barriers, f32, Params<Building>)
-                { joins: Read, order: Read, ordered: Write, branches: Write }
-            /// The same with their boxes, and leaves: for pairs of nodes.
-            BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
-            /// The same with the boxes of their children, if these are near; a list of the others:
-            /// for queries.
-            NearNodes = near_nodes(256 threads, 4 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, nodes: Write, far: Write }
-            /// Those of the list.
-            FarNodes = far_nodes(128 threads, 0 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, far: Read, nodes: Write }
-            /// Leaves of a binary tree that overlap each other.
-            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Blocks>)
-                { leaves: Read, order: Read, nodes: Read, pairs: Write }
-            /// Boxes that overlap leaves of a binary tree.
-            TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
-                { boxes: Read, order: Read, nodes: Read, pairs: Write }
-            /// Oriented boxes of nodes whose leaves are near; a list of the others.
-            OrientNear = orient_near(256 threads, 5 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, oriented: Write, stamps: Write, far: Write }
-            /// Those of the list whose children were done in an earlier dispatch.
-            OrientFar = orient_far(128 threads, 0 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, far: Read, oriented: Write, stamps: Write }
-            /// Leaves of a tree of oriented boxes that overlap each other.
-            TraverseHalfOriented
-                = traverse_half_oriented(128 threads, 0 barriers, f32, Params<Blocks>)
-                { leaves: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
-            /// Boxes that overlap leaves of a tree of oriented boxes.
-            TraverseFullOriented
-                = traverse_full_oriented(128 threads, 0 barriers, f32, Params<Queries>)
-                { boxes: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
-            /// Nodes of a cut through a binary tree.
-            CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
-                { branches: Read, cuts: Write }
-            /// Pairs of nodes of two cuts, or of one.
-            CutPairs = cut_pairs(256 threads, 0 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, cuts: Read,
-                  control: Write, output: Write, front: Write }
-            /// Pairs of nodes of binary trees to pairs of their children, and pairs of leaves.
-            ExpandPairs = expand_pairs(128 threads, 3 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, input: Read,
-                  levels: Write, output: Write, pairs: Write }
-            /// Pairs of nodes of two cuts, or of one, of trees of oriented boxes.
-            CutPairsOriented = cut_pairs_oriented(256 threads, 0 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, cuts: Read, oriented: Read,
-                  control: Write, output: Write, front: Write }
-            /// Pairs of nodes of trees of oriented boxes to pairs of their children, and of leaves.
-            ExpandPairsOriented
-                = expand_pairs_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, oriented: Read, input: Read,
-                  levels: Write, output: Write, pairs: Write }
-            /// Pairs of a front to those that still end there, pairs of leaves, and tasks.
-            ResumeFront = resume_front(128 threads, 3 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// Workers that descend pairs of nodes.
-            PairWorkers = pair_workers(128 threads, 5 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// The same of trees of oriented boxes: a front.
-            ResumeFrontOriented
-                = resume_front_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, oriented: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// The same of trees of oriented boxes: workers.
-            PairWorkersOriented
-                = pair_workers_oriented(128 threads, 5 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, oriented: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// Workers that descend pairs of nodes and steal them from each other.
-            StealPairs = steal_pairs(128 threads, 18 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// The same of trees of oriented boxes.
-            StealPairsOriented
-                = steal_pairs_oriented(128 threads, 18 barriers, f32, Params<NodeDescent>)
-                { a_nodes: Read, b_nodes: Read, oriented: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// All pairs of blocks of the level where a descent begins: tasks, or the first front.
-            FirstBlockPairs
-                = first_block_pairs(128 threads, 3 barriers, f32, Params<BlockDescent>)
-                { boxes: Read, first: Read,
-                  control: Write, nodes: Write, pairs: Write, front: Write }
-            /// Pairs of blocks of a front to those that still end there, pairs of blocks of boxes,
-            /// and tasks.
-            ResumeBlockFront
-                = resume_block_front(128 threads, 3 barriers, f32, Params<BlockDescent>)
-                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
-            /// Workers that descend pairs of blocks.
-            BlockWorkers = block_workers(128 threads, 6 barriers, f32, Params<BlockDescent>)
-                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
-            /// Workers that descend pairs of blocks and steal them from each other.
-            StealBlockPairs = steal_block_pairs(128 threads, 19 barriers, f32, Params<BlockDescent>)
-                { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
-            /// The axis along which boxes vary most.
-            SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
-                { boxes: Read, survey: Write }
-            /// The largest sides of all boxes.
-            SurveySides = survey_sides(256 threads, 2 barriers, f32, Params<Plain>)
-                { boxes: Read, survey: Write }
-            /// Keys of boxes for a sweep or a grid, and their numbers.
-            IntervalKeys = interval_keys(256 threads, 0 barriers, f32, Params<Intervals>)
-                { boxes: Read, survey: Read, keys: Write, order: Write }
-            /// How full the cells of a grid are.
-            SurveyCells = survey_cells(256 threads, 2 barriers, f32, Params<Intervals>)
-                { sorted: Read, keys: Read, survey: Write }
-            /// Boxes in order.
-            OrderBoxes = order_boxes(256 threads, 0 barriers, f32, Params<Plain>)
-                { boxes: Read, order: Read, sorted: Write }
-            /// What groups of boxes are compared with, in pieces.
-            IntervalWork = interval_work(128 threads, 4 barriers, f32, Params<Intervals>)
-                { sorted: Read, keys: Read, survey: Read, work: Write }
-            /// Pieces of work to overlapping boxes.
-            IntervalPairs = interval_pairs(128 threads, 4 barriers, f32, Params<Intervals>)
-                { sorted: Read, keys: Read, order: Read, survey: Read, work: Read,
-                  pairs: Write }
-            /// Pairs of nodes to pairs of their children.
-            NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
-                { nodes: Read, input: Read, output: Write }
-            /// Bounds of each of many worlds, in six words each.
-            WorldBounds = world_bounds(256 threads, 0 barriers, f32, Params<Worlds>)
-                { boxes: Read, worlds: Read, bounds: Write }
-            /// Sort keys of boxes of many worlds, and their numbers.
-            WorldKeys = world_keys(256 threads, 0 barriers, f32, Params<Worlds>)
-                { boxes: Read, worlds: Read, bounds: Read, keys: Write, order: Write }
-            /// Pairs of nodes to pairs of their children that have a world in common.
-            NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 6 barriers, f32, Params<Blocks>)
-                { nodes: Read, worlds: Read, input: Read, output: Write }
-            /// Pairs of blocks to candidates.
-            ListCandidates = list_candidates(128 threads, 6 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
-            /// Pairs of blocks to filtered vertex-face candidates.
-            FilterVertexFace = filter_vertex_face(128 threads, 6 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
-            /// Pairs of blocks to filtered edge-edge candidates.
-            FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
-            /// Boxes of triangles.
-            SweepTriangles = sweep_triangles(256 threads, 0 barriers, f32, Params<Plain>)
-                { triangles: Read, boxes: Read, swept: Write }
-            /// Pairs of triangles to pairs of the features that they represent.
-            ExpandTriangles = expand_triangles(128 threads, 5 barriers, f32, Params<Expansion>)
-                { triangles: Read, regions: Read, boxes: Read, input: Read,
-                  vf: Write, ee: Write, counts: Write }
-            /// Pairs of features whose representatives share a vertex.
-            NearTests = near_tests(128 threads, 5 barriers, f32, Params<Expansion>)
-                { tests: Read, regions: Read, swept: Read, boxes: Read,
-                  vf: Write, ee: Write, counts: Write }
-            /// Listed pairs to vertex-face candidates.
-            ListListedVertexFace
-                = list_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)
-                { boxes: Read, faces: Read, bodies: Read, keys: Read, input: Read, output: Write }
-            /// Listed pairs to edge-edge candidates.
-            ListListedEdgeEdge = list_listed_edge_edge(128 threads, 3 barriers, f32, Params<Plain>)
-                { boxes: Read, edges: Read, bodies: Read, keys: Read, input: Read, output: Write }
-            /// Listed pairs to filtered vertex-face candidates.
-            FilterListedVertexFace
-                = filter_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)
-                { boxes: Read, faces: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
-            /// Listed pairs to filtered edge-edge candidates.
-            FilterListedEdgeEdge
-                = filter_listed_edge_edge(128 threads, 3 barriers, f32, Params<Plain>)
-                { boxes: Read, edges: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
-            /// Verdicts of vertices and faces in `f32`.
-            DecideVertexFace = decide_vertex_face(64 threads, 7 barriers, f32, Params<Decision>)
-                { paths: Read, faces: Read, input: Read,
-                  contacts: Write, undecided: Write, earliest: Write }
-            /// Verdicts of edges in `f32`.
-            DecideEdgeEdge = decide_edge_edge(64 threads, 7 barriers, f32, Params<Decision>)
-                { paths: Read, edges: Read, input: Read,
-                  contacts: Write, undecided: Write, earliest: Write }
-            /// Verdicts of vertices and faces in `f64`.
-            DecideVertexFaceWide
-                = decide_vertex_face_wide(64 threads, 3 barriers, f64, Params<Plain>)
-                { paths: Read, positions: Read, faces: Read, input: Read,
-                  contacts: Write, earliest: Write }
-            /// Verdicts of edges in `f64`.
-            DecideEdgeEdgeWide = decide_edge_edge_wide(64 threads, 3 barriers, f64, Params<Plain>)
-                { paths: Read, positions: Read, edges: Read, input: Read,
-                  contacts: Write, earliest: Write }
-            /// Keys of contacts, and their numbers in the first of two sorts.
-            ContactKeys = contact_keys(256 threads, 0 barriers, f32, Params<ContactSort>)
-                { contacts: Read, keys: Write, order: Write }
-            /// Contacts in order.
-            OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
-                { contacts: Read, order: Read, ordered: Write }
-            /// Point, normal and weights of contacts, in `f32`.
-            ContactGeometry = contact_geometry(64 threads, 0 barriers, f32, Params<Placing>)
-                { paths: Read, edges: Read, faces: Read, contacts: Read, geometry: Write }
-            /// Point, normal and weights of contacts, in `f64`.
-            ContactGeometryWide = contact_geometry_wide(64 threads, 0 barriers, f64, Params<Plain>)
-                { paths: Read, positions: Read, edges: Read, faces: Read, contacts: Read,
-                  geometry: Write }
-            /// For tests: items that are counted whenever a worker takes them.
-            StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
-                { words: Write, stacks: Write, counts: Write, status: Write }
-            /// For tests: fields of records.
-            ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
-                { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }
-            /// For tests, and for what a device flushes: scalar operations.
-            ProbeScalars = probe_scalars(64 threads, 0 barriers, f32)
-                { inputs: Read, results: Write }
-            /// For tests, and for what a device flushes: scalar operations in `f64`.
-            ProbeWide = probe_wide(64 threads, 0 barriers, f64)
-                { inputs: Read, results: Write }
-        }
-    };
-}
-
-macro_rules! wide {
-    (f32) => {
-        false
-    };
-    (f64) => {
-        true
-    };
-}
-
-macro_rules! table {
-    ($(
-        $(#[$doc:meta])*
-        $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
-            $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
-    )*) => {
-        /// A kernel of the table.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Id {
-            $($(#[$doc])* $id,)*
-        }
-
-        /// Every kernel with an entry point, in the order of [`Id`].
-        pub const TABLE: &[Kernel] = &[$(Kernel {
-            name: stringify!($name),
-            threads: $threads,
-            barriers: $barriers,
-            wide: wide!($float),
-            native: Id::$id.native(),
-            params: [$(Some(stringify!($own)),)? None][0],
-            buffers: &[$((stringify!($field), Access::$access)),*],
-        },)*];
-    };
-}
-
-kernels!(table);
-
 impl Id {
     /// The kernel's row.
     pub const fn row(self) -> &'static Kernel {
@@ -402,6 +65,23 @@ impl Id {
     /// Threads of a workgroup.
     pub const fn threads(self) -> u32 {
         self.row().threads
+    }
+
+    /// The kernel that does the same over trees of oriented boxes, which it has as one more buffer,
+    /// or whose workers steal; itself where there is none.
+    pub const fn variant(self, oriented: bool, steals: bool) -> Self {
+        match (self, oriented, steals) {
+            (Id::TraverseHalf, true, _) => Id::TraverseHalfOriented,
+            (Id::TraverseFull, true, _) => Id::TraverseFullOriented,
+            (Id::CutPairs, true, _) => Id::CutPairsOriented,
+            (Id::ExpandPairs, true, _) => Id::ExpandPairsOriented,
+            (Id::ResumeFront, true, _) => Id::ResumeFrontOriented,
+            (Id::PairWorkers, true, false) => Id::PairWorkersOriented,
+            (Id::PairWorkers, true, true) => Id::StealPairsOriented,
+            (Id::PairWorkers, false, true) => Id::StealPairs,
+            (Id::BlockWorkers, _, true) => Id::StealBlockPairs,
+            _ => self,
+        }
     }
 
     /// Whether it runs on the native path alone: workgroups pass data to each other inside a

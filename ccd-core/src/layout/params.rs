@@ -314,10 +314,12 @@ pub struct SortPass {
     pub n_tiles: u32,
 }
 
-/// What the kernels that decide in `f32` are told.
+/// What the kernels that look at one listed pair a thread are told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Decision {
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
     /// Entries that the list of undecided pairs has room for.
     pub room_open: u32,
 }
@@ -375,7 +377,7 @@ const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
 const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
-const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
+const _: () = assert!(size_of::<Decision>() == 8 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Worlds>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

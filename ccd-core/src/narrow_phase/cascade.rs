@@ -2,28 +2,26 @@
 //! candidates before any is decided.
 
 use crate::kernel::memory::at;
-use crate::layout::{Leaf, Path};
+use crate::layout::Path;
 use crate::math::real::{Mask, Num};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::separating_direction::beside;
 
-/// Whether a vertex and a face may come within `min_distance`; `false` is certain.
+/// Whether the features of a query over `patch` may come within `min_distance`; `false` is certain.
+/// Of two edges, the lesser id is the first.
 ///
 /// `error`: how far a coordinate of a path may be from the true one.
 #[inline(always)]
-pub fn vertex_face(v: &Leaf, f: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
-    let ids = [v.vertices[0], f.vertices[0], f.vertices[1], f.vertices[2]];
+pub fn may_touch(
+    patch: Patch,
+    ids: [u32; 4],
+    paths: &[Path],
+    error: f32,
+    min_distance: f32,
+) -> bool {
     let (x0, x1) = ends(ids, paths);
-    !apart(&Motion::vertex_face(&x0, &x1, error), Patch::Triangle, min_distance)
-}
-
-/// Whether two edges, the lesser id first, may come within `min_distance`; `false` is certain.
-#[inline(always)]
-pub fn edge_edge(a: &Leaf, b: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
-    let ids = [a.vertices[0], a.vertices[1], b.vertices[0], b.vertices[1]];
-    let (x0, x1) = ends(ids, paths);
-    !apart(&Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram, min_distance)
+    !apart(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
 }
 
 /// Positions of four vertices at both ends.

@@ -134,48 +134,29 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// Decides vertex `pair.a` against face `pair.b` in `f32`.
+/// Decides a pair of a kind in `f32`. `elements`: see [`words_of_pair`].
 #[inline(always)]
-pub fn vertex_face(pair: Pair, frame: &Frame, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
-    let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
-    let motion = Motion::vertex_face(&x0, &x1, frame.path_error);
-    narrow_verdicts(search(&motion, Patch::Triangle, &search_of(frame)), frame)
+pub fn narrow(kind: u32, pair: Pair, frame: &Frame, paths: &[Path], elements: &[u32]) -> Verdicts {
+    let (patch, ids) = words_of_pair(kind, pair, elements);
+    let (x0, x1) = ends(ids, paths);
+    let motion = Motion::new(patch, &x0, &x1, frame.path_error);
+    narrow_verdicts(search(&motion, patch, &search_of(frame)), frame)
 }
 
-/// Decides edges `pair.a` and `pair.b` in `f32`.
+/// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`].
 #[inline(always)]
-pub fn edge_edge(pair: Pair, frame: &Frame, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
-    let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
-    let motion = Motion::edge_edge(&x0, &x1, frame.path_error);
-    narrow_verdicts(search(&motion, Patch::Parallelogram, &search_of(frame)), frame)
-}
-
-/// Decides vertex `pair.a` against face `pair.b` in `f64`.
-#[inline(always)]
-pub fn vertex_face_wide(
+pub fn wide(
+    kind: u32,
     pair: Pair,
     frame: &Frame,
     paths: &[Path],
-    wide: &[[f64; 3]],
-    faces: &[[u32; 3]],
+    positions: &[[f64; 3]],
+    elements: &[u32],
 ) -> Verdicts {
-    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), frame, paths, wide);
-    let motion = Motion::vertex_face(&x0, &x1, 0.0);
-    verdicts(search(&motion, Patch::Triangle, &wide_search_of(frame)), split)
-}
-
-/// Decides edges `pair.a` and `pair.b` in `f64`.
-#[inline(always)]
-pub fn edge_edge_wide(
-    pair: Pair,
-    frame: &Frame,
-    paths: &[Path],
-    wide: &[[f64; 3]],
-    edges: &[[u32; 2]],
-) -> Verdicts {
-    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), frame, paths, wide);
-    let motion = Motion::edge_edge(&x0, &x1, 0.0);
-    verdicts(search(&motion, Patch::Parallelogram, &wide_search_of(frame)), split)
+    let (patch, ids) = words_of_pair(kind, pair, elements);
+    let (x0, x1) = wide_ends(ids, frame, paths, positions);
+    let motion = Motion::new(patch, &x0, &x1, 0.0);
+    verdicts(search(&motion, patch, &wide_search_of(frame)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.
@@ -225,6 +206,21 @@ pub fn vertex_face_ids(pair: Pair, faces: &[[u32; 3]]) -> [u32; 4] {
 pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     let ([a0, a1], [b0, b1]) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
     [a0, a1, b0, b1]
+}
+
+/// What a pair of a kind is: over which patch, and its vertex ids, `v f0 f1 f2` or
+/// `ea0 ea1 eb0 eb1`. `elements`: the words of all faces where the kind is 0, else of all edges.
+#[inline(always)]
+pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4]) {
+    if kind == 0 {
+        let b = 3 * pair.b as usize;
+        let face = [at(elements, b), at(elements, b + 1), at(elements, b + 2)];
+        (Patch::Triangle, [pair.a, face[0], face[1], face[2]])
+    } else {
+        let (a, b) = (2 * pair.a as usize, 2 * pair.b as usize);
+        let (first, second) = (at(elements, a), at(elements, b));
+        (Patch::Parallelogram, [first, at(elements, a + 1), second, at(elements, b + 1)])
+    }
 }
 
 /// The answer for a pair of features with these vertices, in the precision `R`, from exact

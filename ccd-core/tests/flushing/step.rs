@@ -137,13 +137,9 @@ impl OnDevice {
         let (frame, paths, given) = (&self.frame, &self.paths, &self.given);
         match patch {
             Patch::Triangle => {
-                let pair = Pair { a: ids[0], b: 0 };
-                decide::vertex_face_wide(pair, frame, paths, given, &[[ids[1], ids[2], ids[3]]])
+                decide::wide(0, Pair { a: ids[0], b: 0 }, frame, paths, given, &ids[1..])
             }
-            Patch::Parallelogram => {
-                let edges = [[ids[0], ids[1]], [ids[2], ids[3]]];
-                decide::edge_edge_wide(Pair { a: 0, b: 1 }, frame, paths, given, &edges)
-            }
+            Patch::Parallelogram => decide::wide(1, Pair { a: 0, b: 1 }, frame, paths, given, &ids),
         }
     }
 }

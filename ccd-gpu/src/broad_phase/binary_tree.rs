@@ -110,41 +110,44 @@ impl BinaryTree {
     }
 
     /// Lists all pairs within the tree, each query looking only at leaves after its own.
+    /// `oriented`: the oriented boxes of all trees, where these tell pairs apart.
     pub fn traverse_half(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
+        oriented: Option<&wgpu::Buffer>,
         pairs: &List,
     ) {
         let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &self.nodes);
         for dispatch in parts(self.n, pairs) {
             let p = Params { dispatch, ..self.params(frame, blocks) };
             let kernel = TraverseHalf { leaves, order, nodes, pairs: pairs.buffer() };
-            recorder.each(&kernel, &p, dispatch.n);
+            recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }
     }
 
     /// Lists all pairs of a kind, whose second set is that of the tree, one query a box of the
-    /// first.
+    /// first. `oriented`: as above.
     pub fn traverse_full(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        own: Queries,
+        (own, oriented): (Queries, Option<&wgpu::Buffer>),
         pairs: &List,
     ) {
         let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
         for dispatch in parts(frame.count[sets(own.kind)[0]], pairs) {
             let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
-            recorder.each(&kernel, &Params { frame: *frame, dispatch, own }, dispatch.n);
+            let p = Params { frame: *frame, dispatch, own };
+            recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }
     }
 }
 
 /// The dispatches over `n` queries.
-pub fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
+fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
     let room_out = pairs.room();
     (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
         n: (n - first).min(DISPATCH_LIMIT),

@@ -19,12 +19,6 @@ use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 
-/// Workgroups of kernels that take one item after another: enough for the largest GPUs; few where a
-/// CPU plays one, because each costs it some time to start.
-pub fn groups(device: &Device) -> u32 {
-    if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
-}
-
 /// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no
 /// driver thinks that it hangs.
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
@@ -150,7 +144,7 @@ impl Tree {
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
             descent: None,
-            groups: groups(device),
+            groups: device.groups(),
             levels,
             nodes,
             worlds: None,

@@ -10,8 +10,8 @@
 //! ```
 
 use super::block_levels::Levels;
+use super::descended::{BlockTrees, Descended, Trees};
 use super::scheduled::Scheduled;
-use super::scheduler::{BlockTrees, Descended, Trees};
 use crate::bind::FirstBlockPairs;
 use crate::device::Device;
 use crate::error::Error;

@@ -21,8 +21,7 @@
 //! A search that was recorded and whose results the host has not seen may have been anything: after
 //! one, nothing is kept.
 
-use super::scheduler::Descended;
-use super::scheduler::kernels::{self, Buffers};
+use super::descended::{self, Buffers, Descended, Written};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -59,26 +58,6 @@ struct Search {
     is_open: bool,
 }
 
-/// A front as kernels write it.
-#[derive(Clone, Copy)]
-pub struct Written<'a> {
-    pub front: &'a wgpu::Buffer,
-    room: u32,
-    written: u32,
-}
-
-impl<'a> Written<'a> {
-    /// None is kept; a kernel wants a buffer all the same.
-    pub fn none(front: &'a wgpu::Buffer) -> Self {
-        Self { front, room: 0, written: 0 }
-    }
-
-    /// What kernels are told of it.
-    pub fn record(&self) -> NodeDescent {
-        NodeDescent { room_front: self.room, written: self.written, ..NodeDescent::default() }
-    }
-}
-
 impl Front {
     /// With room for `n` pairs, or for as many as half of its memory has room for.
     pub fn new(device: &Device, options: FrontOptions, n: u32) -> Result<Self, Error> {
@@ -110,7 +89,7 @@ impl Front {
         let own =
             NodeDescent { room_nodes: tasks.room(), room_front, written, ..Default::default() };
         let buffers = Buffers { control, nodes: tasks.buffer(), front: &self.slots };
-        kernels::resume(recorder, of, buffers, &of.params(own, 0, begun));
+        descended::resume(recorder, of, buffers, &of.params(own, 0, begun));
     }
 
     /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it

@@ -1,7 +1,6 @@
 //! Boxes in the order of a key as a source of pairs: sort and sweep, a uniform grid, brute force.
 //! What a method is stands in `ccd_core::broad_phase::key_intervals`.
 
-use super::block_bvh::groups;
 use super::pair_source::{PAIRS, PairSource, Search, boxes_of, frame_of};
 use crate::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
@@ -66,7 +65,7 @@ impl IntervalSource {
             )?,
             sort: Sort::new(device, frame.start[3])?,
             work: [work(0)?, work(1)?],
-            groups: groups(device),
+            groups: device.groups(),
         })
     }
 

@@ -6,6 +6,7 @@ mod block_descent;
 mod block_levels;
 mod block_pairs;
 mod builder;
+mod descended;
 mod front;
 mod key_intervals;
 pub mod method;

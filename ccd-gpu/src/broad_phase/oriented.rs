@@ -1,17 +1,16 @@
 //! Oriented boxes of binary trees on a device: fitted a tile of leaves a workgroup, then a level a
 //! dispatch, and looked at by traversals; see [`ccd_core::broad_phase::oriented_nodes`].
 
-use super::binary_tree::{BinaryTree, parts};
+use super::binary_tree::BinaryTree;
 use super::block_bvh::Tree;
-use crate::bind::{OrientFar, OrientNear, TraverseFullOriented, TraverseHalfOriented};
+use crate::bind::{OrientFar, OrientNear};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, List};
+use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::block_bvh::sets;
 use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, Params, Queries};
+use ccd_core::layout::{Dispatch, Frame, Params};
 use wgpu::BufferUsages as U;
 
 /// Oriented boxes of the internal nodes of the trees over all sets: that of node `i` of a set's
@@ -59,42 +58,6 @@ impl OrientedBoxes {
         for first in (FIRST_ROUND..).take(n_rounds(tree.n, tree.height()) as usize) {
             let dispatch = Dispatch { first, ..p.dispatch };
             recorder.dispatch(&kernel, &Params { dispatch, ..p }, groups);
-        }
-    }
-
-    /// As [`BinaryTree::traverse_half`], and leaves out what an oriented box tells apart.
-    pub fn traverse_half(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        blocks: &Tree,
-        tree: &BinaryTree,
-        pairs: &List,
-    ) {
-        let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &tree.nodes);
-        for dispatch in parts(tree.n, pairs) {
-            let p = Params { dispatch, ..tree.params(frame, blocks) };
-            let (oriented, pairs) = (&self.boxes, pairs.buffer());
-            let kernel = TraverseHalfOriented { leaves, order, nodes, oriented, pairs };
-            recorder.each(&kernel, &p, dispatch.n);
-        }
-    }
-
-    /// As [`BinaryTree::traverse_full`], and leaves out what an oriented box tells apart.
-    pub fn traverse_full(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        blocks: &Tree,
-        tree: &BinaryTree,
-        own: Queries,
-        pairs: &List,
-    ) {
-        let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &tree.nodes);
-        for dispatch in parts(frame.count[sets(own.kind)[0]], pairs) {
-            let (oriented, pairs) = (&self.boxes, pairs.buffer());
-            let kernel = TraverseFullOriented { boxes, order, nodes, oriented, pairs };
-            recorder.each(&kernel, &Params { frame: *frame, dispatch, own }, dispatch.n);
         }
     }
 }

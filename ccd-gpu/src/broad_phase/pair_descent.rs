@@ -11,10 +11,9 @@
 //! is made only where none is kept.
 
 use super::binary_tree::BinaryTree;
-use super::front::Written;
+use super::descended::{BinaryTrees, Descended, Trees, Written};
 use super::scheduled::Scheduled;
-use super::scheduler::{BinaryTrees, Descended, Trees};
-use crate::bind::{CutNodes, CutPairs, CutPairsOriented};
+use crate::bind::{CutNodes, CutPairs};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -96,17 +95,8 @@ impl PairDescent {
             recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
         }
         let (output, p, n) = (tasks.buffer(), of.params(own, 0, 0), self.nodes * self.nodes);
-        match both.oriented {
-            None => {
-                let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
-                recorder.each(&kernel, &p, n);
-            }
-            Some(oriented) => {
-                let kernel =
-                    CutPairsOriented { a_nodes, b_nodes, cuts, oriented, control, output, front };
-                recorder.each(&kernel, &p, n);
-            }
-        }
+        let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
+        recorder.each_variant(&kernel, both.oriented, &p, n);
     }
 
     /// Levels that there can be: with every step either both sides go down, or the larger one.

@@ -1,9 +1,10 @@
 //! What binary trees and blocks have in common where a scheduler shares out their pairs: a schedule
 //! and a front for each kind of pairs.
 
-use super::front::{COUNTERS, Front, Written};
+use super::descended::{Descended, Written};
+use super::front::{COUNTERS, Front};
 use super::pair_source::kinds_of;
-use super::scheduler::{self, Descended, Schedule};
+use super::scheduler::{self, Schedule};
 use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;

@@ -82,25 +82,21 @@ impl TreeSource {
         let pairs = search.pairs[kind as usize];
         let [a, b] = sets(kind).map(|set| self.trees[set].as_ref());
         let Some(b) = b else { return };
-        let (blocks, oriented) = (&self.blocks, self.oriented.as_ref());
-        match (self.traversal, oriented) {
-            (Traversal::Cut { .. }, _) => {
+        let blocks = &self.blocks;
+        let oriented = self.oriented.as_ref().map(|oriented| &oriented.boxes);
+        match self.traversal {
+            Traversal::Cut { .. } => {
                 if let Some((descent, a)) = self.descent.as_ref().zip(a) {
-                    let oriented = oriented.map(|oriented| &oriented.boxes);
                     let of = (frame, kind, search.keeps_order);
                     descent.run(recorder, of, [a, b], oriented, pairs);
                 }
             }
-            (Traversal::Half, None) if kind == 1 => b.traverse_half(recorder, frame, blocks, pairs),
-            (Traversal::Half, Some(oriented)) if kind == 1 => {
-                oriented.traverse_half(recorder, frame, blocks, b, pairs);
+            Traversal::Half if kind == 1 => {
+                b.traverse_half(recorder, frame, blocks, oriented, pairs);
             }
-            (other, oriented) => {
+            other => {
                 let own = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
-                match oriented {
-                    None => b.traverse_full(recorder, frame, blocks, own, pairs),
-                    Some(all) => all.traverse_full(recorder, frame, blocks, b, own, pairs),
-                }
+                b.traverse_full(recorder, frame, blocks, (own, oriented), pairs);
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::{Device, Inner};
 use crate::error::Error;
 use crate::pipeline::Pipeline;
-use crate::shaders::module;
+use crate::shaders::{check, packed};
 use ccd_core::kernel::Id;
 use std::cmp::Reverse;
 use std::sync::MutexGuard;
@@ -52,8 +52,9 @@ impl Device {
         if missing.is_empty() {
             return Ok(());
         }
+        missing.iter().try_for_each(|&id| check(id))?;
         // Those that take longest first.
-        missing.sort_unstable_by_key(|&id| (Reverse(module(id).spirv.len()), id as usize));
+        missing.sort_unstable_by_key(|&id| (Reverse(packed(id).len()), id as usize));
         missing.dedup();
         let start = Instant::now();
         let next = AtomicUsize::new(0);

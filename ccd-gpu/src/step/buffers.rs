@@ -5,7 +5,6 @@ use super::contact_order::ContactOrder;
 use super::lists::Lists;
 use super::source::Source;
 use super::upload::Positions;
-use crate::broad_phase::block_bvh::groups;
 use crate::broad_phase::pair_source::frame_of;
 use crate::device::Device;
 use crate::error::Error;
@@ -85,7 +84,7 @@ impl Buffers {
         let old_positions = old.map(|old| &old.positions);
         let new = Self {
             count,
-            groups: groups(device),
+            groups: device.groups(),
             positions: Positions::reusing(device, mesh.n_vertices(), old_positions)?,
             shortened: device.buffer_or(
                 old.map(|old| &old.shortened),

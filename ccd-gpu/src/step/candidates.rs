@@ -2,10 +2,7 @@
 
 use super::buffers::Buffers;
 use super::source::Source;
-use crate::bind::{
-    FilterEdgeEdge, FilterListedEdgeEdge, FilterListedVertexFace, FilterVertexFace, ListCandidates,
-    ListListedEdgeEdge, ListListedVertexFace,
-};
+use crate::bind::{FilterEdgeEdge, FilterListed, FilterVertexFace, ListCandidates, ListListed};
 use crate::broad_phase::block_bvh::Pass;
 use crate::recorder::Recorder;
 use ccd_core::layout::Frame;
@@ -27,18 +24,10 @@ impl Buffers {
             }
             Source::Listed(listed) => {
                 let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
-                let (faces, edges) = (&self.faces, &self.edges);
-                listed.each_part(frame, kind, list, |p, groups| match kind {
-                    0 => recorder.dispatch(
-                        &ListListedVertexFace { boxes, faces, bodies, keys, input, output },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &ListListedEdgeEdge { boxes, edges, bodies, keys, input, output },
-                        p,
-                        groups,
-                    ),
+                let elements = self.elements(kind);
+                let kernel = ListListed { boxes, elements, bodies, keys, input, output };
+                listed.each_part(frame, kind, list, |p, groups| {
+                    recorder.dispatch(&kernel, p, groups);
                 });
             }
         }
@@ -75,26 +64,10 @@ impl Buffers {
             }
             Source::Listed(listed) => {
                 let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
-                let (faces, edges) = (&self.faces, &self.edges);
-                listed.each_part(frame, kind, list, |p, groups| match kind {
-                    0 => recorder.dispatch(
-                        &FilterListedVertexFace {
-                            boxes,
-                            faces,
-                            bodies,
-                            keys,
-                            paths,
-                            input,
-                            output,
-                        },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &FilterListedEdgeEdge { boxes, edges, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
+                let elements = self.elements(kind);
+                let kernel = FilterListed { boxes, elements, bodies, keys, paths, input, output };
+                listed.each_part(frame, kind, list, |p, groups| {
+                    recorder.dispatch(&kernel, p, groups);
                 });
             }
         }

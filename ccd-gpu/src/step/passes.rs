@@ -4,14 +4,13 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, PlaceVertices,
-    Shorten, SweepEdges, SweepFaces, SweepVertices,
+    Decide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
 use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Decision, Dispatch, Frame, Params, Plain};
+use ccd_core::layout::{Decision, Dispatch, Frame, Params};
 
 /// Stages by kind.
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
@@ -149,34 +148,25 @@ impl Buffers {
         let keep = frame.has(Frame::FLAG_KEEP);
         let contacts = if keep { &self.contacts } else { &self.candidates[kind] }.buffer();
         let Positions { paths, wide: positions, .. } = &self.positions;
-        let (faces, edges) = (&self.faces, &self.edges);
+        let (elements, own) =
+            (self.elements(kind), Decision { kind: kind as u32, room_open: open.room() });
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
         for dispatch in parts {
-            let groups = self.groups.min(dispatch.n.div_ceil(Id::DecideVertexFace.threads()));
+            let groups = self.groups.min(dispatch.n.div_ceil(Id::Decide.threads()));
+            let p = Params { frame, dispatch, own };
             if wide {
-                let p = Params { frame, dispatch, own: Plain::default() };
-                if kind == 0 {
-                    let kernel =
-                        DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
-                    recorder.dispatch(&kernel, &p, groups);
-                } else {
-                    let kernel =
-                        DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
-                    recorder.dispatch(&kernel, &p, groups);
-                }
+                let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
+                recorder.dispatch(&kernel, &p, groups);
             } else {
-                let p = Params { frame, dispatch, own: Decision { room_open: open.room() } };
-                if kind == 0 {
-                    let kernel =
-                        DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
-                    recorder.dispatch(&kernel, &p, groups);
-                } else {
-                    let kernel =
-                        DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
-                    recorder.dispatch(&kernel, &p, groups);
-                }
+                let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+                recorder.dispatch(&kernel, &p, groups);
             }
         }
+    }
+
+    /// Faces, or edges, as pairs of a kind have them.
+    pub(super) fn elements(&self, kind: usize) -> &wgpu::Buffer {
+        if kind == 0 { &self.faces } else { &self.edges }
     }
 }
 

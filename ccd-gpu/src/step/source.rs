@@ -2,7 +2,7 @@
 //! any other source, which lists pairs first, of features or of triangles.
 
 use super::triangle_pairs::TrianglePairs;
-use crate::broad_phase::block_bvh::{Tree, groups};
+use crate::broad_phase::block_bvh::Tree;
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::scheduled::Scheduled;
@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, Params, Plain};
+use ccd_core::layout::{Decision, Dispatch, Frame, Params};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
@@ -85,7 +85,7 @@ impl Source {
                 list("overlapping vertices and faces", count[2])?,
                 list("overlapping edges", count[1])?,
             ],
-            groups: groups(device),
+            groups: device.groups(),
         });
         if let Some(old @ Self::Listed(_)) = old {
             for (list, old) in new.lists_mut().into_iter().zip(old.lists()) {
@@ -317,14 +317,15 @@ impl Listed {
         frame: &Frame,
         kind: usize,
         output: &List,
-        mut run: impl FnMut(&Params, u32),
+        mut run: impl FnMut(&Params<Decision>, u32),
     ) {
         let (room_in, room_out) = (self.pairs[kind].room(), output.room());
         for first in (0..room_in).step_by(DISPATCH_LIMIT as usize) {
             let dispatch = Dispatch { n: DISPATCH_LIMIT, first, room_in, room_out };
             let n = (room_in - first).min(DISPATCH_LIMIT);
-            let groups = n.div_ceil(Id::FilterListedEdgeEdge.threads()).min(self.groups);
-            run(&Params { frame: *frame, dispatch, own: Plain::default() }, groups);
+            let groups = n.div_ceil(Id::FilterListed.threads()).min(self.groups);
+            let own = Decision { kind: kind as u32, room_open: 0 };
+            run(&Params { frame: *frame, dispatch, own }, groups);
         }
     }
 }

@@ -6,7 +6,7 @@
 //! the host, where positions are as they were given; a word a triangle goes to the device.
 
 use crate::bind;
-use crate::broad_phase::block_bvh::{DISPATCH_LIMIT, groups};
+use crate::broad_phase::block_bvh::DISPATCH_LIMIT;
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
 use crate::broad_phase::worker_counts::Counted;
@@ -163,7 +163,7 @@ impl TrianglePairs {
                 COUNT_BYTES,
                 U::STORAGE | U::COPY_DST | U::COPY_SRC,
             )?,
-            groups: groups(device),
+            groups: device.groups(),
         })
     }
 

@@ -1,8 +1,9 @@
 //! Boxes in the order of a key, each against an interval of keys: sort and sweep, a uniform grid
 //! and brute force; see `ccd_core::broad_phase::key_intervals`.
 
+use crate::entry::kernel;
 use crate::workgroup::{
-    add, add_shared, append, barrier, count, get, group, length, lower_shared, raise, raise_shared,
+    add, add_shared, append, barrier, count, get, lower_shared, part, raise, raise_shared,
     read_pair, set, write_pair,
 };
 use ccd_core::Aabb;
@@ -18,8 +19,6 @@ use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Intervals, Pair, Params};
 use ccd_core::narrow_phase::decide;
-use spirv_std::glam::UVec3;
-use spirv_std::spirv;
 
 const THREADS: u32 = Id::IntervalKeys.threads();
 /// Boxes of each thread of a survey.
@@ -34,119 +33,101 @@ const END: u32 = 3;
 const HITS: u32 = 4;
 const BASE: u32 = 5;
 
-/// One workgroup finds the axis along which the centres of boxes vary most, of every
-/// `dispatch.first`-th box, at most `THREADS * SHARE` of them.
-#[spirv(compute(threads(256)))]
-pub fn survey_axis(
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] shared: &mut [Moments<f32>; 256],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &mut [u32],
-) {
-    let mut moments = Moments::<f32>::none();
-    for k in 0..SHARE {
-        let i = (k * THREADS + lane) * params.dispatch.first;
-        if i < params.dispatch.n {
-            moments = moments.merged(&Moments::of(i as usize, 1, boxes));
-        }
-    }
-    set(shared, lane, moments);
-    let mut half = THREADS / 2;
-    for _ in 0..8 {
-        barrier();
-        if lane < half {
-            moments = moments.merged(&get(shared, lane + half));
-            set(shared, lane, moments);
-        }
-        half /= 2;
-    }
-    if lane == 0 {
-        put(survey, FOUND, moments.axes()[0] as u32);
-    }
-}
-
-/// The largest half sides of all boxes: a workgroup raises the three words of `survey` by those of
-/// `THREADS * SHARE` boxes.
-#[spirv(compute(threads(256)))]
-pub fn survey_sides(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] sides: &mut [u32; 4],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &mut [u32],
-) {
-    if lane < 3 {
-        set(sides, lane, 0);
-    }
-    barrier();
-    let mut all = Sizes::NONE;
-    for k in 0..SHARE {
-        let i = (group(id, n) * SHARE + k) * THREADS + lane;
-        if i < params.dispatch.n {
-            all = all.merged(&Sizes::of(&at(boxes, i as usize)));
-        }
-    }
-    raise_shared(sides, 0, order_key(all.half[0]));
-    raise_shared(sides, 1, order_key(all.half[1]));
-    raise_shared(sides, 2, order_key(all.half[2]));
-    barrier();
-    if lane < 3 {
-        raise(survey, FOUND + lane as usize, get(sides, lane));
-    }
-}
-
-/// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order:
-/// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
-/// workgroup adds what its threads found to the survey.
-#[spirv(compute(threads(256)))]
-pub fn survey_cells(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] sums: &mut [u32; 4],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] survey: &mut [u32],
-) {
-    if lane < 3 {
-        set(sums, lane, 0);
-    }
-    barrier();
-    let (i, of_set) = (group(id, n) * THREADS + lane, params.own.kind as usize);
-    if i < params.dispatch.n {
-        let k = (params.frame.start[of_set] + i * params.dispatch.first) as usize;
-        let (key, n_keys) = (at(keys, k), params.frame.start[3]);
-        let cell = uniform_grid::cell_of(key & ((1 << 30) - 1));
-        let of_keys = (of_set as u32) << 30;
-        let mut around = 0;
-        for row in 0..uniform_grid::ROWS {
-            let [first, last] = uniform_grid::row(cell, row, false);
-            if first <= last {
-                // No key is the greatest number.
-                around += lower_bound(keys, n_keys, (of_keys | last) + 1)
-                    - lower_bound(keys, n_keys, of_keys | first);
+kernel! {
+    /// One workgroup finds the axis along which the centres of boxes vary most, of every
+    /// `dispatch.first`-th box, at most `THREADS * SHARE` of them.
+    survey_axis[256](t; params: Plain; shared: [Moments<f32>; 256]; boxes: [Aabb],
+        mut survey: [u32]) {
+        let mut moments = Moments::<f32>::none();
+        for k in 0..SHARE {
+            let i = (k * THREADS + t.lane) * params.dispatch.first;
+            if i < params.dispatch.n {
+                moments = moments.merged(&Moments::of(i as usize, 1, boxes));
             }
         }
-        // Without itself; a sum of 256 such numbers fits in a word.
-        add_shared(sums, 0, (around - 1).min((1 << 24) - 1));
-        let all = sizes(survey).half;
-        let own = Sizes::of(&at(sorted, k)).half;
-        let largest = greatest(all);
-        let part = if largest > 0.0 { greatest(own) / largest * SIDE_UNITS } else { 0.0 };
-        add_shared(sums, 1, part as u32);
-        let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
-        raise_shared(sums, 2, in_cell);
+        set(shared, t.lane, moments);
+        let mut half = THREADS / 2;
+        for _ in 0..8 {
+            barrier();
+            if t.lane < half {
+                moments = moments.merged(&get(shared, t.lane + half));
+                set(shared, t.lane, moments);
+            }
+            half /= 2;
+        }
+        if t.lane == 0 {
+            put(survey, FOUND, moments.axes()[0] as u32);
+        }
     }
-    barrier();
-    let first = FULLNESS + SET_WORDS * of_set;
-    if lane < 2 {
-        add_wide(survey, first + 2 * lane as usize, get(sums, lane));
-    } else if lane == 2 {
-        raise(survey, first + 4, get(sums, 2));
+}
+
+kernel! {
+    /// The largest half sides of all boxes: a workgroup raises the three words of `survey` by those
+    /// of `THREADS * SHARE` boxes.
+    survey_sides[256](t; params: Plain; sides: [u32; 4]; boxes: [Aabb], mut survey: [u32]) {
+        if t.lane < 3 {
+            set(sides, t.lane, 0);
+        }
+        barrier();
+        let mut all = Sizes::NONE;
+        for k in 0..SHARE {
+            let i = (t.group * SHARE + k) * THREADS + t.lane;
+            if i < params.dispatch.n {
+                all = all.merged(&Sizes::of(&at(boxes, i as usize)));
+            }
+        }
+        raise_shared(sides, 0, order_key(all.half[0]));
+        raise_shared(sides, 1, order_key(all.half[1]));
+        raise_shared(sides, 2, order_key(all.half[2]));
+        barrier();
+        if t.lane < 3 {
+            raise(survey, FOUND + t.lane as usize, get(sides, t.lane));
+        }
+    }
+}
+
+kernel! {
+    /// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order:
+    /// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
+    /// workgroup adds what its threads found to the survey.
+    survey_cells[256](t; params: Intervals; sums: [u32; 4]; sorted: [Aabb], keys: [u32],
+        mut survey: [u32]) {
+        if t.lane < 3 {
+            set(sums, t.lane, 0);
+        }
+        barrier();
+        let (i, of_set) = (t.i, params.own.kind as usize);
+        if i < params.dispatch.n {
+            let k = (params.frame.start[of_set] + i * params.dispatch.first) as usize;
+            let (key, n_keys) = (at(keys, k), params.frame.start[3]);
+            let cell = uniform_grid::cell_of(key & ((1 << 30) - 1));
+            let of_keys = (of_set as u32) << 30;
+            let mut around = 0;
+            for row in 0..uniform_grid::ROWS {
+                let [first, last] = uniform_grid::row(cell, row, false);
+                if first <= last {
+                    // No key is the greatest number.
+                    around += lower_bound(keys, n_keys, (of_keys | last) + 1)
+                        - lower_bound(keys, n_keys, of_keys | first);
+                }
+            }
+            // Without itself; a sum of 256 such numbers fits in a word.
+            add_shared(sums, 0, (around - 1).min((1 << 24) - 1));
+            let all = sizes(survey).half;
+            let own = Sizes::of(&at(sorted, k)).half;
+            let largest = greatest(all);
+            let part = if largest > 0.0 { greatest(own) / largest * SIDE_UNITS } else { 0.0 };
+            add_shared(sums, 1, part as u32);
+            let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
+            raise_shared(sums, 2, in_cell);
+        }
+        barrier();
+        let first = FULLNESS + SET_WORDS * of_set;
+        if t.lane < 2 {
+            add_wide(survey, first + 2 * t.lane as usize, get(sums, t.lane));
+        } else if t.lane == 2 {
+            raise(survey, first + 4, get(sums, 2));
+        }
     }
 }
 
@@ -165,41 +146,27 @@ fn add_wide(words: &mut [u32], i: usize, value: u32) {
     }
 }
 
-/// Thread `i` writes the key of box `i`, and `i`.
-#[spirv(compute(threads(256)))]
-pub fn interval_keys(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] keys: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] order: &mut [u32],
-) {
-    let i = group(id, n) * THREADS + lane;
-    if i < params.frame.start[3] {
-        let set = set_of(&params.frame.start, i) as u32;
-        let b = at(boxes, i as usize);
-        put(keys, i as usize, key_intervals::key(params.own.method, set, &b, survey));
-        put(order, i as usize, i);
+kernel! {
+    /// Thread `i` writes the key of box `i`, and `i`.
+    interval_keys[256](t; params: Intervals;; boxes: [Aabb], survey: [u32], mut keys: [u32],
+        mut order: [u32]) {
+        let i = t.i;
+        if i < params.frame.start[3] {
+            let set = set_of(&params.frame.start, i) as u32;
+            let b = at(boxes, i as usize);
+            put(keys, i as usize, key_intervals::key(params.own.method, set, &b, survey));
+            put(order, i as usize, i);
+        }
     }
 }
 
-/// Thread `i` copies the box that is `i`-th in order.
-#[spirv(compute(threads(256)))]
-pub fn order_boxes(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] order: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] sorted: &mut [Aabb],
-) {
-    let i = group(id, n) * THREADS + lane;
-    if i < params.frame.start[3] {
-        put(sorted, i as usize, at(boxes, at(order, i as usize) as usize));
+kernel! {
+    /// Thread `i` copies the box that is `i`-th in order.
+    order_boxes[256](t; params: Plain;; boxes: [Aabb], order: [u32], mut sorted: [Aabb]) {
+        let i = t.i;
+        if i < params.frame.start[3] {
+            put(sorted, i as usize, at(boxes, at(order, i as usize) as usize));
+        }
     }
 }
 
@@ -245,147 +212,127 @@ fn is_full(params: &Params<Intervals>, of_set: usize, survey: &[u32]) -> bool {
     at(survey, first + 1) > 0 || at(survey, first) > params.own.most[of_set]
 }
 
-/// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
-/// that work. Where cells are too full there is none, and the list says that it is too short.
-#[spirv(compute(threads(128)))]
-pub fn interval_work(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] counters: &mut [u32; 8],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] survey: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] work: &mut [u32],
-) {
-    let (own, row) = (group(id, n), params.own.row);
-    if lane == 0 {
-        set(counters, FROM, u32::MAX);
-        set(counters, TO, 0);
-    }
-    barrier();
-    let (place, some) = asking(params, row, own, lane);
-    let [from, to, _] = partners(params, row, place, some, sorted, keys, survey);
-    if from <= to {
-        lower_shared(counters, FROM, from);
-        raise_shared(counters, TO, to);
-    }
-    barrier();
-    let n_keys = params.frame.start[3];
-    let (least, greatest) = (get(counters, FROM), get(counters, TO));
-    if lane < 2 {
-        // No key is the greatest number.
-        let mut found = lower_bound(keys, n_keys, if lane == 0 { least } else { greatest + 1 });
-        if lane == 0 && params.own.kind == 1 {
-            // The first of the group asks from the second on.
-            found = found.max(place + 1);
+kernel! {
+    /// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
+    /// that work. Where cells are too full there is none, and the list says that it is too short.
+    interval_work[128](t; params: Intervals; counters: [u32; 8]; sorted: [Aabb], keys: [u32],
+        survey: [u32], mut work: [u32]) {
+        let (own, row) = (t.group, params.own.row);
+        if t.lane == 0 {
+            set(counters, FROM, u32::MAX);
+            set(counters, TO, 0);
         }
-        set(counters, BEGIN + lane, found);
-    }
-    barrier();
-    let (begin, end) = (get(counters, BEGIN), get(counters, END));
-    let crowded = is_crowded(params, survey);
-    let some = begin < end && !crowded;
-    let n_chunks = if some { (end - begin).div_ceil(CHUNK) } else { 0 };
-    if lane == 0 && n_chunks > 0 {
-        set(counters, BASE, count(work, 0, n_chunks));
-    }
-    if lane == 0 && crowded {
-        raise(work, 0, u32::MAX);
-    }
-    barrier();
-    let base = get(counters, BASE);
-    for round in 0..n_chunks.div_ceil(GROUP) {
-        let c = round * GROUP + lane;
-        if c < n_chunks {
-            let first = begin + c * CHUNK;
-            let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
-            let [a, b] = pack(row, tiles, own, first);
-            write_pair(work, params.dispatch.room_out, base + c, Pair { a, b });
+        barrier();
+        let (place, some) = asking(params, row, own, t.lane);
+        let [from, to, _] = partners(params, row, place, some, sorted, keys, survey);
+        if from <= to {
+            lower_shared(counters, FROM, from);
+            raise_shared(counters, TO, to);
+        }
+        barrier();
+        let n_keys = params.frame.start[3];
+        let (least, greatest) = (get(counters, FROM), get(counters, TO));
+        if t.lane < 2 {
+            // No key is the greatest number.
+            let mut found =
+                lower_bound(keys, n_keys, if t.lane == 0 { least } else { greatest + 1 });
+            if t.lane == 0 && params.own.kind == 1 {
+                // The first of the group asks from the second on.
+                found = found.max(place + 1);
+            }
+            set(counters, BEGIN + t.lane, found);
+        }
+        barrier();
+        let (begin, end) = (get(counters, BEGIN), get(counters, END));
+        let crowded = is_crowded(params, survey);
+        let some = begin < end && !crowded;
+        let n_chunks = if some { (end - begin).div_ceil(CHUNK) } else { 0 };
+        if t.lane == 0 && n_chunks > 0 {
+            set(counters, BASE, count(work, 0, n_chunks));
+        }
+        if t.lane == 0 && crowded {
+            raise(work, 0, u32::MAX);
+        }
+        barrier();
+        let base = get(counters, BASE);
+        for round in 0..n_chunks.div_ceil(GROUP) {
+            let c = round * GROUP + t.lane;
+            if c < n_chunks {
+                let first = begin + c * CHUNK;
+                let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
+                let [a, b] = pack(row, tiles, own, first);
+                write_pair(work, params.dispatch.room_out, base + c, Pair { a, b });
+            }
         }
     }
 }
 
-/// A workgroup compares the boxes of a group with those of a chunk.
-#[spirv(compute(threads(128)))]
-pub fn interval_pairs(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] boxes: &mut [Aabb; 128],
-    #[spirv(workgroup)] names: &mut [u32; 128],
-    #[spirv(workgroup)] hits: &mut [u32; 2048],
-    #[spirv(workgroup)] counters: &mut [u32; 8],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] order: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] survey: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] work: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] pairs: &mut [u32],
-) {
-    let (own, groups) = (group(id, n), n.x * n.y);
-    let there = length(work, params.dispatch.room_in);
-    let left = if there > params.dispatch.first { there - params.dispatch.first } else { 0 };
-    let there = if is_crowded(params, survey) { 0 } else { left.min(params.dispatch.n) };
-    let n_keys = params.frame.start[3];
-    // One piece a workgroup and round.
-    for round in 0..decide::rounds(there, own, groups, 1) {
-        let piece = read_pair(work, params.dispatch.first + own + round * groups);
-        let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
-        let (place, some) = asking(params, row, asks, lane);
-        let [from, to, after] = partners(params, row, place, some, sorted, keys, survey);
-        let query = if some { at(sorted, place as usize) } else { Aabb::EMPTY };
-        for tile in 0..tiles {
-            let begin = first + tile * GROUP;
-            let i = begin + lane;
-            // No interval holds the greatest number.
-            let (mut name, mut b) = (u32::MAX, Aabb::EMPTY);
-            if i < n_keys {
-                name = at(keys, i as usize);
-                b = at(sorted, i as usize);
-            }
-            set(names, lane, name);
-            set(boxes, lane, b);
-            if lane == 0 {
-                set(counters, HITS, 0);
-            }
-            barrier();
-            for c in 0..GROUP {
-                let name = get(names, c);
-                if name >= from
-                    && name <= to
-                    && begin + c >= after
-                    && query.overlaps(&get(boxes, c))
-                {
-                    let hit = add_shared(counters, HITS, 1);
-                    if hit < POOL {
-                        set(hits, hit, lane << 7 | c);
-                    } else {
-                        let pair = pair_of(params, row, place, begin + c, order);
-                        append(pairs, params.dispatch.room_out, pair);
+kernel! {
+    /// A workgroup compares the boxes of a group with those of a chunk.
+    interval_pairs[128](t; params: Intervals; boxes: [Aabb; 128], names: [u32; 128],
+        hits: [u32; 2048], counters: [u32; 8]; sorted: [Aabb], keys: [u32], order: [u32],
+        survey: [u32], work: [u32], mut pairs: [u32]) {
+        let (own, groups) = (t.group, t.groups);
+        let there =
+            if is_crowded(params, survey) { 0 } else { part(work, &params.dispatch) };
+        let n_keys = params.frame.start[3];
+        // One piece a workgroup and round.
+        for round in 0..decide::rounds(there, own, groups, 1) {
+            let piece = read_pair(work, params.dispatch.first + own + round * groups);
+            let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
+            let (place, some) = asking(params, row, asks, t.lane);
+            let [from, to, after] = partners(params, row, place, some, sorted, keys, survey);
+            let query = if some { at(sorted, place as usize) } else { Aabb::EMPTY };
+            for tile in 0..tiles {
+                let begin = first + tile * GROUP;
+                let i = begin + t.lane;
+                // No interval holds the greatest number.
+                let (mut name, mut b) = (u32::MAX, Aabb::EMPTY);
+                if i < n_keys {
+                    name = at(keys, i as usize);
+                    b = at(sorted, i as usize);
+                }
+                set(names, t.lane, name);
+                set(boxes, t.lane, b);
+                if t.lane == 0 {
+                    set(counters, HITS, 0);
+                }
+                barrier();
+                for c in 0..GROUP {
+                    let name = get(names, c);
+                    if name >= from
+                        && name <= to
+                        && begin + c >= after
+                        && query.overlaps(&get(boxes, c))
+                    {
+                        let hit = add_shared(counters, HITS, 1);
+                        if hit < POOL {
+                            set(hits, hit, t.lane << 7 | c);
+                        } else {
+                            let pair = pair_of(params, row, place, begin + c, order);
+                            append(pairs, params.dispatch.room_out, pair);
+                        }
                     }
                 }
-            }
-            barrier();
-            let n_hits = get(counters, HITS).min(POOL);
-            if lane == 0 && n_hits > 0 {
-                set(counters, BASE, count(pairs, 0, n_hits));
-            }
-            barrier();
-            let base = get(counters, BASE);
-            for s in 0..POOL / GROUP {
-                let h = s * GROUP + lane;
-                if h >= n_hits {
-                    break;
+                barrier();
+                let n_hits = get(counters, HITS).min(POOL);
+                if t.lane == 0 && n_hits > 0 {
+                    set(counters, BASE, count(pairs, 0, n_hits));
                 }
-                let hit = get(hits, h);
-                let (place, _) = asking(params, row, asks, hit >> 7);
-                let pair = pair_of(params, row, place, begin + hit % GROUP, order);
-                write_pair(pairs, params.dispatch.room_out, base + h, pair);
+                barrier();
+                let base = get(counters, BASE);
+                for s in 0..POOL / GROUP {
+                    let h = s * GROUP + t.lane;
+                    if h >= n_hits {
+                        break;
+                    }
+                    let hit = get(hits, h);
+                    let (place, _) = asking(params, row, asks, hit >> 7);
+                    let pair = pair_of(params, row, place, begin + hit % GROUP, order);
+                    write_pair(pairs, params.dispatch.room_out, base + h, pair);
+                }
+                barrier();
             }
-            barrier();
         }
     }
 }

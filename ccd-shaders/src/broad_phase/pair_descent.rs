@@ -2,10 +2,10 @@
 //! of two cuts on, every pair is expanded by one thread into at most four, and those of leaves are
 //! found; see `ccd_core::broad_phase::pair_descent`.
 
-use crate::workgroup::{
-    add, add_shared, barrier, count, get, group, raise, read_pair, set, write_pair,
-};
-use ccd_core::broad_phase::block_bvh::sets;
+use super::volume::{Boxes, Oriented, Volume, internal};
+use crate::entry::{Thread, kernel};
+use crate::records::ObbWords;
+use crate::workgroup::{add, add_shared, barrier, count, get, raise, read_pair, set, write_pair};
 use ccd_core::broad_phase::pair_descent::{NodePair, expand};
 use ccd_core::broad_phase::pair_workers::FRONT;
 use ccd_core::broad_phase::stack_traversal::NONE;
@@ -13,8 +13,6 @@ use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
 use ccd_core::model::method::{Descent, Traversal};
-use spirv_std::glam::UVec3;
-use spirv_std::spirv;
 
 const THREADS: u32 = Id::ExpandPairs.threads();
 const CUTTERS: u32 = Id::CutNodes.threads();
@@ -24,106 +22,119 @@ const ROUNDS: u32 = 32;
 const SHARE: u32 = 1024 / CUTTERS;
 
 /// Words of `counters`: pairs of nodes, pairs of leaves, where they go.
-pub(super) const NODES: u32 = 0;
-pub(super) const LEAVES: u32 = 1;
-pub(super) const NODES_BASE: u32 = 2;
-pub(super) const LEAVES_BASE: u32 = 3;
+const NODES: u32 = 0;
+const LEAVES: u32 = 1;
+const NODES_BASE: u32 = 2;
+const LEAVES_BASE: u32 = 3;
 
-/// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most `own.nodes`
-/// of them, as the cut of side `dispatch.first`. A node is split, if there is room, while it has
-/// more than its share of the leaves.
-#[spirv(compute(threads(256)))]
-pub fn cut_nodes(
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] nodes: &mut [u32; 1024],
-    #[spirv(workgroup)] counters: &mut [u32; 4],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] branches: &[Branch],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] cuts: &mut [u32],
-) {
-    let first = cut_start(params.dispatch.first) + LIST_HEADER;
-    let n_leaves = params.frame.count[params.own.kind as usize];
-    let (n_internal, share) = (n_leaves - 1, n_leaves / params.own.nodes);
-    if lane == 0 {
-        set(nodes, 0, 0);
-        set(counters, 0, 1);
-        set(counters, 1, 0);
-    }
-    barrier();
-    for _ in 0..ROUNDS {
-        let n = get(counters, 0);
+kernel! {
+    /// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most
+    /// `own.nodes` of them, as the cut of side `dispatch.first`. A node is split, if there is room,
+    /// while it has more than its share of the leaves.
+    cut_nodes[256](t; params: NodeDescent; nodes: [u32; 1024], counters: [u32; 4];
+        branches: [Branch], mut cuts: [u32]) {
+        let first = cut_start(params.dispatch.first) + LIST_HEADER;
+        let n_leaves = params.frame.count[params.own.kind as usize];
+        let (n_internal, share) = (n_leaves - 1, n_leaves / params.own.nodes);
+        if t.lane == 0 {
+            set(nodes, 0, 0);
+            set(counters, 0, 1);
+            set(counters, 1, 0);
+        }
         barrier();
-        for s in 0..SHARE {
-            let k = s * CUTTERS + lane;
-            if k < n {
-                let node = get(nodes, k);
-                if node < n_internal {
-                    let branch = at(branches, node as usize);
-                    if branch.last - branch.first >= share {
-                        let to = n + add_shared(counters, 1, 1);
-                        if to < params.own.nodes {
-                            set(nodes, k, branch.left);
-                            set(nodes, to, branch.right);
+        for _ in 0..ROUNDS {
+            let n = get(counters, 0);
+            barrier();
+            for s in 0..SHARE {
+                let k = s * CUTTERS + t.lane;
+                if k < n {
+                    let node = get(nodes, k);
+                    if node < n_internal {
+                        let branch = at(branches, node as usize);
+                        if branch.last - branch.first >= share {
+                            let to = n + add_shared(counters, 1, 1);
+                            if to < params.own.nodes {
+                                set(nodes, k, branch.left);
+                                set(nodes, to, branch.right);
+                            }
                         }
                     }
                 }
             }
+            barrier();
+            if t.lane == 0 {
+                set(counters, 0, (n + get(counters, 1)).min(params.own.nodes));
+                set(counters, 1, 0);
+            }
+            barrier();
         }
-        barrier();
-        if lane == 0 {
-            set(counters, 0, (n + get(counters, 1)).min(params.own.nodes));
-            set(counters, 1, 0);
+        let n = get(counters, 0);
+        for s in 0..SHARE {
+            let k = s * CUTTERS + t.lane;
+            if k < n {
+                put(cuts, first + k as usize, get(nodes, k));
+            }
         }
-        barrier();
-    }
-    let n = get(counters, 0);
-    for s in 0..SHARE {
-        let k = s * CUTTERS + lane;
-        if k < n {
-            put(cuts, first + k as usize, get(nodes, k));
+        if t.lane == 0 {
+            put(cuts, first - LIST_HEADER, n);
         }
-    }
-    if lane == 0 {
-        put(cuts, first - LIST_HEADER, n);
     }
 }
 
 /// Where the cut of a side begins; within one tree there is one for both.
 #[inline(always)]
-pub(super) fn cut_start(side: u32) -> usize {
+fn cut_start(side: u32) -> usize {
     side as usize * (LIST_HEADER + Traversal::MAX_CUT as usize)
 }
 
-/// Thread `i * own.nodes + j` looks at the pair of node `i` of the first cut and node `j` of the
-/// second; within one tree if `i <= j`. Those that meet are listed, the others go to the front that
-/// is written, if one is kept.
-#[spirv(compute(threads(256)))]
-pub fn cut_pairs(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] cuts: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] control: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] output: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] front: &mut [u32],
+kernel! {
+    /// Thread `i * own.nodes + j` looks at the pair of node `i` of the first cut and node `j` of
+    /// the second; within one tree if `i <= j`. Those that meet are listed, the others go to the
+    /// front that is written, if one is kept.
+    cut_pairs[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
+        mut control: [u32], mut output: [u32], mut front: [u32]) {
+        let pair = of_cuts(&params.own, t.i, cuts);
+        begin::<Boxes>(params, pair, a_nodes, b_nodes, a_nodes, control, output, front);
+    }
+}
+
+kernel! {
+    /// As `cut_pairs`, of trees of oriented boxes.
+    cut_pairs_oriented[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
+        oriented: [ObbWords], mut control: [u32], mut output: [u32], mut front: [u32]) {
+        let pair = of_cuts(&params.own, t.i, cuts);
+        begin::<Oriented>(params, pair, a_nodes, b_nodes, oriented, control, output, front);
+    }
+}
+
+/// A thread looks at its pair of two cuts.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
+fn begin<V: Volume>(
+    params: &Params<NodeDescent>,
+    pair: NodePair,
+    a_nodes: &[Node],
+    b_nodes: &[Node],
+    more: &[V::More<Node>],
+    control: &mut [u32],
+    output: &mut [u32],
+    front: &mut [u32],
 ) {
-    let pair = of_cuts(&params.own, group(id, n) * CUTTERS + lane, cuts);
     if pair[0] != NONE {
         let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
         let same = params.own.kind == 1 && pair[0] == pair[1];
         // A leaf makes no pair with itself.
         if !same || !x.is_leaf() {
-            place(params, pair, x.aabb().overlaps(&y.aabb()), control, output, front);
+            let meets =
+                x.aabb().overlaps(&y.aabb()) && V::meets(params, pair, a_nodes, b_nodes, more);
+            place(params, pair, meets, control, output, front);
         }
     }
 }
 
 /// Pair `k` of two cuts, or of one, of which the second node does not stand before the first.
 #[inline(always)]
-pub(super) fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
+fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
     let (i, j, within) = (k / own.nodes, k % own.nodes, own.kind == 1);
     let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
     let mut pair = [NONE; 2];
@@ -135,7 +146,7 @@ pub(super) fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
 
 /// A pair that meets is a task of round 0; another ends there, and belongs to the front.
 #[inline(always)]
-pub(super) fn place(
+fn place(
     params: &Params<NodeDescent>,
     pair: NodePair,
     meets: bool,
@@ -197,32 +208,50 @@ pub(super) fn fate(pair: NodePair, internal: [u32; 2]) -> u32 {
     }
 }
 
-/// Thread `i` expands the `i`-th pair of nodes of level `dispatch.first`.
-#[spirv(compute(threads(128)))]
-pub fn expand_pairs(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] counters: &mut [u32; 4],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<NodeDescent>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] b_nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] input: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] levels: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] output: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] pairs: &mut [u32],
+kernel! {
+    /// Thread `i` expands the `i`-th pair of nodes of level `dispatch.first`.
+    expand_pairs[128](t; params: NodeDescent; counters: [u32; 4]; a_nodes: [Node], b_nodes: [Node],
+        input: [u32], mut levels: [u32], mut output: [u32], mut pairs: [u32]) {
+        expand_level::<Boxes>(
+            t, params, counters, a_nodes, b_nodes, a_nodes, input, levels, output, pairs,
+        );
+    }
+}
+
+kernel! {
+    /// As `expand_pairs`, of trees of oriented boxes.
+    expand_pairs_oriented[128](t; params: NodeDescent; counters: [u32; 4]; a_nodes: [Node],
+        b_nodes: [Node], oriented: [ObbWords], input: [u32], mut levels: [u32], mut output: [u32],
+        mut pairs: [u32]) {
+        expand_level::<Oriented>(
+            t, params, counters, a_nodes, b_nodes, oriented, input, levels, output, pairs,
+        );
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
+fn expand_level<V: Volume>(
+    t: Thread,
+    params: &Params<NodeDescent>,
+    counters: &mut [u32; 4],
+    a_nodes: &[Node],
+    b_nodes: &[Node],
+    more: &[V::More<Node>],
+    input: &[u32],
+    levels: &mut [u32],
+    output: &mut [u32],
+    pairs: &mut [u32],
 ) {
-    let (own, groups) = (group(id, n), n.x * n.y);
     let (kind, level) = (params.own.kind, params.dispatch.first as usize);
-    let [set_a, set_b] = sets(kind);
-    let internal = [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1];
+    let internal = internal(params);
     let rule = if params.own.larger != 0 { Descent::Larger } else { Descent::Both };
     let there = at(levels, level).min(params.dispatch.room_in);
     // As many rounds as the room would take, because only that is the same for all threads for
     // certain.
-    for round in 0..params.dispatch.room_in.div_ceil(groups * THREADS) {
-        let i = (own + round * groups) * THREADS + lane;
-        if lane == 0 {
+    for round in 0..params.dispatch.room_in.div_ceil(t.groups * THREADS) {
+        let i = (t.group + round * t.groups) * THREADS + t.lane;
+        if t.lane == 0 {
             set(counters, NODES, 0);
             set(counters, LEAVES, 0);
         }
@@ -232,6 +261,7 @@ pub fn expand_pairs(
         if i < there {
             let pair = read_pair(input, i);
             let children = expand(rule, kind == 1, a_nodes, b_nodes, [pair.a, pair.b]).met;
+            let children = V::only_meeting(params, children, a_nodes, b_nodes, more);
             p = children[0];
             q = children[1];
             r = children[2];
@@ -244,7 +274,7 @@ pub fn expand_pairs(
         let (to_p, to_q) = (claim(p, internal, counters), claim(q, internal, counters));
         let (to_r, to_s) = (claim(r, internal, counters), claim(s, internal, counters));
         barrier();
-        if lane == 0 {
+        if t.lane == 0 {
             let (n_nodes, n_leaves) = (get(counters, NODES), get(counters, LEAVES));
             if n_nodes > 0 {
                 set(counters, NODES_BASE, reserve(levels, level + 1, output, n_nodes));
@@ -264,7 +294,7 @@ pub fn expand_pairs(
 
 /// Counts a pair in its workgroup; returns the number that it has there.
 #[inline(always)]
-pub(super) fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
+fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
     let fate = fate(pair, internal);
     let mut to = 0;
     if fate != 0 {
@@ -276,7 +306,7 @@ pub(super) fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4])
 /// Writes a pair to where it belongs.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn keep(
+fn keep(
     params: &Params<NodeDescent>,
     pair: NodePair,
     internal: [u32; 2],

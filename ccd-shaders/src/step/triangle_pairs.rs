@@ -1,23 +1,19 @@
 //! Pairs of triangles to pairs of features: boxes of triangles, pairs that their boxes make, tests
 //! of neighbours; features go to one list a kind, appended by the workgroup.
 
-use crate::workgroup::{
-    add_shared, barrier, count, get, group, length, read_pair, set, write_pair,
-};
+use crate::entry::kernel;
+use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Expansion, NearTest, Pair, Params, Triangle};
+use ccd_core::layout::{NearTest, Pair, Triangle};
 use ccd_core::narrow_phase::decide;
 use ccd_core::triangle_pairs::expansion::{
     COUNT_STRIDE, Expanded, N_COUNTS, N_VERTEX_FACE, expand, features, near,
 };
-use spirv_std::glam::UVec3;
-use spirv_std::spirv;
 
 const THREADS: u32 = Id::ExpandTriangles.threads();
-const SWEEP_THREADS: u32 = Id::SweepTriangles.threads();
 
 /// Words of `shared` behind the counts: pairs of a vertex and a face, of edges, where they go.
 const VF: u32 = N_COUNTS as u32;
@@ -26,144 +22,113 @@ const BASE_VF: u32 = VF + 2;
 const BASE_EE: u32 = VF + 3;
 const ALL_VF: u32 = (1 << N_VERTEX_FACE) - 1;
 
-/// Thread `i` unites the boxes of the vertices of triangle `i`.
-#[spirv(compute(threads(256)))]
-pub fn sweep_triangles(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] swept: &mut [Aabb],
-) {
-    let i = group(id, n) * SWEEP_THREADS + lane;
-    if i < params.dispatch.n {
-        let corners = at(triangles, i as usize).corners;
-        put(swept, i as usize, swept_box::triangle(corners, boxes));
+kernel! {
+    /// Thread `i` unites the boxes of the vertices of triangle `i`.
+    sweep_triangles[256](t; params: Plain;; triangles: [Triangle], boxes: [Aabb],
+        mut swept: [Aabb]) {
+        let i = t.i;
+        if i < params.dispatch.n {
+            let corners = at(triangles, i as usize).corners;
+            put(swept, i as usize, swept_box::triangle(corners, boxes));
+        }
     }
 }
 
-/// Thread `i` expands the `i`-th pair of triangles that is listed.
-#[spirv(compute(threads(128)))]
-pub fn expand_triangles(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] shared: &mut [u32; 12],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Expansion>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[Triangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] regions: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] input: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] vf: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] ee: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] counts: &mut [u32],
-) {
-    let (own, groups) = (group(id, n), n.x * n.y);
-    let (dispatch, room_ee) = (&params.dispatch, params.own.room_ee);
-    let there = length(input, dispatch.room_in);
-    let left = if there > dispatch.first { there - dispatch.first } else { 0 };
-    let there = left.min(dispatch.n);
-    clear(lane, shared);
-    barrier();
-    for round in 0..decide::rounds(there, own, groups, THREADS) {
-        let i = (own + round * groups) * THREADS + lane;
-        if lane == 0 {
-            set(shared, VF, 0);
-            set(shared, EE, 0);
-        }
+kernel! {
+    /// Thread `i` expands the `i`-th pair of triangles that is listed.
+    expand_triangles[128](t; params: Expansion; shared: [u32; 12]; triangles: [Triangle],
+        regions: [u32], boxes: [Aabb], input: [u32], mut vf: [u32], mut ee: [u32],
+        mut counts: [u32]) {
+        let (dispatch, room_ee) = (&params.dispatch, params.own.room_ee);
+        let there = part(input, dispatch);
+        clear(t.lane, shared);
         barrier();
-        let mut pair = Pair { a: 0, b: 0 };
-        let (mut hits, mut to_vf, mut to_ee) = (0, 0, 0);
-        if i < there {
-            pair = read_pair(input, dispatch.first + i);
-            let one = expand(pair, &params.frame, &params.own, triangles, regions, boxes);
-            add_counts(&one, shared);
-            hits = one.hits;
+        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+            let i = (t.group + round * t.groups) * THREADS + t.lane;
+            if t.lane == 0 {
+                set(shared, VF, 0);
+                set(shared, EE, 0);
+            }
+            barrier();
+            let mut pair = Pair { a: 0, b: 0 };
+            let (mut hits, mut to_vf, mut to_ee) = (0, 0, 0);
+            if i < there {
+                pair = read_pair(input, dispatch.first + i);
+                let one = expand(pair, &params.frame, &params.own, triangles, regions, boxes);
+                add_counts(&one, shared);
+                hits = one.hits;
+                if hits != 0 {
+                    to_vf = add_shared(shared, VF, (hits & ALL_VF).count_ones());
+                    to_ee = add_shared(shared, EE, (hits & !ALL_VF).count_ones());
+                }
+            }
+            barrier();
+            place(t.lane, shared, vf, ee);
+            barrier();
             if hits != 0 {
-                to_vf = add_shared(shared, VF, (hits & ALL_VF).count_ones());
-                to_ee = add_shared(shared, EE, (hits & !ALL_VF).count_ones());
-            }
-        }
-        barrier();
-        place(lane, shared, vf, ee);
-        barrier();
-        if hits != 0 {
-            to_vf += get(shared, BASE_VF);
-            to_ee += get(shared, BASE_EE);
-            for test in 0..N_VERTEX_FACE {
-                if hits >> test & 1 == 1 {
-                    write_pair(vf, dispatch.room_out, to_vf, features(test, pair, triangles));
-                    to_vf += 1;
+                to_vf += get(shared, BASE_VF);
+                to_ee += get(shared, BASE_EE);
+                for test in 0..N_VERTEX_FACE {
+                    if hits >> test & 1 == 1 {
+                        write_pair(vf, dispatch.room_out, to_vf, features(test, pair, triangles));
+                        to_vf += 1;
+                    }
                 }
-            }
-            for test in N_VERTEX_FACE..15 {
-                if hits >> test & 1 == 1 {
-                    write_pair(ee, room_ee, to_ee, features(test, pair, triangles));
-                    to_ee += 1;
+                for test in N_VERTEX_FACE..15 {
+                    if hits >> test & 1 == 1 {
+                        write_pair(ee, room_ee, to_ee, features(test, pair, triangles));
+                        to_ee += 1;
+                    }
                 }
             }
         }
+        barrier();
+        hand_over(t.lane, shared, counts);
     }
-    barrier();
-    hand_over(lane, shared, counts);
 }
 
-/// Thread `i` makes the `i`-th test of neighbours.
-#[spirv(compute(threads(128)))]
-pub fn near_tests(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] shared: &mut [u32; 12],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Expansion>,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] tests: &[NearTest],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] regions: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] swept: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] vf: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] ee: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] counts: &mut [u32],
-) {
-    let (own, groups) = (group(id, n), n.x * n.y);
-    let dispatch = &params.dispatch;
-    clear(lane, shared);
-    barrier();
-    for round in 0..decide::rounds(dispatch.n, own, groups, THREADS) {
-        let i = (own + round * groups) * THREADS + lane;
-        if lane == 0 {
-            set(shared, VF, 0);
-            set(shared, EE, 0);
-        }
+kernel! {
+    /// Thread `i` makes the `i`-th test of neighbours.
+    near_tests[128](t; params: Expansion; shared: [u32; 12]; tests: [NearTest], regions: [u32],
+        swept: [Aabb], boxes: [Aabb], mut vf: [u32], mut ee: [u32], mut counts: [u32]) {
+        let dispatch = &params.dispatch;
+        clear(t.lane, shared);
         barrier();
-        let mut pair = Pair { a: 0, b: 0 };
-        let (mut hit, mut is_vf, mut to) = (0, false, 0);
-        if i < dispatch.n {
-            let number = dispatch.first + i;
-            let test = at(tests, number as usize);
-            pair = test.pair;
-            let one = near(number, &test, &params.frame, &params.own, regions, swept, boxes);
-            add_counts(&one, shared);
-            hit = one.hits;
-            is_vf = number < params.own.n_vf;
+        for round in 0..decide::rounds(dispatch.n, t.group, t.groups, THREADS) {
+            let i = (t.group + round * t.groups) * THREADS + t.lane;
+            if t.lane == 0 {
+                set(shared, VF, 0);
+                set(shared, EE, 0);
+            }
+            barrier();
+            let mut pair = Pair { a: 0, b: 0 };
+            let (mut hit, mut is_vf, mut to) = (0, false, 0);
+            if i < dispatch.n {
+                let number = dispatch.first + i;
+                let test = at(tests, number as usize);
+                pair = test.pair;
+                let one = near(number, &test, &params.frame, &params.own, regions, swept, boxes);
+                add_counts(&one, shared);
+                hit = one.hits;
+                is_vf = number < params.own.n_vf;
+                if hit != 0 {
+                    to = add_shared(shared, if is_vf { VF } else { EE }, 1);
+                }
+            }
+            barrier();
+            place(t.lane, shared, vf, ee);
+            barrier();
             if hit != 0 {
-                to = add_shared(shared, if is_vf { VF } else { EE }, 1);
+                if is_vf {
+                    write_pair(vf, dispatch.room_out, get(shared, BASE_VF) + to, pair);
+                } else {
+                    write_pair(ee, params.own.room_ee, get(shared, BASE_EE) + to, pair);
+                }
             }
         }
         barrier();
-        place(lane, shared, vf, ee);
-        barrier();
-        if hit != 0 {
-            if is_vf {
-                write_pair(vf, dispatch.room_out, get(shared, BASE_VF) + to, pair);
-            } else {
-                write_pair(ee, params.own.room_ee, get(shared, BASE_EE) + to, pair);
-            }
-        }
+        hand_over(t.lane, shared, counts);
     }
-    barrier();
-    hand_over(lane, shared, counts);
 }
 
 /// Sets the counts of a workgroup to zero.

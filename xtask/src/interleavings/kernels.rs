@@ -1,4 +1,4 @@
-//! Workers as the kernels that steal are: what `pair_stealing` of ccd-shaders does with deques, by
+//! Workers as the kernels that steal are: what `stealing` of ccd-shaders does with deques, by
 //! the same functions of the core, with one pair a turn and the threads of a workgroup one after
 //! the other, as its barriers order them; and the same with a fault each.
 

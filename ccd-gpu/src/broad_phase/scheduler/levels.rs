@@ -11,10 +11,9 @@
 //! shared evenly and no thread keeps a stack, but every pair of nodes is written and read once, and
 //! so many dispatches take their time.
 
-use super::{BinaryTrees, Descended, Schedule, Trees};
-use crate::bind::{ExpandPairs, ExpandPairsOriented};
-use crate::broad_phase::block_bvh::groups;
-use crate::broad_phase::front::Written;
+use super::Schedule;
+use crate::bind::ExpandPairs;
+use crate::broad_phase::descended::{BinaryTrees, Descended, Trees, Written};
 use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
@@ -47,7 +46,7 @@ impl Levels {
             counters: device.buffer("pairs of nodes of each level", BYTES, usage)?,
             even: list()?,
             odd: list()?,
-            groups: groups(device),
+            groups: device.groups(),
         })
     }
 }
@@ -73,24 +72,8 @@ impl Schedule for Levels {
             p.dispatch.room_in = input.room();
             let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
             let (input, output) = (input.buffer(), output.buffer());
-            match oriented {
-                None => {
-                    let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
-                    recorder.dispatch(&kernel, &p, n_groups);
-                }
-                Some(oriented) => {
-                    let kernel = ExpandPairsOriented {
-                        a_nodes,
-                        b_nodes,
-                        oriented,
-                        input,
-                        levels,
-                        output,
-                        pairs,
-                    };
-                    recorder.dispatch(&kernel, &p, n_groups);
-                }
-            }
+            let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
+            recorder.dispatch_variant(&kernel, (oriented, false), &p, n_groups);
         }
     }
 

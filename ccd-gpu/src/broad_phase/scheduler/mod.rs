@@ -22,80 +22,19 @@
 //!
 //! [`Tree::descend`]: super::block_bvh::Tree::descend
 
-pub mod kernels;
 pub mod levels;
 pub mod workers;
 
-use super::front::Written;
+use super::descended::{Descended, Written};
 use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::{BlockDescent, Dispatch, Frame, MAX_LEVELS, NodeDescent, Params};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
 use levels::Levels;
 use workers::{Rule, Workers};
-
-/// Two trees, or one twice, and where the pairs of their leaves go.
-#[derive(Clone, Copy)]
-pub struct Descended<'a> {
-    pub frame: &'a Frame,
-    pub kind: u32,
-    pub trees: Trees<'a>,
-    pub pairs: &'a List,
-}
-
-/// Trees of which pairs are descended.
-#[derive(Clone, Copy)]
-pub enum Trees<'a> {
-    Binary(BinaryTrees<'a>),
-    Blocks(BlockTrees<'a>),
-}
-
-/// Two binary trees.
-#[derive(Clone, Copy)]
-pub struct BinaryTrees<'a> {
-    pub a_nodes: &'a wgpu::Buffer,
-    pub b_nodes: &'a wgpu::Buffer,
-    /// Oriented boxes of the nodes of all trees.
-    pub oriented: Option<&'a wgpu::Buffer>,
-    /// Levels of pairs of nodes that there can be.
-    pub n_levels: u32,
-    /// 1: of two nodes the larger is split, 0: both.
-    pub larger: u32,
-}
-
-/// Block trees over two sets.
-#[derive(Clone, Copy)]
-pub struct BlockTrees<'a> {
-    /// Boxes of the nodes of all sets.
-    pub boxes: &'a wgpu::Buffer,
-    /// First node of either on each level.
-    pub slots: [[u32; 2]; MAX_LEVELS],
-}
-
-impl Descended<'_> {
-    /// The parameters of a dispatch; `first` and `n` as its kernel has them.
-    pub fn params(&self, own: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
-        let larger = match self.trees {
-            Trees::Binary(trees) => trees.larger,
-            Trees::Blocks(_) => 0,
-        };
-        let dispatch = Dispatch { n, first, room_in: own.room_nodes, room_out: self.pairs.room() };
-        let own = NodeDescent { kind: self.kind, larger, ..own };
-        Params { frame: *self.frame, dispatch, own }
-    }
-}
-
-impl BlockTrees<'_> {
-    /// The same for a kernel of blocks.
-    pub fn params(&self, p: &Params<NodeDescent>) -> Params<BlockDescent> {
-        let own = BlockDescent { of_pairs: p.own, slots: self.slots };
-        Params { frame: p.frame, dispatch: p.dispatch, own }
-    }
-}
 
 /// Expands tasks, and all that is found below them, of pairs of one kind.
 pub trait Schedule: Send + Sync {

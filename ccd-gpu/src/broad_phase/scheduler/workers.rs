@@ -20,9 +20,8 @@
 //! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
 //! were busy.
 
-use super::kernels::{self, Buffers};
-use super::{Descended, Schedule};
-use crate::broad_phase::front::Written;
+use super::Schedule;
+use crate::broad_phase::descended::{self, Buffers, Descended, Written};
 use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
@@ -135,11 +134,11 @@ pub struct Workers {
     /// Has no entries, and never room for one: some are wanted if pairs were left after the last
     /// round, and then the search is not complete.
     left: List,
-    /// Of the number of workers, the power of two.
+    /// log2 of the number of workers.
     workers: u32,
 }
 
-/// Of the number of workgroups, the power of two: about as many as a device runs at the same time.
+/// log2 of the number of workgroups: about as many as a device runs at the same time.
 fn workers(device: &Device) -> u32 {
     if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 4 } else { 11 }
 }
@@ -202,7 +201,7 @@ impl Schedule for Workers {
             let own = NodeDescent { tasks, piece, idle, stack, turns, last, ..own };
             let own = NodeDescent { workers: *workers, ..own };
             let p = of.params(own, round, 0);
-            kernels::round(recorder, of, buffers, &p, 1 << workers);
+            descended::round(recorder, of, buffers, &p, 1 << workers);
         }
         recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);
     }

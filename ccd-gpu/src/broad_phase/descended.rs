@@ -1,0 +1,135 @@
+//! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
+//! what kernels are told, and the kernels.
+
+use crate::bind::{BlockWorkers, PairWorkers, ResumeBlockFront, ResumeFront};
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::layout::{BlockDescent, Dispatch, Frame, MAX_LEVELS, NodeDescent, Params};
+
+/// Two trees, or one twice, and where the pairs of their leaves go.
+#[derive(Clone, Copy)]
+pub struct Descended<'a> {
+    pub frame: &'a Frame,
+    pub kind: u32,
+    pub trees: Trees<'a>,
+    pub pairs: &'a List,
+}
+
+/// Trees of which pairs are descended.
+#[derive(Clone, Copy)]
+pub enum Trees<'a> {
+    Binary(BinaryTrees<'a>),
+    Blocks(BlockTrees<'a>),
+}
+
+/// Two binary trees.
+#[derive(Clone, Copy)]
+pub struct BinaryTrees<'a> {
+    pub a_nodes: &'a wgpu::Buffer,
+    pub b_nodes: &'a wgpu::Buffer,
+    /// Oriented boxes of the nodes of all trees.
+    pub oriented: Option<&'a wgpu::Buffer>,
+    /// Levels of pairs of nodes that there can be.
+    pub n_levels: u32,
+    /// 1: of two nodes the larger is split, 0: both.
+    pub larger: u32,
+}
+
+/// Block trees over two sets.
+#[derive(Clone, Copy)]
+pub struct BlockTrees<'a> {
+    /// Boxes of the nodes of all sets.
+    pub boxes: &'a wgpu::Buffer,
+    /// First node of either on each level.
+    pub slots: [[u32; 2]; MAX_LEVELS],
+}
+
+impl Descended<'_> {
+    /// The parameters of a dispatch; `first` and `n` as its kernel has them.
+    pub fn params(&self, own: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
+        let larger = match self.trees {
+            Trees::Binary(trees) => trees.larger,
+            Trees::Blocks(_) => 0,
+        };
+        let dispatch = Dispatch { n, first, room_in: own.room_nodes, room_out: self.pairs.room() };
+        let own = NodeDescent { kind: self.kind, larger, ..own };
+        Params { frame: *self.frame, dispatch, own }
+    }
+}
+
+impl BlockTrees<'_> {
+    /// The same for a kernel of blocks.
+    pub fn params(&self, p: &Params<NodeDescent>) -> Params<BlockDescent> {
+        let own = BlockDescent { of_pairs: p.own, slots: self.slots };
+        Params { frame: p.frame, dispatch: p.dispatch, own }
+    }
+}
+
+/// A front as kernels write it.
+#[derive(Clone, Copy)]
+pub struct Written<'a> {
+    pub front: &'a wgpu::Buffer,
+    /// Entries of either half; 0 if none is kept.
+    pub room: u32,
+    /// Which half is written.
+    pub written: u32,
+}
+
+impl<'a> Written<'a> {
+    /// None is kept; a kernel wants a buffer all the same.
+    pub fn none(front: &'a wgpu::Buffer) -> Self {
+        Self { front, room: 0, written: 0 }
+    }
+
+    /// What kernels are told of it.
+    pub fn record(&self) -> NodeDescent {
+        NodeDescent { room_front: self.room, written: self.written, ..NodeDescent::default() }
+    }
+}
+
+/// What workers and fronts write: counters of workers, tasks, and the front.
+#[derive(Clone, Copy)]
+pub struct Buffers<'a> {
+    pub control: &'a wgpu::Buffer,
+    pub nodes: &'a wgpu::Buffer,
+    pub front: &'a wgpu::Buffer,
+}
+
+/// Records a round of so many workers, which may steal from each other.
+pub fn round(
+    recorder: &mut Recorder,
+    of: &Descended,
+    buffers: Buffers,
+    p: &Params<NodeDescent>,
+    n: u32,
+) {
+    let Buffers { control, nodes, front } = buffers;
+    let (pairs, steals) = (of.pairs.buffer(), p.own.batches > 0);
+    match of.trees {
+        Trees::Blocks(trees) => {
+            let kernel = BlockWorkers { boxes: trees.boxes, control, nodes, pairs, front };
+            recorder.dispatch_variant(&kernel, (None, steals), &trees.params(p), n);
+        }
+        Trees::Binary(BinaryTrees { a_nodes, b_nodes, oriented, .. }) => {
+            let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
+            recorder.dispatch_variant(&kernel, (oriented, steals), p, n);
+        }
+    }
+}
+
+/// Records that `p.dispatch.n` pairs of a front become tasks, or stay.
+pub fn resume(recorder: &mut Recorder, of: &Descended, buffers: Buffers, p: &Params<NodeDescent>) {
+    let Buffers { control, nodes, front } = buffers;
+    let (pairs, n) = (of.pairs.buffer(), p.dispatch.n);
+    match of.trees {
+        Trees::Blocks(trees) => {
+            let BlockTrees { boxes, .. } = trees;
+            let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };
+            recorder.each(&kernel, &trees.params(p), n);
+        }
+        Trees::Binary(BinaryTrees { a_nodes, b_nodes, oriented, .. }) => {
+            let kernel = ResumeFront { a_nodes, b_nodes, control, nodes, pairs, front };
+            recorder.each_variant(&kernel, oriented, p, n);
+        }
+    }
+}

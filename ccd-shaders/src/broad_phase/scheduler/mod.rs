@@ -1,0 +1,10 @@
+//! Workers that descend pairs of nodes, of binary trees or of blocks, with stealing and without.
+
+mod binary_pair_tree;
+mod block_pair_tree;
+mod pair_tree;
+pub mod steal_stress;
+mod stealing;
+mod stolen_batches;
+mod worker;
+pub mod workers;

@@ -1,0 +1,358 @@
+//! What the threads of a worker share, and the parts of its turn; see
+//! `ccd_core::broad_phase::pair_workers`. A scheduler of its own has another [`plan`].
+
+use super::pair_tree::{INNER, LEAF, PairTree};
+use crate::broad_phase::pair_descent::{count_front, reserve, write_front};
+use crate::workgroup::{add, add_shared, count, get, load, raise, read_pair, set, write_pair};
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::broad_phase::pair_workers::{
+    LEFT, QUANTUM, STACK, THREADS, idle, is_over, listed, piece, share, taken,
+};
+use ccd_core::kernel::memory::at;
+use ccd_core::layout::{Dispatch, NodeDescent, Pair};
+
+/// Pairs in the memory of a worker.
+pub(super) type Stack = [u32; 2 * STACK as usize];
+/// What its threads say to each other.
+pub(super) type Shared = [u32; 22];
+
+/// Words that the threads of a worker share: pairs on its stack; of those, how many are expanded in
+/// this turn, and how many tasks are; the first of these, and from each to the next.
+pub(super) const TOP: u32 = 0;
+pub(super) const FROM_STACK: u32 = 1;
+pub(super) const FROM_TASKS: u32 = 2;
+pub(super) const FIRST: u32 = 3;
+pub(super) const STRIDE: u32 = 4;
+/// Tasks of its own part that it has taken; or, of the counter, 1 if there are no more.
+pub(super) const NEXT: u32 = 5;
+/// Of what was found in this turn, how many: pairs of inner nodes, of leaves, of the front.
+pub(super) const NODES: u32 = 6;
+pub(super) const LEAVES: u32 = 7;
+pub(super) const ENDED: u32 = 8;
+/// Where they go: the first place on the stack, how many have room there, then on the lists.
+pub(super) const BELOW: u32 = 9;
+pub(super) const TO_STACK: u32 = 10;
+pub(super) const SPILL_BASE: u32 = 11;
+pub(super) const LEAVES_BASE: u32 = 12;
+pub(super) const ENDED_BASE: u32 = 13;
+/// Tasks of its part that a worker leaves, and where they go behind its stack: a word of its own,
+/// because others may still read where the last turn's went.
+pub(super) const REST: u32 = 14;
+pub(super) const REST_BASE: u32 = 17;
+/// Turns of the worker so far, and pairs that it expanded.
+pub(super) const TURNS: u32 = 15;
+pub(super) const EXPANDED: u32 = 16;
+/// Of blocks, a word each team of threads: which columns there are.
+pub(super) const COLUMNS: u32 = 18;
+
+/// What a worker does next.
+pub(super) const WORKS: u32 = 0;
+/// It has found nothing more.
+pub(super) const ENDS: u32 = 1;
+/// It leaves what it has to the next round.
+pub(super) const STOPS: u32 = 2;
+
+/// A round, as each worker sees it.
+#[derive(Clone, Copy)]
+pub(super) struct Round {
+    pub me: u32,
+    /// Of the number of workers, the power of two.
+    pub workers: u32,
+    pub number: u32,
+    pub tasks: u32,
+    /// First entry of its tasks, and of those of the next, in the list.
+    pub input: u32,
+    pub output: u32,
+    /// Entries that the list of results has room for.
+    pub room_pairs: u32,
+}
+
+impl Round {
+    #[inline(always)]
+    pub(super) fn new(own: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
+        let (number, room) = (dispatch.first, own.room_nodes);
+        let is_odd = number % 2;
+        Self {
+            me,
+            workers: own.workers,
+            number,
+            tasks: at(control, listed(number)).min(room),
+            input: is_odd * room,
+            output: (1 - is_odd) * room,
+            room_pairs: dispatch.room_out,
+        }
+    }
+}
+
+/// The first thread says what its worker does in this turn, by what is on the stack and what tasks
+/// there are: returns whether it works at all.
+#[inline(always)]
+pub(super) fn plan<T: PairTree>(
+    own: &NodeDescent,
+    round: Round,
+    turn: u32,
+    shared: &mut Shared,
+    control: &mut [u32],
+) -> u32 {
+    let from_stack = get(shared, TOP).min(T::WIDTH);
+    let mut state = WORKS;
+    if own.idle > 0 && turn >= QUANTUM {
+        if is_over(load(control, idle(round.number)), round.workers, own.idle) {
+            state = STOPS;
+        }
+    }
+    let mut from_tasks = 0;
+    let room = T::WIDTH - from_stack;
+    if state == WORKS && room > 0 {
+        let next = get(shared, NEXT);
+        if own.tasks == NodeDescent::TASKS_DEALT {
+            from_tasks = (share(round.tasks, round.me, round.workers) - next).min(room);
+            set(shared, FIRST, round.me + (next << round.workers));
+            set(shared, STRIDE, 1 << round.workers);
+            set(shared, NEXT, next + from_tasks);
+        } else if next == 0 {
+            let wanted = piece(round.tasks, round.workers, own.piece).min(room);
+            let first = add(control, taken(round.number), wanted);
+            from_tasks = round.tasks - first.min(round.tasks);
+            from_tasks = from_tasks.min(wanted);
+            set(shared, FIRST, first);
+            set(shared, STRIDE, 1);
+            set(shared, NEXT, (from_tasks < wanted) as u32);
+        }
+    }
+    if state == WORKS && from_stack + from_tasks == 0 {
+        state = ENDS;
+        if own.idle > 0 {
+            add(control, idle(round.number), 1);
+        }
+    }
+    set(shared, FROM_STACK, from_stack);
+    set(shared, FROM_TASKS, from_tasks);
+    set(shared, NODES, 0);
+    set(shared, LEAVES, 0);
+    set(shared, ENDED, 0);
+    T::begin(shared);
+    state
+}
+
+/// Pair `i` of those that are expanded in this turn, from the top of the stack or from the tasks.
+#[inline(always)]
+pub(super) fn take(i: u32, input: u32, shared: &Shared, stack: &Stack, nodes: &[u32]) -> NodePair {
+    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
+    let mut out = NO_PAIR;
+    if i < from_stack {
+        let place = 2 * (get(shared, TOP) - 1 - i);
+        out = [get(stack, place), get(stack, place + 1)];
+    } else if i < from_stack + from_tasks {
+        let task = get(shared, FIRST) + (i - from_stack) * get(shared, STRIDE);
+        let pair = read_pair(nodes, input + task);
+        out = [pair.a, pair.b];
+    }
+    out
+}
+
+/// A child of a pair, and what becomes of it.
+#[derive(Clone, Copy)]
+pub(super) struct Child {
+    pub pair: NodePair,
+    pub fate: u32,
+}
+
+impl Child {
+    pub(super) const NONE: Self = Self { pair: NO_PAIR, fate: 0 };
+}
+
+/// Counts a pair in its worker; returns the number that it has among its like, and in the front.
+#[inline(always)]
+pub(super) fn claim(fate: u32, room_front: u32, shared: &mut Shared) -> [u32; 2] {
+    let mut to = [0, 0];
+    if fate == INNER {
+        to[0] = add_shared(shared, NODES, 1);
+    } else if fate == LEAF {
+        to[0] = add_shared(shared, LEAVES, 1);
+    }
+    if fate >= LEAF && room_front > 0 {
+        to[1] = add_shared(shared, ENDED, 1);
+    }
+    to
+}
+
+/// The first thread makes room for what was found: `below` pairs are left on the stack.
+#[inline(always)]
+pub(super) fn make_room(
+    own: &NodeDescent,
+    number: u32,
+    shared: &mut Shared,
+    control: &mut [u32],
+    nodes: &mut [u32],
+    pairs: &mut [u32],
+) {
+    let (n_nodes, n_leaves) = (get(shared, NODES), get(shared, LEAVES));
+    let n_ended = get(shared, ENDED);
+    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
+    set(shared, TURNS, get(shared, TURNS) + 1);
+    set(shared, EXPANDED, get(shared, EXPANDED) + from_stack + from_tasks);
+    let below = get(shared, TOP) - from_stack;
+    let to_stack = n_nodes.min(own.stack - below);
+    set(shared, BELOW, below);
+    set(shared, TO_STACK, to_stack);
+    set(shared, TOP, below + to_stack);
+    if n_nodes > to_stack {
+        let base = spill(own, number, n_nodes - to_stack, control, nodes);
+        set(shared, SPILL_BASE, base);
+    }
+    if n_leaves > 0 {
+        set(shared, LEAVES_BASE, count(pairs, 0, n_leaves));
+    }
+    if n_ended > 0 {
+        set(shared, ENDED_BASE, count_front(control, n_ended));
+    }
+}
+
+/// Reserves places among the tasks of the next round.
+#[inline(always)]
+pub(super) fn spill(
+    own: &NodeDescent,
+    number: u32,
+    n: u32,
+    control: &mut [u32],
+    nodes: &mut [u32],
+) -> u32 {
+    if own.last != 0 {
+        raise(control, LEFT, u32::MAX);
+    }
+    reserve(control, listed(number + 1), nodes, n)
+}
+
+/// Writes a pair to where it belongs.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
+pub(super) fn put_away<T: PairTree>(
+    own: &NodeDescent,
+    round: Round,
+    child: Child,
+    to: [u32; 2],
+    a: &[T::Node],
+    b: &[T::Node],
+    shared: &Shared,
+    stack: &mut Stack,
+    nodes: &mut [u32],
+    pairs: &mut [u32],
+    front: &mut [u32],
+) {
+    let Child { pair, fate } = child;
+    if fate == INNER {
+        let to_stack = get(shared, TO_STACK);
+        if to[0] < to_stack {
+            let place = 2 * (get(shared, BELOW) + to[0]);
+            set(stack, place, pair[0]);
+            set(stack, place + 1, pair[1]);
+        } else {
+            let i = get(shared, SPILL_BASE) + to[0] - to_stack;
+            write_task(own, round.output, nodes, i, pair);
+        }
+    } else if fate != 0 {
+        put_ended::<T>(own, round.room_pairs, child, to, a, b, shared, pairs, front);
+    }
+}
+
+/// Writes a pair at which the descent ends.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "as above")]
+pub(super) fn put_ended<T: PairTree>(
+    own: &NodeDescent,
+    room_pairs: u32,
+    child: Child,
+    to: [u32; 2],
+    a: &[T::Node],
+    b: &[T::Node],
+    shared: &Shared,
+    pairs: &mut [u32],
+    front: &mut [u32],
+) {
+    let Child { pair, fate } = child;
+    if fate == LEAF {
+        let found = T::result(own, pair, a, b);
+        write_pair(pairs, room_pairs, get(shared, LEAVES_BASE) + to[0], found);
+    }
+    if own.room_front > 0 {
+        write_front(own, front, get(shared, ENDED_BASE) + to[1], pair);
+    }
+}
+
+/// Writes a task of the next round; one for which there is no room is only counted.
+#[inline(always)]
+pub(super) fn write_task(
+    own: &NodeDescent,
+    output: u32,
+    nodes: &mut [u32],
+    i: u32,
+    pair: NodePair,
+) {
+    if i < own.room_nodes {
+        write_pair(nodes, u32::MAX, output + i, Pair { a: pair[0], b: pair[1] });
+    }
+}
+
+/// The first thread, when the worker has ended: room for its stack and for the rest of its part
+/// among the tasks of the next round.
+#[inline(always)]
+pub(super) fn make_room_for_rest(
+    own: &NodeDescent,
+    round: Round,
+    shared: &mut Shared,
+    control: &mut [u32],
+    nodes: &mut [u32],
+) {
+    let mut rest = 0;
+    if own.tasks == NodeDescent::TASKS_DEALT {
+        rest = share(round.tasks, round.me, round.workers) - get(shared, NEXT);
+    }
+    set(shared, REST, rest);
+    let n = get(shared, TOP) + rest;
+    if n > 0 {
+        set(shared, REST_BASE, spill(own, round.number, n, control, nodes));
+    }
+}
+
+/// Leaves what the worker has on its stack, and what is left of its part, to the next round; of
+/// tasks by a counter, all that nobody takes any more.
+#[inline(always)]
+pub(super) fn leave_rest(
+    own: &NodeDescent,
+    round: Round,
+    lane: u32,
+    shared: &Shared,
+    stack: &Stack,
+    control: &mut [u32],
+    nodes: &mut [u32],
+) {
+    let (top, base, rest) = (get(shared, TOP), get(shared, REST_BASE), get(shared, REST));
+    for k in 0..STACK / THREADS {
+        let i = k * THREADS + lane;
+        if i < top {
+            let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
+            write_task(own, round.output, nodes, base + i, pair);
+        }
+    }
+    let next = get(shared, NEXT);
+    for k in 0..rest.div_ceil(THREADS) {
+        let i = k * THREADS + lane;
+        if i < rest {
+            let pair = read_pair(nodes, round.input + round.me + ((next + i) << round.workers));
+            write_task(own, round.output, nodes, base + top + i, [pair.a, pair.b]);
+        }
+    }
+    if own.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
+        // Each thread for itself, a task at a time: that is rare.
+        for _ in 0..round.tasks {
+            let i = add(control, taken(round.number), 1);
+            if i >= round.tasks {
+                break;
+            }
+            let pair = read_pair(nodes, round.input + i);
+            let to = spill(own, round.number, 1, control, nodes);
+            write_task(own, round.output, nodes, to, [pair.a, pair.b]);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Traversal of a binary tree with a stack, a thread each query; see
+//! `ccd_core::broad_phase::stack_traversal`. Workgroups are small, because a thread that is done
+//! waits for the others.
+
+use super::volume::{Boxes, Oriented, Volume};
+use crate::entry::kernel;
+use crate::records::{BoxWords, NodeWords, ObbWords, box_at, node_at};
+use crate::workgroup::append;
+use ccd_core::broad_phase::block_bvh::{self, sets};
+use ccd_core::broad_phase::stack_traversal::NONE;
+use ccd_core::broad_phase::wide_nodes::WideWalk;
+use ccd_core::kernel::memory::at;
+use ccd_core::layout::{Blocks, Pair, Params, Queries};
+
+/// The set within which pairs are looked for.
+const SET: usize = 1;
+
+kernel! {
+    /// Thread `i` finds the leaves after leaf `dispatch.first + i` that overlap it.
+    traverse_half[128](t; params: Blocks;; leaves: [BoxWords], order: [u32], nodes: [NodeWords],
+        mut pairs: [u32]) {
+        walk_half::<Boxes>(t.i, params, leaves, order, nodes, nodes, pairs);
+    }
+}
+
+kernel! {
+    /// As `traverse_half`, and leaves out what an oriented box tells apart.
+    traverse_half_oriented[128](t; params: Blocks;; leaves: [BoxWords], order: [u32],
+        nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
+        walk_half::<Oriented>(t.i, params, leaves, order, nodes, oriented, pairs);
+    }
+}
+
+kernel! {
+    /// Thread `i` finds the leaves that overlap query `dispatch.first + i`; of the first set, which
+    /// may be that of the leaves: then it keeps those of a greater id than its own.
+    traverse_full[128](t; params: Queries;; boxes: [BoxWords], order: [u32], nodes: [NodeWords],
+        mut pairs: [u32]) {
+        walk_full::<Boxes>(t.i, params, boxes, order, nodes, nodes, pairs);
+    }
+}
+
+kernel! {
+    /// As `traverse_full`, and leaves out what an oriented box tells apart.
+    traverse_full_oriented[128](t; params: Queries;; boxes: [BoxWords], order: [u32],
+        nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
+        walk_full::<Oriented>(t.i, params, boxes, order, nodes, oriented, pairs);
+    }
+}
+
+#[inline(always)]
+fn walk_half<V: Volume>(
+    i: u32,
+    params: &Params<Blocks>,
+    leaves: &[BoxWords],
+    order: &[u32],
+    nodes: &[NodeWords],
+    more: &[V::More<NodeWords>],
+    pairs: &mut [u32],
+) {
+    if i < params.dispatch.n {
+        let leaf_idx = params.dispatch.first + i;
+        let query = box_at(leaves, block_bvh::slot(&params.own, 0, SET, leaf_idx));
+        let (first, n_leaves) = (params.frame.start[SET], params.frame.count[SET]);
+        let a = at(order, (first + leaf_idx) as usize) - first;
+        let mut walk = WideWalk::new();
+        for _ in 0..n_leaves - 1 {
+            if !walk.goes_on {
+                break;
+            }
+            if V::reaches(&query, first + walk.node, more) {
+                let node = node_at(nodes, walk.node as usize);
+                let found = walk.step(&node, &query, leaf_idx);
+                keep_ordered(params, a, order, found[0], pairs);
+                keep_ordered(params, a, order, found[1], pairs);
+            } else {
+                walk.skip();
+            }
+        }
+    }
+}
+
+/// Appends the pair with a leaf that was found.
+#[inline(always)]
+fn keep_ordered(params: &Params<Blocks>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
+    if found != NONE {
+        let first = params.frame.start[SET];
+        let b = at(order, (first + found) as usize) - first;
+        append(pairs, params.dispatch.room_out, Pair::ordered(a, b));
+    }
+}
+
+#[inline(always)]
+fn walk_full<V: Volume>(
+    i: u32,
+    params: &Params<Queries>,
+    boxes: &[BoxWords],
+    order: &[u32],
+    nodes: &[NodeWords],
+    more: &[V::More<NodeWords>],
+    pairs: &mut [u32],
+) {
+    if i < params.dispatch.n {
+        let [queries, tree] = sets(params.own.kind);
+        let mut a = params.frame.start[queries] + params.dispatch.first + i;
+        if params.own.sorted != 0 {
+            a = at(order, a as usize);
+        }
+        let query = box_at(boxes, a as usize);
+        let a = a - params.frame.start[queries];
+        let (first, n_internal) = (params.frame.start[tree], params.frame.count[tree] - 1);
+        // A tree of one leaf has no internal node.
+        if n_internal == 0 {
+            let leaf = box_at(boxes, at(order, first as usize) as usize);
+            if leaf.overlaps(&query) {
+                keep(params, a, order, 0, pairs);
+            }
+        }
+        let mut walk = WideWalk::new();
+        for _ in 0..n_internal {
+            if !walk.goes_on {
+                break;
+            }
+            if V::reaches(&query, first + walk.node, more) {
+                let node = node_at(nodes, walk.node as usize);
+                let found = walk.step(&node, &query, NONE);
+                keep(params, a, order, found[0], pairs);
+                keep(params, a, order, found[1], pairs);
+            } else {
+                walk.skip();
+            }
+        }
+    }
+}
+
+/// Appends the pair with a leaf that was found, once.
+#[inline(always)]
+fn keep(params: &Params<Queries>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
+    if found != NONE {
+        let first = params.frame.start[sets(params.own.kind)[1]];
+        let b = at(order, (first + found) as usize) - first;
+        if params.own.kind == 0 || b > a {
+            append(pairs, params.dispatch.room_out, Pair { a, b });
+        }
+    }
+}
