@@ -3,21 +3,16 @@
 
 use ccd_core::Real;
 use ccd_core::math::symmetric_eigen::{Eigen, ORTHONORMAL, symmetric_eigen};
+use ccd_testkit::generate::Random;
 use faer::{Mat, Side};
 
-/// Random numbers in [-1, 1), the same on every machine.
-struct Random(u32);
+/// A random number in [-1, 1).
+fn number(random: &mut Random) -> f64 {
+    2.0 * random.unit() - 1.0
+}
 
-impl Random {
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let x = ((self.0 >> ((self.0 >> 28) + 4)) ^ self.0).wrapping_mul(277_803_737);
-        ((x >> 22) ^ x) as f64 / 2_147_483_648.0 - 1.0
-    }
-
-    fn vector(&mut self) -> [f64; 3] {
-        std::array::from_fn(|_| self.number())
-    }
+fn vector(random: &mut Random) -> [f64; 3] {
+    [(); 3].map(|()| number(random))
 }
 
 type Matrix = [[f64; 3]; 3];
@@ -37,8 +32,8 @@ fn frame(random: &mut Random) -> Matrix {
     let cross = |a: [f64; 3], b: [f64; 3]| {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     };
-    let a = unit(random.vector());
-    let b = unit(cross(a, random.vector()));
+    let a = unit(vector(random));
+    let b = unit(cross(a, vector(random)));
     [a, b, cross(a, b)]
 }
 
@@ -82,7 +77,7 @@ fn errors<T: Real>(m: &Matrix, out: &Eigen<T>) -> Errors {
 
 /// Matrices of a kind, brought to a scale; the greatest errors.
 fn check<T: Real>(name: &str, scale: f64, mut matrix: impl FnMut(&mut Random) -> Matrix) {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let mut worst = Errors::default();
     for _ in 0..500 {
         // As the type holds it, which is what both are asked about.
@@ -103,36 +98,36 @@ fn check<T: Real>(name: &str, scale: f64, mut matrix: impl FnMut(&mut Random) ->
 fn check_all<T: Real>(scales: &[f64]) {
     for &scale in scales {
         check::<T>("random", scale, |r| {
-            let (a, b, c) = (r.vector(), r.vector(), r.vector());
-            compose(&[(r.number(), a), (r.number(), b), (r.number(), c)])
+            let (a, b, c) = (vector(r), vector(r), vector(r));
+            compose(&[(number(r), a), (number(r), b), (number(r), c)])
         });
         check::<T>("zero", scale, |_| [[0.0; 3]; 3]);
-        check::<T>("rank 1", scale, |r| compose(&[(r.number(), r.vector())]));
+        check::<T>("rank 1", scale, |r| compose(&[(number(r), vector(r))]));
         check::<T>("rank 2", scale, |r| {
-            let (a, b) = (r.vector(), r.vector());
-            compose(&[(r.number(), a), (r.number(), b)])
+            let (a, b) = (vector(r), vector(r));
+            compose(&[(number(r), a), (number(r), b)])
         });
         check::<T>("two equal", scale, |r| {
-            let ([a, b, c], x, y) = (frame(r), r.number(), r.number());
+            let ([a, b, c], x, y) = (frame(r), number(r), number(r));
             compose(&[(x, a), (x, b), (y, c)])
         });
         check::<T>("three equal", scale, |r| {
-            let ([a, b, c], x) = (frame(r), r.number());
+            let ([a, b, c], x) = (frame(r), number(r));
             compose(&[(x, a), (x, b), (x, c)])
         });
         check::<T>("graded", scale, |r| {
             let [a, b, c] = frame(r);
-            compose(&[(1.0, a), (1e-5 * r.number(), b), (1e-10 * r.number(), c)])
+            compose(&[(1.0, a), (1e-5 * number(r), b), (1e-10 * number(r), c)])
         });
         check::<T>("nearly diagonal", scale, |r| {
-            let v = r.vector();
-            let mut m = compose(&[(1e-8, r.vector())]);
+            let v = vector(r);
+            let mut m = compose(&[(1e-8, vector(r))]);
             (0..3).for_each(|i| m[i][i] += v[i]);
             m
         });
         check::<T>("few entries", scale, |r| {
             // Of -1, 0 and 1: zeros and equal entries in every place.
-            let mut entry = || (r.number() * 1.5).round();
+            let mut entry = || (number(r) * 1.5).round();
             let [a, b, c, f, g, h] = std::array::from_fn(|_| entry());
             [[a, b, c], [b, f, g], [c, g, h]]
         });

@@ -174,6 +174,7 @@ pub fn store_branch(number: u32, branch: &Branch, branches: &impl Words) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use alloc::vec;
     use alloc::vec::Vec;
     use core::cell::Cell;
@@ -273,18 +274,15 @@ mod tests {
 
     /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of
     /// the latest are joined with each other (2: a chain).
-    fn random_tree(n: usize, spread: usize, mut state: u32) -> Children {
-        let mut random = |n: usize| {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (state >> 8) as usize % n
-        };
+    fn random_tree(n: usize, spread: usize, seed: u32) -> Children {
+        let mut random = Random::new(seed);
         let n_internal = n as u32 - 1;
         let mut free: Vec<u32> = (0..n as u32).map(|k| n_internal + k).collect();
         let mut children = Children::new();
         for node in 0..n_internal {
             let mut take = || {
                 let among = free.len().min(spread);
-                let k = free.len() - 1 - random(among);
+                let k = free.len() - 1 - random.below(among as u32) as usize;
                 free.swap_remove(k)
             };
             children.push([take(), take()]);

@@ -189,25 +189,21 @@ mod exact_tests;
 mod tests {
     use super::*;
     use crate::narrow_phase::query::TOI_TOLERANCE;
+    use crate::random::Random;
     use std::vec::Vec;
-
-    fn random(seed: &mut u32, n: u32) -> f64 {
-        *seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        ((*seed >> 16) % n) as f64
-    }
 
     /// Paths through a point of the other feature at a known time: none is missed, no time is late,
     /// and those whose numbers are exact are certain.
     #[test]
     fn what_meets_is_found() {
-        let mut seed = 5;
+        let mut random = Random::new(5);
         let mut certain = 0;
         let cases = 4000;
         for case in 0..cases {
             let exact = case % 2 == 0;
             let mut point = |scale: f64| -> [f64; 3] {
                 core::array::from_fn(|_| {
-                    let x = random(&mut seed, 1 << 10) / 1024.0 - 0.5;
+                    let x = random.below(1 << 10) as f64 / 1024.0 - 0.5;
                     if exact { x } else { x * scale + x * x * 0.1 }
                 })
             };
@@ -224,31 +220,15 @@ mod tests {
             let query =
                 VertexEdge { t0: [along(0.0), e0, e1], t1: [along(1.0), at(e0, 1.0), at(e1, 1.0)] };
             let edge = vertex_edge(&query, 0.0);
-            let vertex = vertex_vertex(
-                &VertexVertex {
-                    t0: [
-                        along(0.0),
-                        [met[0] - moved[0] * t, met[1] - moved[1] * t, met[2] - moved[2] * t],
-                    ],
-                    t1: [
-                        along(1.0),
-                        [
-                            met[0] + moved[0] * (1.0 - t),
-                            met[1] + moved[1] * (1.0 - t),
-                            met[2] + moved[2] * (1.0 - t),
-                        ],
-                    ],
-                },
-                0.0,
-            );
+            let other = [-t, 1.0 - t].map(|k| at(met, k));
+            let query = VertexVertex { t0: [along(0.0), other[0]], t1: [along(1.0), other[1]] };
+            let vertex = vertex_vertex(&query, 0.0);
             for verdict in [edge, vertex] {
                 match verdict {
                     Verdict::Miss => assert!(!exact, "missed: {query:?}"),
                     Verdict::Hit { toi } => {
-                        assert!(
-                            toi <= t && toi >= t - TOI_TOLERANCE || !exact,
-                            "{verdict:?} {query:?}"
-                        );
+                        let fine = toi <= t && toi >= t - TOI_TOLERANCE || !exact;
+                        assert!(fine, "{verdict:?} {query:?}");
                         certain += exact as u32;
                     }
                     Verdict::Undecided { toi } => assert!(toi <= t, "{verdict:?} {query:?}"),
@@ -261,14 +241,10 @@ mod tests {
     /// With a minimum distance, against many moments.
     #[test]
     fn distances_are_kept() {
-        let mut seed = 77;
+        let mut random = Random::new(77);
         let mut hits = 0;
         for _ in 0..400 {
-            let mut three = || -> [[f64; 3]; 3] {
-                core::array::from_fn(|_| {
-                    core::array::from_fn(|_| random(&mut seed, 1000) / 500.0 - 1.0)
-                })
-            };
+            let mut three = || [(); 3].map(|()| random.point().map(|c| 2.0 * c - 1.0));
             let (t0, t1) = (three(), three());
             let distance = 0.3;
             let at = |t: f64| -> f64 {

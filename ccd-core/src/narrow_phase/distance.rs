@@ -102,18 +102,15 @@ fn least_along(m: &Motion<f64>, patch: Patch, w: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// Against the least of many points of both features, which is no less than the distance.
     #[test]
     fn bounds_hold_the_distance_and_are_narrow() {
-        let mut seed = 3u32;
-        let mut random = || {
-            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (seed >> 8) as f64 / (1 << 24) as f64 - 0.5
-        };
+        let mut random = Random::new(3);
         for round in 0..2000 {
             let scale = [1.0, 1e-3, 1e9, 1e90, 1e-150][round % 5];
-            let mut x: [[f64; 3]; 4] = core::array::from_fn(|_| core::array::from_fn(|_| random()));
+            let mut x: [[f64; 3]; 4] = [(); 4].map(|()| random.point().map(|c| c - 0.5));
             if round % 7 == 0 {
                 // Parallel, or without an area.
                 x[3] = core::array::from_fn(|k| x[2][k] + (x[1][k] - x[0][k]) * 0.5);

@@ -309,15 +309,13 @@ fn conclude<R: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// Random queries at many scales: what is certainly a contact at scale 1 is none that may be
     /// missed at another.
     fn check_scales<R: Real>(exponents: &[i32]) {
-        let mut x = 7u32;
-        let mut coordinate = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (x >> 16) as f64 / 65_536.0 - 0.5
-        };
+        let mut random = Random::new(7);
+        let mut coordinate = || (random.bits() >> 16) as f64 / 65_536.0 - 0.5;
         let mut n_hits = 0;
         for _ in 0..20_000 {
             let mut four = || {
