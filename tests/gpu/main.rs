@@ -153,10 +153,7 @@ fn main() {
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, path, name, Ok(Box::new(test)), device.clone());
         }
-        let of_data = scenes::tests_of_data(&data).into_iter();
-        for (name, test) in
-            of_data.chain([kept_order::test_of_data(&data), queries::test_of_data(&data)])
-        {
+        for (name, test) in [kept_order::test_of_data(&data), queries::test_of_data(&data)] {
             add(&mut trials, path, &name, test, device.clone());
         }
     }

@@ -33,13 +33,11 @@ fn check_queries(device: &Device, dir: &Path) {
         let Queries { queries, .. } = read_queries(&path).unwrap();
         let times = data::read_times(&dir.join("toi").join(&name));
         let is_vf = matches!(queries[0], Query::VertexFace(_));
-        let ends: Vec<Ends> = queries
-            .iter()
-            .map(|q| match q {
-                Query::VertexFace(q) => (q.t0, q.t1),
-                Query::EdgeEdge(q) => (q.t0, q.t1),
-            })
-            .collect();
+        let ends = |q: &Query| match q {
+            Query::VertexFace(q) => (q.t0, q.t1),
+            Query::EdgeEdge(q) => (q.t0, q.t1),
+        };
+        let ends: Vec<Ends> = queries.iter().map(ends).collect();
         let verdicts = decide(device, is_vf, &ends);
         for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
             let mut verdict = *verdict;
@@ -108,22 +106,13 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         let p = Params { frame, dispatch, own: Plain::default() };
         let contacts = if is_vf {
             let faces = elements;
-            run(
-                device,
-                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
+            let kernel =
+                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
+            run(device, kernel, &p, 3).contacts
         } else {
             let edges = elements;
-            run(
-                device,
-                DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
+            let kernel = DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
+            run(device, kernel, &p, 3).contacts
         };
         for touch in touches(&contacts) {
             let toi = join(touch.toi);
@@ -140,20 +129,16 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
             (done.contacts, done.undecided)
         } else {
             let edges = elements;
-            let done = run(
-                device,
-                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
-                &p,
-                3,
-            );
+            let kernel = DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
+            let done = run(device, kernel, &p, 3);
             (done.contacts, done.undecided)
         };
-        touches(&contacts)
-            .iter()
-            .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
-        entries(&undecided)
-            .iter()
-            .for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
+        for t in touches(&contacts) {
+            verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) };
+        }
+        for p in entries(&undecided) {
+            verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 };
+        }
     }
     verdicts
 }

@@ -2,6 +2,7 @@
 //! of features by brute force; whole steps by every method, against pairs of features on the same
 //! device and against triangles on the CPU, number by number.
 
+use crate::failures::check_growth_of;
 use crate::scenes::{check_pairs, check_step};
 use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
 use crate::twin::union;
@@ -245,16 +246,7 @@ fn check_growth(device: &Device) {
     let step = crumpled_sheet(24, 7);
     for broad_phase in methods(device) {
         let options = triangles(true, false).with_broad_phase(broad_phase);
-        let want = ccd::step(&step.mesh, &step.x0, &step.x1, &triangles(true, false)).unwrap();
-        let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
-        session.reserve(8).unwrap();
-        let got = session.step(&step.x0, &step.x1).unwrap().clone();
-        assert!(session.grown() >= 2, "{broad_phase}: few lists had to grow");
-        assert_eq!((got.candidates, got.triangles), (want.candidates, want.triangles));
-        assert_eq!(got.contacts.len(), want.contacts.len(), "{broad_phase}");
-        let grown = session.grown();
-        session.step(&step.x0, &step.x1).unwrap();
-        assert_eq!(session.grown(), grown, "{broad_phase}: the second frame grows again");
+        check_growth_of(device, &step, options, 2);
     }
 }
 
@@ -263,16 +255,10 @@ fn check_many(device: &Device) {
     let n = 760;
     let faces: Vec<[u32; 3]> = [[[0, 1, 2]; 760], [[3, 4, 5]; 760]].concat();
     let mesh = Mesh::new(6, &faces).unwrap();
-    let x0 = [
-        [0.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0],
-        [0.2, 0.5, 0.2],
-        [0.3, 1.5, 0.2],
-        [0.2, 1.5, 0.3],
-    ];
-    let x1 = x0.map(|[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]);
-    let step = Step { mesh, x0: x0.to_vec(), x1: x1.to_vec() };
+    let x0 = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].into_iter();
+    let x0: Vec<_> = x0.chain([[0.2, 0.5, 0.2], [0.3, 1.5, 0.2], [0.2, 1.5, 0.3]]).collect();
+    let x1 = x0.iter().map(|&[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]).collect();
+    let step = Step { mesh, x0, x1 };
     let options = triangles(false, false).with_broad_phase(ccd::BroadPhaseMethod::TREE);
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let counts = session.step(&step.x0, &step.x1).unwrap().triangles.unwrap();

@@ -114,10 +114,7 @@ fn sampled_distance(t0: &Points, t1: &Points, patch: Patch) -> f64 {
 }
 
 fn motion(t0: &Points, t1: &Points, patch: Patch) -> Motion<f32> {
-    match patch {
-        Patch::Triangle => Motion::vertex_face(t0, t1, 0.0),
-        Patch::Parallelogram => Motion::edge_edge(t0, t1, 0.0),
-    }
+    Motion::new(patch, t0, t1, 0.0)
 }
 
 #[test]

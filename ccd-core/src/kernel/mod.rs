@@ -14,6 +14,8 @@ pub mod memory;
 pub mod prefix;
 pub mod probe;
 pub mod sort;
+#[cfg(test)]
+pub mod test_words;
 mod threads;
 mod word_access;
 

@@ -202,10 +202,7 @@ fn halves_meet_in_the_middle() {
     for patch in [Patch::Triangle, Patch::Parallelogram] {
         let mut four = || std::array::from_fn(|_| random.vector());
         let (t0, t1): ([[f64; 3]; 4], [[f64; 3]; 4]) = (four(), four());
-        let m = match patch {
-            Patch::Triangle => Motion::vertex_face(&t0, &t1, 0.125),
-            Patch::Parallelogram => Motion::edge_edge(&t0, &t1, 0.125),
-        };
+        let m = Motion::new(patch, &t0, &t1, 0.125);
         let (first, second) = m.halves();
         assert_eq!((m.error, first.error, second.error), (0.25, 0.25, 0.25));
         for (whole, [p, q]) in
@@ -236,10 +233,7 @@ fn features_beside_each_other_keep_their_distance() {
     let triangle = [[0.25, -0.25, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let edges = [[1.25, 0.25, 0.0], [2.0, 0.25, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
     for (patch, x) in [(Patch::Triangle, triangle), (Patch::Parallelogram, edges)] {
-        let m = match patch {
-            Patch::Triangle => Motion::vertex_face(&x, &x, 0.0),
-            Patch::Parallelogram => Motion::edge_edge(&x, &x, 0.0),
-        };
+        let m = Motion::new(patch, &x, &x, 0.0);
         for (d, want) in
             [(0.0, true), (0.1, true), (0.249, true), (0.25, false), (0.251, false), (1.0, false)]
         {
@@ -253,10 +247,7 @@ fn features_beside_each_other_keep_their_distance() {
         for (t0, t1, want) in [(x, onto, false), (onto, x, false), (mirrored, mirrored, true)] {
             let backwards = [t0, t1].map(|x| x.map(|p| p.map(|c: f64| -c)));
             for [t0, t1] in [[t0, t1], backwards] {
-                let m = match patch {
-                    Patch::Triangle => Motion::vertex_face(&t0, &t1, 0.0),
-                    Patch::Parallelogram => Motion::edge_edge(&t0, &t1, 0.0),
-                };
+                let m = Motion::new(patch, &t0, &t1, 0.0);
                 assert_eq!(beside(&m, patch, 0.0) > 0.0, want, "{patch:?} {t0:?} {t1:?}");
             }
         }

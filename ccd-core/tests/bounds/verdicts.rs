@@ -99,10 +99,7 @@ fn no_contact_is_missed() {
         let [t0, t1] = q.points(origin);
         let (verdict, _) = under(&ways, flush, || {
             let zero = Adversarial(0.0);
-            let m = match q.patch {
-                Patch::Triangle => Motion::vertex_face(&t0, &t1, zero),
-                Patch::Parallelogram => Motion::edge_edge(&t0, &t1, zero),
-            };
+            let m = Motion::new(q.patch, &t0, &t1, zero);
             solve(&m, q.patch, zero)
         });
         let early = verdict.toi().is_some_and(|toi| toi.0 <= q.t + LATE);
