@@ -22,25 +22,17 @@ fn coordinates_must_be_finite() {
         }
         assert!(matches!(session.step(&x1, &TRIANGLE), Err(Error::Coordinate { time: 0, .. })));
     }
-    assert!(
-        session.step(&TRIANGLE, &TRIANGLE).unwrap().contacts.is_empty(),
-        "the session goes on after an error"
-    );
+    let found = session.step(&TRIANGLE, &TRIANGLE).unwrap();
+    assert!(found.contacts.is_empty(), "the session goes on after an error");
     let single = TRIANGLE.map(|p| p.map(|c| c as f32));
     let mut bad = single;
     bad[0][2] = f32::NAN;
-    assert!(matches!(
-        session.step(&single, &bad),
-        Err(Error::Coordinate { time: 1, vertex: 0, axis: 2, .. })
-    ));
+    let error = session.step(&single, &bad).unwrap_err();
+    assert!(matches!(error, Error::Coordinate { time: 1, vertex: 0, axis: 2, .. }), "{error}");
 }
 
 #[test]
 fn sizes_indices_and_distances_are_checked() {
-    assert_eq!(
-        Mesh::new(3, &[[0, 1, 3]]),
-        Err(Error::Index { element: "face", at: 0, vertex: 3, n_vertices: 3 })
-    );
     let mut good = session(Options::default()).unwrap();
     assert_eq!(
         good.step(&TRIANGLE[..2], &TRIANGLE).unwrap_err(),
@@ -52,10 +44,6 @@ fn sizes_indices_and_distances_are_checked() {
     }
     let error = session(Options::default().with_threads(100_000)).unwrap_err();
     assert_eq!(error, Error::Threads { count: 100_000, limit: 1024 });
-    assert!(matches!(
-        Mesh::new(1 << 31, &[]),
-        Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })
-    ));
     let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let bad =
         [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
@@ -65,15 +53,14 @@ fn sizes_indices_and_distances_are_checked() {
 #[test]
 fn empty_meshes_have_no_contacts() {
     for threads in [1, 2] {
-        let mut session =
-            Session::new(Mesh::new(0, &[]).unwrap(), Options::default().with_threads(threads))
-                .unwrap();
-        let none: [[f64; 3]; 0] = [];
+        let of = |n| {
+            let options = Options::default().with_threads(threads);
+            Session::new(Mesh::new(n, &[]).unwrap(), options).unwrap()
+        };
+        let (mut session, none): (_, [[f64; 3]; 0]) = (of(0), []);
         assert!(session.step(&none, &none).unwrap().contacts.is_empty());
         assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
-        let mut points =
-            Session::new(Mesh::new(5, &[]).unwrap(), Options::default().with_threads(threads))
-                .unwrap();
+        let mut points = of(5);
         // Five particles, each in a place of its own.
         let at = |y: f64| [0.0, 1.0, 2.0, 3.0, 4.0].map(|x| [x, y, 0.0]);
         assert!(points.step(&at(0.0), &at(1.0)).unwrap().contacts.is_empty());

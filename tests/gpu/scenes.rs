@@ -12,11 +12,8 @@ pub type Test = Box<dyn FnOnce(&Device) + Send>;
 pub type Runnable = Result<Test, String>;
 
 /// Tests of generated scenes.
-pub const TESTS: crate::Tests = &[
-    ("min_distance", check_min_distance),
-    ("degenerate", check_degenerate),
-    ("many_contacts", check_many_contacts),
-];
+pub const TESTS: crate::Tests =
+    &[("degenerate", check_degenerate), ("many_contacts", check_many_contacts)];
 
 /// Certified answers of two backends never contradict each other; times differ by rounding alone.
 pub fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
@@ -54,14 +51,6 @@ pub fn check_pairs(what: &str, mut want: Vec<Pair>, mut got: Vec<Pair>) {
     assert!(got.windows(2).all(|w| w[0] != w[1]), "{what}: a pair comes twice");
     assert_eq!(got.len(), want.len(), "{what}: number of pairs");
     assert!(got == want, "{what}: other pairs");
-}
-
-/// Contact at a distance, in f64 and in f32.
-fn check_min_distance(device: &Device) {
-    let scenes = [generate::crumpled_sheet(24, 3), generate::triangle_soup(200, 0.1, 9)];
-    for (step, distance) in scenes.iter().zip([0.01, 0.003]) {
-        check_step(device, step, Options::default().with_min_distance(distance));
-    }
 }
 
 pub fn check_step(device: &Device, step: &generate::Step, options: Options) {

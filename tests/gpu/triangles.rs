@@ -14,7 +14,7 @@ use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::triangle_pairs::near_tests;
 use ccd_core::triangle_pairs::orphans::OrphanSets;
 use ccd_core::triangle_pairs::representatives::Triangles;
-use ccd_testkit::generate::{Random, Step, crumpled_sheet, triangle_soup};
+use ccd_testkit::generate::{Random, Step, crumpled_sheet};
 use ccd_testkit::{brute, compare};
 
 pub const TESTS: crate::Tests = &[
@@ -172,19 +172,9 @@ fn check_methods(device: &Device) {
     check_step(device, &sheet, triangles(true, false));
 }
 
-/// Fixed bodies, with and without contact of their own, and a distance.
+/// Neighbours of bodies: two sheets, one of which stands still, at a distance. `rules.rs` has bodies
+/// without neighbours.
 fn check_bodies(device: &Device) {
-    let step = triangle_soup(150, 0.25, 5);
-    let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
-    for (self_contact, orphans) in [(false, true), (true, false), (true, true)] {
-        let bodies =
-            Some(Bodies::new(&body, &[true, false, true], self_contact).with_fixed_motion(true));
-        let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
-        let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
-        check_candidates(device, &step, &features, &options);
-        check_step(device, &step, options);
-    }
-    // Neighbours of bodies: two sheets, one of which stands still.
     let (mut sheet, other) = (crumpled_sheet(12, 3), crumpled_sheet(12, 4));
     let n = sheet.x0.len() as u32;
     let shifted = other.mesh.faces().iter().map(|f| f.map(|v| v + n));
@@ -195,10 +185,12 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..2 * n).map(|v| v / n).collect();
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[false, true], self_contact).with_fixed_motion(true));
-        let features = Options::default().with_bodies(bodies);
-        let options = features.clone().with_pipeline(Pipeline::TRIANGLES);
-        check_candidates(device, &sheet, &features, &options);
-        check_step(device, &sheet, options);
+        let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
+        for orphans in [false, true] {
+            let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
+            check_candidates(device, &sheet, &features, &options);
+            check_step(device, &sheet, options);
+        }
     }
 }
 

@@ -3,18 +3,23 @@
 use crate::{ccd, json, obj, text};
 use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Scheduler, Traversal, Volume};
 
+/// Keys of the list, options of the command, and names.
+fn choices() -> [(&'static str, &'static str, Vec<&'static str>); 7] {
+    [
+        ("broad_phases", "--broad-phase", names::<BroadPhaseMethod>()),
+        ("builders", "--builder", names::<Builder>()),
+        ("traversals", "--traversal", names::<Traversal>()),
+        ("volumes", "--volume", names::<Volume>()),
+        ("pipelines", "--pipeline", names::<Pipeline>()),
+        ("schedulers", "--scheduler", names::<Scheduler>()),
+        ("fronts", "--front", names::<Front>()),
+    ]
+}
+
 pub fn the_list_names_every_choice() {
     let all = json(&ccd(&["list", "--json"]));
     let output = text(&ccd(&["list"]).stdout);
-    for (key, names) in [
-        ("broad_phases", names::<BroadPhaseMethod>()),
-        ("builders", names::<Builder>()),
-        ("traversals", names::<Traversal>()),
-        ("volumes", names::<Volume>()),
-        ("pipelines", names::<Pipeline>()),
-        ("schedulers", names::<Scheduler>()),
-        ("fronts", names::<Front>()),
-    ] {
+    for (key, _, names) in choices() {
         let listed: Vec<&str> =
             all[key].as_array().unwrap().iter().map(|e| e["name"].as_str().unwrap()).collect();
         assert_eq!(listed, names, "{key}");
@@ -35,17 +40,8 @@ pub fn every_choice_finds_the_same() {
     let dir = tempfile::tempdir().unwrap();
     let (a, b) = (&*obj(dir.path(), "a.obj", 0.0), &*obj(dir.path(), "b.obj", 1.0));
     let all = json(&ccd(&["list", "--json"]));
-    let options = [
-        ("broad_phases", "--broad-phase"),
-        ("builders", "--builder"),
-        ("traversals", "--traversal"),
-        ("volumes", "--volume"),
-        ("pipelines", "--pipeline"),
-        ("schedulers", "--scheduler"),
-        ("fronts", "--front"),
-    ];
     let mut n_choices = 0;
-    for (key, option) in options {
+    for (key, option, _) in choices() {
         for entry in all[key].as_array().unwrap() {
             let name = entry["name"].as_str().unwrap();
             if !entry["backends"].as_array().unwrap().contains(&"cpu".into()) {

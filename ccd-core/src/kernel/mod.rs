@@ -15,7 +15,7 @@ pub mod prefix;
 pub mod probe;
 pub mod sort;
 #[cfg(test)]
-pub mod test_words;
+pub(crate) mod test_words;
 mod threads;
 mod word_access;
 

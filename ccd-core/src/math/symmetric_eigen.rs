@@ -25,7 +25,7 @@
 //! With `u` the unit roundoff and `|m|` the greatest absolute eigenvalue: every value is within
 //! `32 u |m|` of one of the matrix, `m v - value v` is no longer than `32 u |m|`, and scalar
 //! products of vectors are within [`ORTHONORMAL`] of 1 and 0. The last holds for any input
-//! whatever, because it is checked; the others are measured against faer
+//! whatever, because it is checked; the others are measured
 //! (`ccd-testkit/tests/symmetric_eigen.rs`), where the matrix is finite and its largest entry is
 //! normal.
 
