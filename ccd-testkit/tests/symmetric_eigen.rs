@@ -40,8 +40,8 @@ fn frame(random: &mut Random) -> Matrix {
 /// all vectors together, and scalar products from those of a basis.
 ///
 /// Eigenvalues of `M` are no further from those found: with an orthonormal basis `V` they are those
-/// of `M - R V^T`, where `R` has the columns `M v - value v`, and no eigenvalue of a symmetric matrix
-/// moves by more than the norm of what is added (Weyl).
+/// of `M - R V^T`, where `R` has the columns `M v - value v`, and no eigenvalue of a symmetric
+/// matrix moves by more than the norm of what is added (Weyl).
 #[derive(Clone, Copy, Debug, Default)]
 struct Errors {
     residual: f64,

@@ -172,8 +172,8 @@ fn check_methods(device: &Device) {
     check_step(device, &sheet, triangles(true, false));
 }
 
-/// Neighbours of bodies: two sheets, one of which stands still, at a distance. `rules.rs` has bodies
-/// without neighbours.
+/// Neighbours of bodies: two sheets, one of which stands still, at a distance. `rules.rs` has
+/// bodies without neighbours.
 fn check_bodies(device: &Device) {
     let (mut sheet, other) = (crumpled_sheet(12, 3), crumpled_sheet(12, 4));
     let n = sheet.x0.len() as u32;

@@ -1,5 +1,5 @@
-//! Certificates of staying apart against numbers without rounding: products and differences of `f32`
-//! are exact in `f64`, and the oracle is exact altogether.
+//! Certificates of staying apart against numbers without rounding: products and differences of
+//! `f32` are exact in `f64`, and the oracle is exact altogether.
 
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
