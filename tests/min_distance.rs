@@ -2,7 +2,8 @@
 //! all of the distance.
 
 use ccd::scenes::{Random, triangle_soup};
-use ccd::{Coordinate, Kind, Mesh, Options, Session, State, TOI_TOLERANCE};
+use ccd::{Coordinate, Kind, Mesh, Options, Pair, Session, State, TOI_TOLERANCE};
+use ccd_testkit::brute::feature_pairs;
 use first::{First, first_within, point_triangle, segment_segment};
 use std::collections::HashMap;
 
@@ -50,25 +51,15 @@ fn every_pair(
     x1: &[[f64; 3]],
     d: f64,
 ) -> Vec<((Kind, u32, u32), First)> {
-    let mut out = Vec::new();
-    let take = |ids: [u32; 4], x: &[[f64; 3]]| ids.map(|i| x[i as usize]);
-    for v in 0..mesh.n_vertices() as u32 {
-        for (f, &[a, b, c]) in mesh.faces().iter().enumerate().filter(|(_, f)| !f.contains(&v)) {
-            let ids = [v, a, b, c];
-            let first = first_within(point_triangle, 1, &take(ids, x0), &take(ids, x1), d);
-            out.push(((Kind::VertexFace, v, f as u32), first));
-        }
-    }
-    for (i, &[a, b]) in mesh.edges().iter().enumerate() {
-        for (j, &[p, q]) in mesh.edges().iter().enumerate().skip(i + 1) {
-            if ![p, q].contains(&a) && ![p, q].contains(&b) {
-                let ids = [a, b, p, q];
-                let first = first_within(segment_segment, 2, &take(ids, x0), &take(ids, x1), d);
-                out.push(((Kind::EdgeEdge, i as u32, j as u32), first));
-            }
-        }
-    }
-    out
+    let first = |(kind, pair): (Kind, Pair)| {
+        let [p, q] = [x0, x1].map(|x| mesh.vertices_of(kind, pair).map(|v| x[v as usize]));
+        let first = match kind {
+            Kind::VertexFace => first_within(point_triangle, 1, &p, &q, d),
+            _ => first_within(segment_segment, 2, &p, &q, d),
+        };
+        ((kind, pair.a, pair.b), first)
+    };
+    feature_pairs(mesh).into_iter().map(first).collect()
 }
 
 /// Contacts of a step are those of every pair. Returns how many of them begin with a gap in half to

@@ -45,6 +45,7 @@ fn down(toi: f64, digits: usize, power: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ccd::scenes::Random;
 
     #[test]
     fn parts_of_a_step_have_three_digits_that_matter() {
@@ -82,11 +83,10 @@ mod tests {
 
     #[test]
     fn no_time_becomes_later() {
-        let mut x = 1u64;
-        let mut n_later = 0;
+        let (mut random, mut n_later) = (Random::new(1), 0);
         for i in 0..20_000 {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let toi = (x >> 11) as f64 / (1u64 << 53) as f64 * 0.5f64.powi(i % 1070);
+            let unit = random.unit() + random.unit() / (1 << 24) as f64;
+            let toi = unit * 0.5f64.powi(i % 1070);
             for digits in [3, 5, 7] {
                 let printed: f64 = short(toi, digits).parse().unwrap();
                 let least = toi * (1.0 - 1.01 * 10f64.powi(1 - digits as i32));

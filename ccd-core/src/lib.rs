@@ -33,6 +33,10 @@ pub mod layout;
 pub mod math;
 pub mod model;
 pub mod narrow_phase;
+#[cfg(test)]
+#[path = "../../src/scenes/random.rs"]
+#[allow(dead_code, reason = "tests need a part of it")]
+mod random;
 pub mod scheduling;
 pub mod triangle_pairs;
 

@@ -54,6 +54,21 @@ pub fn candidates_among<T: Real>(mesh: &Mesh, [v, e, f]: &[Vec<Aabb<T>>; 3]) -> 
     [vf, ee]
 }
 
+/// Every vertex with every face and every edge with every later one, without common vertices.
+pub fn feature_pairs(mesh: &Mesh) -> Vec<(Kind, Pair)> {
+    let (edges, faces, mut out) = (mesh.edges(), mesh.faces(), Vec::new());
+    for a in 0..mesh.n_vertices() as u32 {
+        let others = (0..).zip(faces).filter(|(_, face)| !face.contains(&a));
+        out.extend(others.map(|(b, _)| (Kind::VertexFace, Pair { a, b })));
+    }
+    for (a, ends) in (0..).zip(edges) {
+        let later = (0..).zip(edges).skip(a as usize + 1);
+        let others = later.filter(|(_, other)| !ends.iter().any(|v| other.contains(v)));
+        out.extend(others.map(|(b, _)| (Kind::EdgeEdge, Pair { a, b })));
+    }
+    out
+}
+
 /// Candidates and contacts of features that belong to nothing of a higher dimension, with a minimum
 /// distance: vertex-edge, vertex-vertex, found by looking at every pair of a mesh.
 pub fn codimensional(

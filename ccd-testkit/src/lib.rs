@@ -3,6 +3,7 @@
 #![deny(unsafe_code)]
 
 pub mod brute;
+pub mod collapse;
 pub mod compare;
 pub mod data;
 pub mod grazing;

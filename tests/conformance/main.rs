@@ -6,25 +6,26 @@
 //! with the recorded contacts, which `truth.rs` compares with published answers. Each comparison
 //! is made again with answers that are wrong on purpose, and must fail.
 //!
-//! Schedulers and fronts have rows `.../METHOD/SCHEDULER/BACKEND`.
+//! Schedulers and fronts have rows `.../METHOD/SCHEDULER/BACKEND`, fronts over many frames
+//! `frames/SCENE/cpu`. What is right of a generated scene is a snapshot, `recorded/SCENE`.
 //!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
-//! they take minutes and `tests/gpu` makes them on its most native path: reported with the reason,
-//! and counted. So are rows of scenes that the uniform grid refuses, which must be for the crowding
+//! they take minutes, but for those by default on the native path: reported with the reason, and
+//! counted. So are rows of scenes that the uniform grid refuses, which must be for the crowding
 //! of its cells. What is left out by default a row says, too.
 
 mod rows;
 mod scenes;
+mod sequences;
 
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{
-    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Scheduling,
-    State,
+    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, State,
 };
-use ccd_testkit::compare::{agree, step_text};
+use ccd_testkit::compare::{agree, contact_digest, step_text};
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use rows::{WGSL, WHOLE, is_emulated, methods, not_too_slow, pipelines, schedulings};
@@ -43,6 +44,13 @@ fn main() {
     let mut trials = Vec::new();
     for (scene, source) in GENERATED.into_iter().chain(real) {
         let loaded = Arc::new(Loaded::default());
+        if !matches!(source, Source::Real(_)) {
+            let (loaded, name) = (loaded.clone(), format!("recorded/{scene}"));
+            trials.push(Trial::test(name, move || {
+                insta::assert_snapshot!(scene, recorded(&loaded, source));
+                Ok(())
+            }));
+        }
         for (place, backend, choice) in &places {
             let emulated = choice.as_ref().is_ok_and(is_emulated);
             let methods = methods(source, backend, place, emulated);
@@ -53,53 +61,41 @@ fn main() {
                 let ignored = move || Ok(Completion::ignored_with(why));
                 trials.push(Trial::ignorable_test(name, ignored));
             }
-            for &method in &methods {
-                let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{method}/{place}"));
-                let twice = *place == WGSL && emulated;
-                let choice = choice.clone();
-                let choice =
-                    choice.and_then(|c| if twice { not_too_slow(c, source) } else { Ok(c) });
-                trials.push(row_of(name, source, &choice, move |choice| {
-                    check_pairs(&loaded, source, choice, method, Scheduling::default())
-                }));
-            }
-            let moves = !matches!(source, Source::Boxes(_));
-            for &method in methods.iter().filter(|_| moves) {
-                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
-                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{method}/{place}"));
-                let options = Options::default().with_threads(2).with_broad_phase(method);
-                trials.push(row_of(name, source, choice, move |choice| {
-                    check_contacts(&loaded, source, choice, options)
-                }));
-            }
-            for (method, scheduling) in schedulings(scene, source, backend, place, emulated) {
-                let (loaded, name) = (loaded.clone(), format!("{scene}/{method}/{scheduling}"));
-                let again = loaded.clone();
-                trials.push(row_of(
-                    format!("pairs/{name}/{place}"),
-                    source,
-                    choice,
-                    move |choice| check_pairs(&loaded, source, choice, method, scheduling),
-                ));
-                let options = Options::default().with_threads(2).with_broad_phase(method);
-                let options = options.with_scheduling(scheduling);
-                let name = format!("contacts/{name}/{place}");
-                trials.extend(moves.then(|| {
-                    row_of(name, source, choice, move |choice| {
-                        check_contacts(&again, source, choice, options)
-                    })
-                }));
-            }
-            for pipeline in pipelines(source, backend) {
-                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
-                let row = pipeline.row().name;
-                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{row}/{place}"));
-                let options = Options::default().with_threads(2).with_pipeline(pipeline);
-                trials.push(row_of(name, source, choice, move |choice| {
-                    check_contacts(&loaded, source, choice, options)
-                }));
+            let base = Options::default().with_threads(2);
+            let of = |method| base.clone().with_broad_phase(method);
+            let by_itself = methods.iter().map(|&m| (m.to_string(), of(m)));
+            let all = schedulings(scene, source, backend, place, emulated);
+            let scheduled = all.map(|(m, s)| (format!("{m}/{s}"), of(m).with_scheduling(s)));
+            let piped = pipelines(source, backend).into_iter();
+            let piped = piped.map(|p| (p.row().name.to_owned(), base.clone().with_pipeline(p)));
+            let fast = choice.clone().and_then(|c| not_too_slow(c, source));
+            for (way, options) in by_itself.chain(scheduled).chain(piped) {
+                if options.pipeline == base.pipeline {
+                    let (loaded, options) = (loaded.clone(), options.clone());
+                    let choice = if *place == WGSL && emulated { &fast } else { choice };
+                    let name = format!("pairs/{scene}/{way}/{place}");
+                    trials.push(row_of(name, source, choice, move |choice| {
+                        check_pairs(&loaded, source, choice, &options)
+                    }));
+                }
+                if !matches!(source, Source::Boxes(_)) {
+                    let (loaded, name) =
+                        (loaded.clone(), format!("contacts/{scene}/{way}/{place}"));
+                    let is_default = options == base && *place != WGSL;
+                    let choice = if is_default { choice } else { &fast };
+                    trials.push(row_of(name, source, choice, move |choice| {
+                        check_contacts(&loaded, source, choice, options)
+                    }));
+                }
             }
         }
+    }
+    for (name, needs_data, frames) in sequences::SEQUENCES {
+        let check = move || match data::data_dir() {
+            Err(why) if needs_data => Ok(Completion::ignored_with(why)),
+            _ => Ok(sequences::check(&frames()).map(|()| Completion::Completed)?),
+        };
+        trials.push(Trial::ignorable_test(format!("frames/{name}/cpu"), check));
     }
     // A device of its own, which this row loses.
     let own = open(gpu::Path::Wgsl).map(|device| Choice::of_device(&device, true));
@@ -121,7 +117,9 @@ enum Missing {
 }
 
 fn open(path: gpu::Path) -> Result<Device, Missing> {
-    let options = DeviceOptions { path: Some(path), ..Default::default() };
+    // The most native device, and the most portable.
+    let narrow = path == gpu::Path::Wgsl;
+    let options = DeviceOptions { path: Some(path), narrow, ..Default::default() };
     Device::open(&options).map_err(|e| Missing::Device(e.to_string()))
 }
 
@@ -148,14 +146,28 @@ fn row_of(
     })
 }
 
+/// Counts and digests that every method of every backend is compared with.
+fn recorded(loaded: &Loaded, source: Source) -> String {
+    let [within, between] = loaded.boxes.get_or_init(|| load_boxes(source)).want;
+    let pairs = format!("pairs within one set {within}, between two {between}\n");
+    if matches!(source, Source::Boxes(_)) {
+        return pairs;
+    }
+    let motion = loaded.motion.get_or_init(|| load_motion(source));
+    let Want::Brute([vf, ee], contacts) = &motion.want else { return pairs };
+    let toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
+    let contacts = contact_digest(contacts);
+    format!("{pairs}candidates vf {vf} ee {ee}\ncontacts {contacts}, earliest {toi:?}\n")
+}
+
 fn check_pairs(
     loaded: &Loaded,
     source: Source,
     choice: &Choice,
-    method: BroadPhaseMethod,
-    scheduling: Scheduling,
+    options: &Options,
 ) -> Result<Completion, String> {
     let boxes = loaded.boxes.get_or_init(|| load_boxes(source));
+    let (method, scheduling) = (options.broad_phase, options.scheduling);
     let mut broad =
         BroadPhase::scheduled(choice, 2, method, scheduling).map_err(|e| e.to_string())?;
     let answer = broad.self_pairs(&boxes.within).map(|pairs| pairs.into_vec());
@@ -249,6 +261,11 @@ fn check_contacts(
             agree(contacts, &report.contacts)?;
             check_controls(contacts)?;
             let found = step_text(&report);
+            // Rounding is the same where nothing is contracted and `f64` is on one of both alone.
+            let native = |device: &Device| device.info().path == gpu::Path::Passthrough;
+            if choice.device().is_none_or(native) && report.contacts != *contacts {
+                return Err("contacts differ in a bit from those of a CPU".into());
+            }
             if found != *text {
                 return Err(format!("{found}recorded is\n{text}"));
             }

@@ -1,9 +1,7 @@
-//! Plain twins of the builders of binary trees that join nodes bottom up, and boxes that are hard
-//! for some builder.
+//! A plain twin of the builder that joins nearest pairs, and boxes that are hard for some builder.
 
 use crate::twin::{Twin, union};
 use ccd::Aabb;
-use ccd_core::broad_phase::ploc::FEW;
 use ccd_core::layout::Branch;
 use ccd_core::math::morton::MortonGrid;
 use ccd_testkit::generate::uniform_boxes;
@@ -62,44 +60,6 @@ pub fn in_cells(twin: &Twin, set: usize) -> Vec<Aabb> {
     let grid = MortonGrid::new(&union(twin.boxes.iter()), 10);
     let range = twin.frame.start[set] as usize..twin.frame.start[set + 1] as usize;
     twin.boxes[range].iter().map(|b| grid.in_cells(b)).collect()
-}
-
-/// PLOC in plain loops.
-pub fn ploc_twin(twin: &Twin, set: usize, radius: usize) -> (Built, Vec<u32>) {
-    let cells = in_cells(twin, set);
-    let first = twin.frame.start[set] as usize;
-    let order = &twin.order[first..first + cells.len()];
-    let leaf = |&i: &u32| (cells[i as usize - first], Joined::Leaf(i));
-    let mut clusters: Vec<(Aabb, Joined)> = order.iter().map(leaf).collect();
-    let halvings = |n: usize| n.next_power_of_two().ilog2();
-    let (mut reached, mut round) = (Vec::new(), 0);
-    while clusters.len() > 1 {
-        let n = clusters.len();
-        if reached.last().is_none_or(|&before| before > FEW) {
-            reached.push(n as u32);
-        }
-        let late = round >= 6 * (halvings(cells.len()) - halvings(n) + 1);
-        let nearest = |i: usize| {
-            let around = i.saturating_sub(radius)..(i + radius + 1).min(n);
-            let key = |&j: &usize| (surface(&clusters[i].0, &clusters[j].0), i ^ j);
-            let others = around.filter(|&j| j != i).map(|j| (key(&j), j));
-            others.min_by(|a, b| a.0.partial_cmp(&b.0).unwrap()).unwrap().1
-        };
-        let neighbour =
-            |i: usize| if late { if i ^ 1 < n { i ^ 1 } else { i } } else { nearest(i) };
-        let of: Vec<usize> = (0..n).map(neighbour).collect();
-        let next = |i: usize| match of[i] {
-            j if j == i || of[j] != i => Some(clusters[i].clone()),
-            j if i < j => Some((
-                union([clusters[i].0, clusters[j].0].iter()),
-                Joined::of(&clusters[i].1, &clusters[j].1),
-            )),
-            _ => None,
-        };
-        clusters = (0..n).filter_map(next).collect();
-        round += 1;
-    }
-    (clusters[0].1.numbered(), reached)
 }
 
 /// Half the surface of the box around two.

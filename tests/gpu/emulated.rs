@@ -3,7 +3,6 @@
 
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{Device, Path};
-use ccd_testkit::data::SCENES;
 
 /// Set to 1, this variable has nothing left out.
 const WHOLE: &str = "CCD_WHOLE";
@@ -14,10 +13,8 @@ const WHOLE: &str = "CCD_WHOLE";
 const OF_KERNELS: [crate::Tests; 4] =
     [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS, crate::geometry::TESTS];
 
-/// The most portable is not run by scenes of more edges.
-const MAX_EDGES: usize = 50_000;
-
-/// Nor by tests over many boxes or steps whose kernels other tests compare there:
+/// The most portable is not run by tests over many boxes or steps whose kernels other tests compare
+/// there:
 /// `steps_by_every_method` has all methods.
 const LONG: [&str; 9] = [
     "boxes_after_failures",
@@ -38,12 +35,10 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
     if whole || info.adapter.device_type != DeviceType::Cpu {
         return None;
     }
-    let scene = name.strip_prefix("scene_").and_then(|s| SCENES.iter().find(|t| t.name == s));
-    let is_large = scene.is_some_and(|scene| scene.size[1] > MAX_EDGES);
     let of_kernels = || OF_KERNELS.iter().flat_map(|tests| tests.iter());
     let why = match (info.path, info.wide) {
         (Path::Passthrough, true) => return None,
-        (Path::Wgsl, false) if is_large || LONG.contains(&name) => "long on an emulated GPU",
+        (Path::Wgsl, false) if LONG.contains(&name) => "long on an emulated GPU",
         (Path::Wgsl, false) => return None,
         _ if name == "queries" || of_kernels().any(|(test, _)| *test == name) => return None,
         _ => "as on the most native device and the most portable",

@@ -1,13 +1,13 @@
 //! What a caller sees when something is too short, too large, missing, or lost; and that a session
 //! goes on afterwards.
 
-use crate::support::{bytes, list, not_run, read, room, run};
+use crate::support::{bytes, list, not_run, read, read_back, room, run};
 use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
 use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
 use ccd_core::narrow_phase::search::Search;
-use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
+use ccd_testkit::generate::{Step, crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
@@ -24,20 +24,31 @@ pub const TESTS: crate::Tests = &[
 /// Lists far too short: the frame runs again until everything fits, and nothing is missing.
 fn check_growth(device: &Device) {
     let step = crumpled_sheet(40, 7);
-    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
-    let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
+    let (mut session, want) = check_growth_of(device, &step, Options::default(), 1);
+    let found = session.candidates(&step.x0, &step.x1).unwrap();
+    assert_eq!([found.vf.len() as u64, found.ee.len() as u64], [want.vf, want.ee]);
+}
+
+/// A step whose lists must grow so often at least; the next one finds them long enough.
+pub fn check_growth_of(
+    device: &Device,
+    step: &Step,
+    options: Options,
+    least: u32,
+) -> (Session, ccd::PerKind) {
+    let default = options.clone().with_broad_phase(BroadPhaseMethod::default());
+    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &default).unwrap();
+    let what = options.broad_phase;
+    let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
     session.reserve(8).unwrap();
     let got = session.step(&step.x0, &step.x1).unwrap().clone();
-    assert!(session.grown() >= 1, "nothing had to grow");
-    assert_eq!((got.candidates, got.contacts.len()), (want.candidates, want.contacts.len()));
     let grown = session.grown();
+    assert!(grown >= least, "{what}: few lists had to grow");
+    assert_eq!((got.candidates, got.triangles), (want.candidates, want.triangles), "{what}");
+    assert_eq!(got.contacts.len(), want.contacts.len(), "{what}");
     session.step(&step.x0, &step.x1).unwrap();
-    assert_eq!(session.grown(), grown, "the second frame grows again");
-    let candidates = session.candidates(&step.x0, &step.x1).unwrap();
-    assert_eq!(
-        (candidates.vf.len() as u64, candidates.ee.len() as u64),
-        (want.candidates.vf, want.candidates.ee)
-    );
+    assert_eq!(session.grown(), grown, "{what}: the second frame grows again");
+    (session, want.candidates)
 }
 
 /// Pairs that `f32` leaves open beyond the room of their list are counted and not written.
@@ -81,10 +92,8 @@ fn check_input(device: &Device) {
         matches!(error, Error::Input(ccd::Error::Coordinate { time: 1, vertex: 5, axis: 1, .. })),
         "{error}"
     );
-    assert!(
-        !session.step(&step.x0, &step.x1).unwrap().contacts.is_empty(),
-        "the session does not go on"
-    );
+    let found = session.step(&step.x0, &step.x1).unwrap();
+    assert!(!found.contacts.is_empty(), "the session does not go on");
     let options = Options::default().with_min_distance(-1.0);
     assert!(matches!(
         Session::new(device, step.mesh, options),
@@ -101,7 +110,7 @@ fn check_too_large(device: &Device) {
         return not_run(format!("{n} boxes fit"));
     }
     let mut broad = BroadPhase::new(device, BroadPhaseMethod::Blocks).unwrap();
-    let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];
+    let boxes = vec![ccd::Aabb::of_point([0.0f32; 3]); n as usize];
     match broad.self_pairs(&boxes) {
         Err(Error::TooLarge { bytes, limit: named, .. }) => {
             assert!(bytes > named && named <= limit, "{bytes} {named}")
@@ -109,16 +118,10 @@ fn check_too_large(device: &Device) {
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("{n} boxes were accepted"),
     }
-    assert_eq!(
-        broad.self_pairs(&uniform_boxes(100_000)[..50_000]).unwrap().len(),
-        ccd_pairs(50_000)
-    );
-}
-
-fn ccd_pairs(n: usize) -> usize {
+    let boxes = &uniform_boxes(100_000)[..50_000];
     let mut cpu = ccd::BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
-    let pairs: Vec<Pair> = cpu.self_pairs(&uniform_boxes(100_000)[..n]).unwrap().to_vec();
-    pairs.len()
+    let want = cpu.self_pairs(boxes).unwrap().len();
+    assert_eq!(broad.self_pairs(boxes).unwrap().len(), want);
 }
 
 fn check_no_adapter(_: &Device) {
@@ -134,11 +137,8 @@ fn check_no_adapter(_: &Device) {
 
 /// After its device is lost a session says so, and goes on with another.
 fn check_lost(device: &Device) {
-    let options = DeviceOptions {
-        path: Some(device.info().path),
-        narrow: !device.info().wide,
-        ..DeviceOptions::default()
-    };
+    let (path, narrow) = (Some(device.info().path), !device.info().wide);
+    let options = DeviceOptions { path, narrow, ..DeviceOptions::default() };
     let other = Device::open(&options).unwrap();
     let step = crumpled_sheet(10, 1);
     let mut session = Session::new(&other, step.mesh.clone(), Options::default()).unwrap();
@@ -155,8 +155,7 @@ fn check_lost(device: &Device) {
 /// A frame in an encoder of the caller's, from positions that are on the device already.
 fn check_recorded(device: &Device) {
     let step = crumpled_sheet(16, 2);
-    let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
-    let (x0, x1) = (single(&step.x0), single(&step.x1));
+    let [x0, x1] = step.rounded();
     let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
     let want = session.step(&x0, &x1).unwrap().contacts.len();
     let n_found = |session: &mut Session| {
@@ -165,22 +164,9 @@ fn check_recorded(device: &Device) {
             let found = session.record(&mut encoder).unwrap();
             (found.contacts.clone(), found.undecided.map(Clone::clone))
         };
-        let usage = ccd::gpu::wgpu::BufferUsages::MAP_READ | ccd::gpu::wgpu::BufferUsages::COPY_DST;
-        let read = device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor {
-            label: None,
-            size: 24,
-            usage,
-            mapped_at_creation: false,
-        });
-        for (i, list) in [&contacts, &undecided[0], &undecided[1]].into_iter().enumerate() {
-            encoder.copy_buffer_to_buffer(list.buffer(), 0, &read, 8 * i as u64, 4);
-        }
-        device.queue().submit([encoder.finish()]);
-        read.slice(..).map_async(ccd::gpu::wgpu::MapMode::Read, |_| {});
-        device.wgpu().poll(ccd::gpu::wgpu::PollType::wait_indefinitely()).unwrap();
-        let words: Vec<u32> =
-            bytemuck::pod_collect_to_vec(&read.slice(..).get_mapped_range().unwrap());
-        [words[0] as usize, words[2] as usize, words[4] as usize]
+        let lists = [&contacts, &undecided[0], &undecided[1]].map(|list| (list.buffer(), 4));
+        let words = read_back(device, encoder, &lists);
+        [0, 1, 2].map(|i| words[i][0] as usize)
     };
     // What was uploaded last is still there.
     let [certain, open_vf, open_ee] = n_found(&mut session);
@@ -190,12 +176,8 @@ fn check_recorded(device: &Device) {
         assert!(certain + open_vf + open_ee >= want, "{certain} + {open_vf} + {open_ee} < {want}");
     }
     // Positions written by the caller: nothing moves, nothing touches.
-    let still: Vec<ccd_core::layout::Path> = (0..x0.len())
-        .map(|i| {
-            let p = [(i % 16) as f32, 0.0, (i / 16) as f32, 0.0];
-            ccd_core::layout::Path { t0: p, t1: p }
-        })
-        .collect();
+    let at = |i: usize| [(i % 16) as f32, 0.0, (i / 16) as f32, 0.0];
+    let still: Vec<Path> = (0..x0.len()).map(|i| Path { t0: at(i), t1: at(i) }).collect();
     device.queue().write_buffer(session.paths(), 0, bytemuck::cast_slice(&still));
     assert_eq!(n_found(&mut session), [0, 0, 0]);
 }

@@ -1,9 +1,8 @@
 //! Point, normal and weights of contacts on a device: the kernels against the same bodies here, and
 //! sessions against `Contact::geometry`.
 
-use crate::support::{bytes, paths, read, rounds_like_a_cpu, run, same, zeros};
+use crate::support::{TINY, bytes, paths, read, read_back, rounds_like_a_cpu, run, same, zeros};
 use ccd::gpu::bind::{ContactGeometry, ContactGeometryWide};
-use ccd::gpu::wgpu::{BufferDescriptor, BufferUsages, MapMode, PollType};
 use ccd::gpu::{Device, Error, Session};
 use ccd::{Contact, Coordinate, Mesh, Options};
 use ccd_core::layout::{
@@ -37,10 +36,8 @@ fn check_near(got: &TouchGeometry, want: &TouchGeometry, exact: bool) {
     let words = |g: &TouchGeometry| -> [u32; 12] {
         bytemuck::cast_slice(bytemuck::bytes_of(g))[..12].try_into().unwrap()
     };
-    let equal = words(got)
-        .into_iter()
-        .zip(words(want))
-        .all(|(a, b)| same(f32::from_bits(a), f32::from_bits(b)));
+    let is_same = |(a, b)| same(f32::from_bits(a), f32::from_bits(b));
+    let equal = words(got).into_iter().zip(words(want)).all(is_same);
     if exact {
         return assert!(equal, "{got:?}, not {want:?}");
     }
@@ -60,37 +57,28 @@ fn check_kernels(device: &Device) {
         let mut paths = paths(&step, false);
         let mut random = Random::new(8);
         if poison {
-            let values = [0.0, 0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, 1.0, -1.0, 1e30, -1e38];
+            let values = [0.0, 0.0, 1e-45, -1e-40, TINY, 1.0, -1.0, 1e30, -1e38];
             let mut pick = || values[random.below(9) as usize];
             for p in paths.iter_mut().step_by(2) {
                 *p = Path { t0: [pick(), pick(), pick(), 0.0], t1: [pick(), pick(), pick(), 0.0] };
             }
         }
         let (room, wanted) = (700usize, 1000u32);
-        let touches: Vec<Touch> = (0..wanted)
-            .map(|i| {
-                let kind = i % 2;
-                let below = |n: usize, random: &mut Random| random.below(n as u32);
-                let (a, b) = if kind == 0 {
-                    (below(mesh.n_vertices(), &mut random), below(mesh.faces().len(), &mut random))
-                } else {
-                    (below(mesh.edges().len(), &mut random), below(mesh.edges().len(), &mut random))
-                };
-                let toi = [0.0, 1.0, random.unit()][random.below(3) as usize];
-                Touch { kind, state: i % 3 / 2, a, b, toi: split(toi), approach: 0 }
-            })
-            .collect();
+        let (n_e, n_f) = (mesh.edges().len() as u32, mesh.faces().len() as u32);
+        let counts = [[mesh.n_vertices() as u32, n_f], [n_e; 2]];
+        let mut touch = |i: u32| {
+            let [a, b] = counts[i as usize % 2].map(|n| random.below(n));
+            let toi = [0.0, 1.0, random.unit()][random.below(3) as usize];
+            Touch { kind: i % 2, state: i % 3 / 2, a, b, toi: split(toi), approach: 0 }
+        };
+        let touches: Vec<Touch> = (0..wanted).map(&mut touch).collect();
         let mut contacts = bytes(&[wanted, 0, 0, 0]);
         contacts.extend(bytes(&touches[..room]));
         let list: Vec<u32> =
             [wanted, 0, 0, 0].into_iter().chain(read::<u32>(&bytes(&touches[..room]))).collect();
         // In two parts, of which the second may take more than there is.
-        let dispatch = [(0, 300), (300, 700)].map(|(first, n)| Dispatch {
-            n,
-            first,
-            room_in: 700,
-            room_out: 0,
-        });
+        let part = |(first, n)| Dispatch { n, first, room_in: 700, room_out: 0 };
+        let dispatch = [(0, 300), (300, 700)].map(part);
         let n = mesh.n_vertices() as u32;
         let frame = Frame { count: [n, 0, 0], flags: Frame::FLAG_EXACT, ..Frame::default() };
         let own = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
@@ -162,30 +150,12 @@ fn geometry(
         session.record(&mut encoder).unwrap();
     }
     let found = session.record_geometry(&mut encoder).unwrap();
-    let sources = [
-        (found.contacts.buffer(), found.contacts.bytes(u32::MAX)),
-        (found.geometry, found.geometry.size()),
-    ];
-    let copies = sources.map(|(from, size)| {
-        let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
-        let to = device.wgpu().create_buffer(&BufferDescriptor {
-            label: None,
-            size,
-            usage,
-            mapped_at_creation: false,
-        });
-        encoder.copy_buffer_to_buffer(from, 0, &to, 0, size);
-        to
-    });
-    device.queue().submit([encoder.finish()]);
-    let [list, records] = copies.map(|copy| {
-        copy.slice(..).map_async(MapMode::Read, |_| {});
-        device.wgpu().poll(PollType::wait_indefinitely()).unwrap();
-        bytemuck::pod_collect_to_vec::<u8, u32>(&copy.slice(..).get_mapped_range().unwrap())
-    });
-    let n = list[0] as usize;
-    let touches = read(&bytes(&list[LIST_HEADER..LIST_HEADER + TOUCH_WORDS * n]));
-    (touches, read(&bytes(&records[..16 * n])))
+    let (contacts, geometry) = (found.contacts.clone(), found.geometry.clone());
+    let sources = [(contacts.buffer(), contacts.bytes(u32::MAX)), (&geometry, geometry.size())];
+    let words = read_back(device, encoder, &sources);
+    let n = words[0][0] as usize;
+    let touches = read(&bytes(&words[0][LIST_HEADER..LIST_HEADER + TOUCH_WORDS * n]));
+    (touches, read(&bytes(&words[1][..16 * n])))
 }
 
 fn check_session<T: Coordinate>(
@@ -198,8 +168,11 @@ fn check_session<T: Coordinate>(
 ) {
     let mut session = Session::new(device, mesh.clone(), Options::default()).unwrap();
     let mut encoder = device.wgpu().create_command_encoder(&Default::default());
-    let refused = session.record_geometry(&mut encoder).map(|_| ());
-    assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
+    let mut check_refused = |session: &mut Session| {
+        let refused = session.record_geometry(&mut encoder).map(|_| ());
+        assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
+    };
+    check_refused(&mut session);
     let n = session.step(x0, x1).unwrap().contacts.len();
     let (touches, records) = geometry(device, &mut session, record);
     let wide = device.info().wide;
@@ -220,13 +193,11 @@ fn check_session<T: Coordinate>(
     assert!(n_turned <= touches.len() / 20, "{n_turned} of {} normals", touches.len());
     // No list of contacts is left.
     session.earliest_toi(x0, x1).unwrap();
-    let refused = session.record_geometry(&mut encoder).map(|_| ());
-    assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
+    check_refused(&mut session);
     // Nor one of this mesh after another is there.
     session.step(x0, x1).unwrap();
     session.set_mesh(mesh).unwrap();
-    let refused = session.record_geometry(&mut encoder).map(|_| ());
-    assert!(matches!(refused, Err(Error::NoContacts)), "{refused:?}");
+    check_refused(&mut session);
 }
 
 fn check_sessions(device: &Device) {

@@ -1,6 +1,6 @@
 //! Steps that keep the order of boxes find what single steps find, and sort when they must.
 
-use crate::scenes::{Runnable, Test, check_pairs, check_reports};
+use crate::scenes::{Runnable, Test, check_candidates, check_earliest, check_reports};
 use ccd::gpu::{Device, Session};
 use ccd::{BroadPhaseMethod, Options, Pipeline, Traversal, TreeOptions, TriangleOptions};
 use ccd_testkit::generate;
@@ -30,19 +30,9 @@ fn ask(session: &mut Session, ask: Ask, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> boo
         }
         Ask::Earliest => {
             let want = ccd::step(&mesh, x0, x1, &options).unwrap().toi;
-            let got = session.earliest_toi(x0, x1).unwrap();
-            assert_eq!(got.is_some(), want.is_some());
-            if let Some((want, got)) = want.zip(got) {
-                assert!(got <= want && got >= want - 1e-6 - 1e-7 * want, "{got:e}, not {want:e}");
-            }
+            check_earliest(session, x0, x1, want);
         }
-        Ask::Candidates => {
-            let mut cpu = ccd::Session::new(mesh, options).unwrap();
-            let want = cpu.candidates(x0, x1).unwrap();
-            let got = session.candidates(x0, x1).unwrap();
-            check_pairs("vertices and faces", want.vf.to_vec(), got.vf);
-            check_pairs("edges", want.ee.to_vec(), got.ee);
-        }
+        Ask::Candidates => check_candidates(session, x0, x1),
     }
     session.report().rebuilt
 }

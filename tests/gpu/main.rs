@@ -50,7 +50,7 @@ use libtest_mimic::{Arguments, Completion, Failed, Trial};
 pub type Tests = &'static [(&'static str, fn(&Device))];
 
 /// A device of each path, or why there is none.
-type Devices = Result<Vec<(&'static str, Device)>, String>;
+type Devices = Result<Vec<(String, Device)>, String>;
 
 fn open() -> Devices {
     let mut out = Vec::new();
@@ -68,13 +68,7 @@ fn open() -> Devices {
             if !narrow && !device.info().wide {
                 continue;
             }
-            let name: &'static str = match (name, narrow) {
-                ("passthrough", false) => "passthrough_f64",
-                ("passthrough", true) => "passthrough_f32",
-                (_, false) => "wgsl_f64",
-                (_, true) => "wgsl_f32",
-            };
-            out.push((name, device));
+            out.push((format!("{name}_f{}", if narrow { 32 } else { 64 }), device));
         }
     }
     Ok(out)
@@ -116,7 +110,7 @@ fn main() {
         }));
     };
     let each: Vec<(&str, Result<Device, String>)> = match &devices {
-        Ok(devices) => devices.iter().map(|(name, device)| (*name, Ok(device.clone()))).collect(),
+        Ok(devices) => devices.iter().map(|(name, device)| (&**name, Ok(device.clone()))).collect(),
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
@@ -153,28 +147,20 @@ fn main() {
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, path, name, Ok(Box::new(test)), device.clone());
         }
-        let of_data = scenes::tests_of_data(&data).into_iter();
-        for (name, test) in
-            of_data.chain([kept_order::test_of_data(&data), queries::test_of_data(&data)])
-        {
+        for (name, test) in [kept_order::test_of_data(&data), queries::test_of_data(&data)] {
             add(&mut trials, path, &name, test, device.clone());
         }
     }
-    trials.push(Trial::test("negative_controls", || {
-        scenes::check_negative_controls();
-        scalars::check_negative_control();
-        kernels::check_negative_controls();
-        poison::check_negative_control();
-        Ok(())
-    }));
-    trials.push(Trial::test("layouts_in_spirv", || {
-        scalars::check_decorations();
-        Ok(())
-    }));
-    trials.push(Trial::test("manifest_is_the_table", || {
-        scalars::check_manifest();
-        Ok(())
-    }));
+    let anywhere: [(&str, fn()); 6] = [
+        ("control_of_scenes", scenes::check_negative_controls),
+        ("control_of_scalars", scalars::check_negative_control),
+        ("control_of_kernels", kernels::check_negative_controls),
+        ("control_of_poison", poison::check_negative_control),
+        ("layouts_in_spirv", scalars::check_decorations),
+        ("manifest_is_the_table", scalars::check_manifest),
+    ];
+    let run = |check: fn()| move || Ok::<_, Failed>(check());
+    trials.extend(anywhere.map(|(name, check)| Trial::test(name, run(check))));
     let device = devices.as_ref().map(|_| ()).map_err(Clone::clone);
     trials.push(Trial::ignorable_test("example_engine", move || match device {
         Ok(()) => engine::main().map(|()| Completion::Completed).map_err(Failed::from),

@@ -5,7 +5,7 @@
 
 use crate::pairs::filtered;
 use crate::queries::{Ends, decide};
-use crate::support::{entries, read};
+use crate::support::{TINY, entries, read};
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
@@ -20,16 +20,7 @@ pub const TESTS: crate::Tests =
 
 /// Small and large numbers by themselves: exact arithmetic takes minutes for both together.
 const POISON: [[f32; 8]; 2] = [
-    [
-        0.0,
-        -0.0,
-        1e-45,
-        -1e-40,
-        f32::MIN_POSITIVE,
-        -1.5 * f32::MIN_POSITIVE,
-        1e-20,
-        1.0 - f32::EPSILON / 2.0,
-    ],
+    [0.0, -0.0, 1e-45, -1e-40, TINY, -1.5 * TINY, 1e-20, 1.0 - f32::EPSILON / 2.0],
     [0.0, 1.0 + f32::EPSILON, 1e12, 1e19, -1e30, 1e30, 2.9e38, -3.4e38],
 ];
 
@@ -61,17 +52,12 @@ fn check_verdict(is_vf: bool, ends: Ends, cpu: Verdict<f64>, device: Verdict<f64
             panic!("{ends:?}: {cpu:?} on the CPU, {device:?}")
         }
         (Verdict::Hit { toi: want }, Verdict::Hit { toi }) => {
-            assert!(
-                (toi - want).abs() <= 2.0 * TOI_TOLERANCE,
-                "{ends:?}: {cpu:?} on the CPU, {device:?}"
-            );
+            let near = (toi - want).abs() <= 2.0 * TOI_TOLERANCE;
+            assert!(near, "{ends:?}: {cpu:?} on the CPU, {device:?}");
         }
         (Verdict::Undecided { .. }, Verdict::Miss) => {
-            let answer = if is_vf {
-                oracle::vertex_face(&ends.0, &ends.1)
-            } else {
-                oracle::edge_edge(&ends.0, &ends.1)
-            };
+            let ask = if is_vf { oracle::vertex_face } else { oracle::edge_edge };
+            let answer = ask(&ends.0, &ends.1);
             assert!(!matches!(answer, Answer::Contact(..)), "{ends:?}: missed, {answer:?}");
         }
         _ => {}
@@ -95,13 +81,10 @@ fn check_queries(device: &Device) {
             n_misses += (verdict == Verdict::Miss) as usize;
             n_hits += matches!(cpu, Verdict::Hit { .. }) as usize;
         }
-        println!(
-            "{} poisoned queries: {n_misses} misses, {n_hits} certain contacts",
-            queries.len()
-        );
+        println!("{} queries: {n_misses} misses, {n_hits} certain contacts", queries.len());
         assert!(
             n_misses > 1000 && n_hits > 30,
-            "{n_misses} misses and {n_hits} contacts show nothing"
+            "{n_misses} misses, {n_hits} contacts show nothing"
         );
     }
 }
@@ -109,12 +92,8 @@ fn check_queries(device: &Device) {
 fn check_filters(device: &Device) {
     let mut random = Random::new(77);
     let n = 60u32;
-    let mut ends = |i: u32| {
-        (
-            point(&mut random, i % 12, i as usize / 3 % 2),
-            point(&mut random, i % 12, i as usize / 3 % 2),
-        )
-    };
+    let mut end = |i: u32| point(&mut random, i % 12, i as usize / 3 % 2);
+    let mut ends = |i: u32| (end(i), end(i));
     let (x0, x1): (Vec<[f32; 3]>, Vec<[f32; 3]>) = (0..3 * n).map(&mut ends).unzip();
     let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let mesh = Mesh::new(x0.len(), &faces).unwrap();
@@ -134,11 +113,8 @@ fn check_filters(device: &Device) {
         left.sort_unstable();
         // A device that flushes denormals finds boxes to touch that are apart by less than the
         // smallest normal number.
-        assert!(
-            counted >= all.len() && counted <= all.len() + all.len() / 10,
-            "{counted} candidates, {} by brute force",
-            all.len()
-        );
+        let n = all.len();
+        assert!((n..=n + n / 10).contains(&counted), "{counted} candidates, {n} by brute force");
         let (mut n_touching, mut n_dropped) = (0, 0);
         for pair in all {
             let ids = if kind == 0 {
@@ -155,13 +131,9 @@ fn check_filters(device: &Device) {
                 check_verdict(kind == 0, query, cpu, Verdict::Miss);
             }
         }
-        println!(
-            "kind {kind}: {counted} candidates, {n_dropped} dropped, {n_touching} certain contacts"
-        );
-        assert!(
-            n_touching > 20 && n_dropped > 100,
-            "{n_touching} contacts and {n_dropped} dropped show nothing"
-        );
+        let seen = format!("{counted} candidates, {n_dropped} dropped, {n_touching} contacts");
+        println!("kind {kind}: {seen}");
+        assert!(n_touching > 20 && n_dropped > 100, "{seen} show nothing");
     }
 }
 
@@ -173,18 +145,9 @@ pub fn check_negative_control() {
         [[0.25, 1.0, 0.25], face[0], face[1], face[2]],
         [[0.25, -1.0, 0.25], face[0], face[1], face[2]],
     );
-    let fails = |cpu, device| compare::fails(|| check_verdict(true, ends, cpu, device));
-    let (hit, open) = (|toi| Verdict::Hit { toi }, Verdict::Undecided { toi: 0.0 });
-    assert!(
-        !fails(hit(0.5), hit(0.5))
-            && !fails(hit(0.5), open)
-            && !fails(Verdict::Miss, open)
-            && !fails(open, hit(0.5))
-    );
-    assert!(
-        fails(hit(0.5), Verdict::Miss)
-            && fails(Verdict::Miss, hit(0.5))
-            && fails(hit(0.5), hit(0.6))
-            && fails(open, Verdict::Miss)
-    );
+    let (hit, other) = (Verdict::Hit { toi: 0.5 }, Verdict::Hit { toi: 0.6 });
+    let (miss, open) = (Verdict::Miss, Verdict::Undecided { toi: 0.0 });
+    let fails = |(cpu, device)| compare::fails(|| check_verdict(true, ends, cpu, device));
+    assert!(![(hit, hit), (hit, open), (miss, open), (open, hit)].into_iter().any(fails));
+    assert!([(hit, miss), (miss, hit), (hit, other), (open, miss)].into_iter().all(fails));
 }

@@ -32,13 +32,11 @@ fn check_queries(device: &Device, dir: &Path) {
         let Queries { queries, .. } = read_queries(&path).unwrap();
         let times = data::read_times(&dir.join("toi").join(&name));
         let is_vf = matches!(queries[0], Query::VertexFace(_));
-        let ends: Vec<Ends> = queries
-            .iter()
-            .map(|q| match q {
-                Query::VertexFace(q) => (q.t0, q.t1),
-                Query::EdgeEdge(q) => (q.t0, q.t1),
-            })
-            .collect();
+        let ends = |q: &Query| match q {
+            Query::VertexFace(q) => (q.t0, q.t1),
+            Query::EdgeEdge(q) => (q.t0, q.t1),
+        };
+        let ends: Vec<Ends> = queries.iter().map(ends).collect();
         let verdicts = decide(device, is_vf, &ends);
         for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
             let mut verdict = *verdict;

@@ -13,34 +13,10 @@ pub const TESTS: crate::Tests =
 
 /// Numbers at which arithmetic changes its behaviour, as bits, and the thresholds of kernels.
 const POISON: [u32; 28] = [
-    0,
-    0x8000_0000,
-    1,
-    0x8000_0001,
-    0x007f_ffff,
-    0x0080_0000,
-    0x8080_0000,
-    0x3f80_0000,
-    0xbf80_0000,
-    0x3f7f_ffff,
-    0x3f80_0001,
-    0x7f7f_ffff,
-    0xff7f_ffff,
-    0x7f80_0000,
-    0xff80_0000,
-    0x7fc0_0000,
-    0x3400_0000,
-    0x3380_0000,
-    0x2b80_0000,
-    0x3506_37bd,
-    0x7e5a_2d5a,
-    0x7e61_b1e6,
-    0x4b00_0000,
-    0x4b80_0000,
-    0x4f00_0000,
-    0x4f80_0000,
-    0x358637bd,
-    0x5f80_0000,
+    0, 0x80000000, 1, 0x80000001, 0x007fffff, 0x00800000, 0x80800000, 0x3f800000, 0xbf800000,
+    0x3f7fffff, 0x3f800001, 0x7f7fffff, 0xff7fffff, 0x7f800000, 0xff800000, 0x7fc00000, 0x34000000,
+    0x33800000, 0x2b800000, 0x350637bd, 0x7e5a2d5a, 0x7e61b1e6, 0x4b000000, 0x4b800000, 0x4f000000,
+    0x4f800000, 0x358637bd, 0x5f800000,
 ];
 
 fn inputs() -> Vec<[u32; 2]> {
@@ -98,13 +74,9 @@ fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> 
             || (got as f64 - want as f64).abs()
                 <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
     };
-    let [a_bits, b_bits] = [input[0], input[1]];
-    (!fine).then(|| {
-        format!(
-            "{name} of {a:e} ({a_bits:#x}) and {b:e} ({b_bits:#x}): \
-             {want:#x} on the CPU, {got:#x} on the device"
-        )
-    })
+    let [p, q] = input;
+    let text = || format!("{name} of {a:e} ({p:#x}) and {b:e} ({q:#x}): {want:#x}, not {got:#x}");
+    (!fine).then(text)
 }
 
 fn compare(inputs: &[[u32; 2]], got: &[[u32; 24]], exact: bool) -> Vec<String> {
@@ -124,19 +96,13 @@ fn check_scalars(device: &Device) {
     let done = run(device, kernel, &Params::default(), inputs.len().div_ceil(64) as u32);
     let got: Vec<[u32; 24]> = bytemuck::pod_collect_to_vec(&done.results);
     let wrong = compare(&inputs, &got, device.info().path == Path::Passthrough);
-    assert!(
-        wrong.is_empty(),
-        "{} differences, first:\n{}",
-        wrong.len(),
-        wrong[..wrong.len().min(8)].join("\n")
-    );
+    let first = wrong[..wrong.len().min(8)].join("\n");
+    assert!(wrong.is_empty(), "{} differences, first:\n{first}", wrong.len());
     // Bounds rest on this one: never below the root.
     for (input, got) in inputs.iter().zip(&got) {
         let (x, root) = (number(input[0]), number(got[11]));
-        assert!(
-            !(x > 1e-37 && x.is_finite()) || root as f64 >= (x as f64).sqrt(),
-            "sqrt_up({x:e}) = {root:e}"
-        );
+        let holds = root as f64 >= (x as f64).sqrt();
+        assert!(holds || !(x > 1e-37 && x.is_finite()), "sqrt_up({x:e}) = {root:e}");
     }
 }
 
@@ -163,14 +129,9 @@ fn check_wide(device: &Device) {
         let single = f32::from_bits(words[0]);
         for (k, name) in probe::WIDE.iter().enumerate() {
             let (w, g) = (ccd_core::layout::join(want[k]), ccd_core::layout::join(got[k]));
-            let close = (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
-            assert!(
-                want[k] == got[k]
-                    || close
-                    || w == 0.0 && g == 0.0
-                    || k == 12 && !single.is_normal(),
-                "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device"
-            );
+            let close = want[k] == got[k] || (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
+            let fine = close || w == 0.0 && g == 0.0 || k == 12 && !single.is_normal();
+            assert!(fine, "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device");
         }
     }
 }
@@ -195,15 +156,8 @@ fn check_layouts(device: &Device) {
         words: zeros::<u32>(probe::WORDS),
     };
     let got: Vec<u32> = bytemuck::pod_collect_to_vec(&run(device, kernel, &params, 1).words);
-    let want: Vec<u32> = [
-        fill(probe::PARAMS_WORDS, 0x100),
-        fill(8, 0x1008),
-        fill(4, 0x2004),
-        fill(7, 0x3007),
-        fill(2, 0x4002),
-    ]
-    .concat();
-    assert_eq!(got, want);
+    let records = [fill(8, 0x1008), fill(4, 0x2004), fill(7, 0x3007), fill(2, 0x4002)];
+    assert_eq!(got, [fill(probe::PARAMS_WORDS, 0x100), records.concat()].concat());
 }
 
 /// The comparison of scalars finds a single wrong bit.
@@ -242,11 +196,8 @@ pub fn check_decorations() {
         };
         let found = offsets(kernel.name);
         for want in [&frame[..], &dispatch, &params, own] {
-            assert!(
-                found.iter().any(|o| o == want),
-                "{}: no structure with {want:?} among {found:?}",
-                kernel.name
-            );
+            let name = kernel.name;
+            assert!(found.iter().any(|o| o == want), "{name}: none of {found:?} is {want:?}");
         }
     }
     let size = |parts: [&[u8]; 3]| parts.map(<[u8]>::len);
@@ -279,27 +230,15 @@ pub fn check_manifest() {
     let kernels = manifest["kernels"].as_array().unwrap();
     assert_eq!(kernels.len(), TABLE.len());
     for row in TABLE {
-        let kernel = kernels
-            .iter()
-            .find(|k| k["name"] == row.name)
-            .unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
+        let name = row.name;
+        let kernel = kernels.iter().find(|k| k["name"] == name).expect(name);
         let access = row.bindings().map(|a| if a == Access::Write { "write" } else { "read" });
-        assert_eq!(
-            kernel["bindings"],
-            serde_json::json!(access.collect::<Vec<_>>()),
-            "{}",
-            row.name
-        );
+        assert_eq!(kernel["bindings"], serde_json::json!(access.collect::<Vec<_>>()), "{name}");
         let want = [row.threads.into(), row.wide.into(), row.native.into(), row.barriers.into()];
         let found = ["workgroup", "wide", "native", "barriers"].map(|key| kernel[key].clone());
-        assert_eq!(found, want as [serde_json::Value; 4], "{}", row.name);
-        assert_eq!(kernel["entry"], row.name);
-        assert!(
-            kernel["shared_bytes"].as_u64().unwrap() <= 16_384
-                && row.threads <= 256
-                && row.bindings().count() <= 8,
-            "{}",
-            row.name
-        );
+        assert_eq!(found, want as [serde_json::Value; 4], "{name}");
+        assert_eq!(kernel["entry"], name);
+        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384, "{name}");
+        assert!(row.threads <= 256 && row.bindings().count() <= 8, "{name}");
     }
 }

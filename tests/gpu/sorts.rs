@@ -47,12 +47,7 @@ fn check_sort(device: &Device) {
     let done = run(device, SortScan { table }, &p, 256);
     for d in 0..256 {
         let row = &mut want[d * n_tiles as usize..(d + 1) * n_tiles as usize];
-        let total = row.iter_mut().fold(0, |sum, count| {
-            let before = sum;
-            let next = sum + *count;
-            *count = before;
-            next
-        });
+        let total = row.iter_mut().fold(0, |sum, count| std::mem::replace(count, sum) + sum);
         want[256 * n_tiles as usize + d] = total;
     }
     assert_eq!(read::<u32>(&done.table), want);
@@ -99,12 +94,10 @@ fn check_order(device: &Device) {
         for pass in [0, 1] {
             let p = Params { frame, dispatch, own: ContactSort { pass } };
             let (contacts, keys) = (list.clone(), zeros::<u32>(room as usize));
-            let done =
-                run(device, ContactKeys { contacts, keys, order: bytes(&order) }, &p, groups);
-            (_, order) = Sorter::new(device, room)
-                .unwrap()
-                .sort(&read(&done.keys), &read(&done.order))
-                .unwrap();
+            let kernel = ContactKeys { contacts, keys, order: bytes(&order) };
+            let done = run(device, kernel, &p, groups);
+            let mut sorter = Sorter::new(device, room).unwrap();
+            (_, order) = sorter.sort(&read(&done.keys), &read(&done.order)).unwrap();
         }
         let p = Params { frame, dispatch, own: Plain::default() };
         let kernel = OrderContacts {
@@ -114,10 +107,8 @@ fn check_order(device: &Device) {
         };
         let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
         assert!(ordered[..n as usize] == want, "{n} contacts");
-        assert!(
-            ordered[n as usize..].iter().all(|t| *t == Touch::default()),
-            "written behind the last contact"
-        );
+        let behind = &ordered[n as usize..];
+        assert!(behind.iter().all(|t| *t == Touch::default()), "written behind the last contact");
     }
 }
 
@@ -131,14 +122,9 @@ fn check_largest_grid(device: &Device) {
     let table: Vec<u32> = read(&run(device, kernel, &p, n_tiles).table);
     for digit in 0..256 {
         let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
-        assert_eq!(
-            row[..3].iter().sum::<u32>(),
-            keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32,
-            "digit {digit}"
-        );
-        assert!(
-            row[3..].iter().all(|&count| count == 0),
-            "digit {digit}: a workgroup beyond the first row did not write, or elsewhere"
-        );
+        let want = keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32;
+        assert_eq!(row[..3].iter().sum::<u32>(), want, "digit {digit}");
+        // Workgroups beyond the first row write their zeros, and nowhere else.
+        assert!(row[3..].iter().all(|&count| count == 0), "digit {digit}");
     }
 }

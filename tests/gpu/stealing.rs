@@ -12,8 +12,12 @@ use ccd_core::kernel::{Id, Words};
 use ccd_core::layout::{Params, Stealing};
 use ccd_core::scheduling::deque::Full;
 use ccd_core::scheduling::stealing::Workers;
-use std::cell::Cell;
+use std::sync::atomic::AtomicU32;
 use std::time::Instant;
+use words::Atomics;
+
+#[path = "../../ccd-core/src/kernel/test_words.rs"]
+mod words;
 
 pub const TESTS: crate::Tests = &[
     ("steals_refused", check_refused),
@@ -28,29 +32,6 @@ const STACK: usize = 2 * Id::StealStress.threads() as usize;
 const SAVED: usize = 1 + 2 * STACK;
 /// Dispatches until all work must be done.
 const MOST_DISPATCHES: u32 = 10_000;
-
-/// Words that nobody shares.
-struct Plain(Vec<Cell<u32>>);
-
-impl Words for Plain {
-    fn load(&self, i: usize) -> u32 {
-        self.0[i].get()
-    }
-    fn store(&self, i: usize, value: u32) {
-        self.0[i].set(value);
-    }
-    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
-        self.0[i].replace(self.0[i].get().wrapping_add(value))
-    }
-    fn load_acquire(&self, i: usize) -> u32 {
-        self.load(i)
-    }
-    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
-        let seen = self.load(i);
-        self.store(i, if seen == old { new } else { seen });
-        seen
-    }
-}
 
 /// Work for a number of workers: `n_items` items of so many lives, which stand in the deques of as
 /// few workers as they fit into, those for which there is no room on stacks.
@@ -81,7 +62,7 @@ impl Work {
 
     fn kernel(&self) -> StealStress<Vec<u8>> {
         let workers = self.workers();
-        let words = Plain(vec![Cell::new(0); workers.words()]);
+        let words = Atomics::new(workers.words(), 0);
         workers.clear(&words);
         let items: Vec<[u32; 2]> = (0..self.n_items).map(|tag| [tag, self.lives - 1]).collect();
         let (mut owner, mut rest) = (0, &items[..]);
@@ -99,7 +80,7 @@ impl Work {
         }
         assert!(rest.len() <= STACK * workers.n as usize, "{self:?}");
         StealStress {
-            words: bytes(&words.0.iter().map(Cell::get).collect::<Vec<u32>>()),
+            words: bytes(&words.0.into_iter().map(AtomicU32::into_inner).collect::<Vec<_>>()),
             stacks: bytes(&stacks),
             counts: vec![0; 4 * self.n_items as usize],
             status: vec![0; 4 * 64],

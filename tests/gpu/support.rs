@@ -2,7 +2,9 @@
 
 use crate::twin::Twin;
 use ccd::gpu::bind::Bind;
-use ccd::gpu::wgpu::DeviceType;
+use ccd::gpu::wgpu::{
+    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, DeviceType, MapMode, PollType,
+};
 use ccd::gpu::{self, Device, harness};
 use ccd::{Aabb, BroadPhaseMethod, Pair};
 use ccd_core::kernel::TABLE;
@@ -66,22 +68,13 @@ pub fn zeros<T>(n: usize) -> Vec<u8> {
     vec![0; n * size_of::<T>()]
 }
 
-const POISON: [f32; 14] = [
-    0.0,
-    -0.0,
-    1e-45,
-    -1e-40,
-    f32::MIN_POSITIVE,
-    1.0,
-    -1.0,
-    1e30,
-    -1e38,
-    2.9e38,
-    -2.9e38,
-    3.4e38,
-    f32::NAN,
-    f32::INFINITY,
-];
+/// The smallest normal number.
+pub const TINY: f32 = f32::MIN_POSITIVE;
+
+const POISON: [f32; 14] = {
+    const INF: f32 = f32::INFINITY;
+    [0.0, -0.0, 1e-45, -1e-40, TINY, 1.0, -1.0, 1e30, -1e38, 2.9e38, -2.9e38, 3.4e38, f32::NAN, INF]
+};
 
 /// Paths of a scene, and paths of poison.
 pub fn paths(step: &Step, poison: bool) -> Vec<Path> {
@@ -126,6 +119,31 @@ pub fn check_boxes(what: &str, want: &[Aabb], got: &[Aabb]) {
     }
 }
 
+/// The words at the beginning of buffers, after what is in the encoder.
+pub fn read_back(
+    device: &Device,
+    mut encoder: CommandEncoder,
+    buffers: &[(&Buffer, u64)],
+) -> Vec<Vec<u32>> {
+    let copies: Vec<Buffer> = buffers
+        .iter()
+        .map(|&(from, size)| {
+            let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
+            let label = BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
+            let to = device.wgpu().create_buffer(&label);
+            encoder.copy_buffer_to_buffer(from, 0, &to, 0, size);
+            to
+        })
+        .collect();
+    device.queue().submit([encoder.finish()]);
+    let words = |copy: Buffer| {
+        copy.slice(..).map_async(MapMode::Read, |_| {});
+        device.wgpu().poll(PollType::wait_indefinitely()).unwrap();
+        read(&copy.slice(..).get_mapped_range().unwrap())
+    };
+    copies.into_iter().map(words).collect()
+}
+
 /// A path's box, by hand.
 pub fn swept(p: &Path) -> Aabb {
     let low = |a: f32, b: f32| if a < b { a } else { b };
@@ -139,8 +157,8 @@ pub fn swept(p: &Path) -> Aabb {
 
 pub fn twin(n: usize, seed: u32) -> (Twin, Step) {
     let step = crumpled_sheet(n, seed);
-    let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
-    let sets = brute::swept_boxes(&step.mesh, &single(&step.x0), &single(&step.x1));
+    let [x0, x1] = step.rounded();
+    let sets = brute::swept_boxes(&step.mesh, &x0, &x1);
     let twin = Twin::of_mesh(&step.mesh, &sets);
     (twin, step)
 }

@@ -1,5 +1,6 @@
 //! Binary trees on a device: nodes, queries.
 
+use crate::builders::check_well_formed;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, read, room, run, zeros};
 use crate::twin::{Twin, union};
@@ -11,49 +12,24 @@ use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 
 pub const TESTS: crate::Tests = &[("radix_tree", check_radix_tree)];
-/// Every leaf is below every node that says so, children split the range of their parent, boxes are
-/// those of the leaves, no leaf comes twice.
+
+/// A tree that is well formed, whose boxes are those of the leaves below.
 fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin, set: usize) {
-    let n_internal = branches.len() as u32;
-    let range = |node: u32| match branches.get(node as usize) {
-        Some(branch) => (branch.first, branch.last),
-        None => (node - n_internal, node - n_internal),
-    };
-    let mut seen = vec![false; branches.len() + 1];
-    let mut stack = vec![0u32];
-    while let Some(node) = stack.pop() {
-        let (first, last) = range(node);
-        let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
-        check_boxes("node", &[want], &[nodes[node as usize].aabb()]);
-        match branches.get(node as usize) {
-            Some(branch) => {
-                let (left, right) = (range(branch.left), range(branch.right));
-                assert_eq!(
-                    (left.0, left.1 + 1, right.1),
-                    (first, right.0, last),
-                    "children of node {node}"
-                );
-                assert_eq!(
-                    (nodes[node as usize].left, nodes[node as usize].right),
-                    (branch.left, branch.right)
-                );
-                stack.extend([branch.left, branch.right]);
-            }
-            None => {
-                assert!(
-                    nodes[node as usize].is_leaf()
-                        && nodes[node as usize].left
-                            == twin.order[(twin.frame.start[set] + first) as usize]
-                                - twin.frame.start[set]
-                );
-                assert!(
-                    !std::mem::replace(&mut seen[first as usize], true),
-                    "leaf {first} comes twice"
-                );
-            }
-        }
+    let (n_internal, start) = (branches.len(), twin.frame.start[set]);
+    let order = &twin.order[start as usize..twin.frame.start[set + 1] as usize];
+    check_well_formed("tree", twin, set, &(order.to_vec(), branches.to_vec()));
+    for (i, node) in nodes.iter().enumerate() {
+        let range = if let Some(branch) = branches.get(i) {
+            assert_eq!((node.left, node.right), (branch.left, branch.right), "node {i}");
+            branch.first..=branch.last
+        } else {
+            let leaf = i - n_internal;
+            assert!(node.is_leaf() && node.left == order[leaf] - start, "leaf {leaf}");
+            leaf as u32..=leaf as u32
+        };
+        let want = union(range.map(|leaf| twin.node(0, set, leaf)));
+        check_boxes("node", &[want], &[node.aabb()]);
     }
-    assert!(seen.iter().all(|&s| s), "a leaf is missing");
 }
 
 /// Children split the range of their parent where its keys first differ, boxes are those of the
@@ -68,12 +44,9 @@ fn check_wide_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin, set: usize) {
     while let Some((node, first, last)) = stack.pop() {
         let record = &nodes[node as usize];
         let split = record.split;
-        assert!(
-            (first..last).contains(&split)
-                && common(first, split) > common(first, last)
-                && common(split + 1, last) > common(first, last),
-            "split {split} of {first} to {last}"
-        );
+        let of = common(first, last);
+        let apart = common(first, split) > of && common(split + 1, last) > of;
+        assert!(apart && (first..last).contains(&split), "split {split} of {first} to {last}");
         let smaller = split - first < last - split;
         assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
         for (child, first, last, own) in [
@@ -214,19 +187,14 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
     };
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        found.extend(entries(&traverse(
-            Dispatch { n, first, room_in: 0, room_out },
-            room(room_out),
-        )));
+        let dispatch = Dispatch { n, first, room_in: 0, room_out };
+        found.extend(entries(&traverse(dispatch, room(room_out))));
     }
     check_pairs("overlaps by a tree", all.clone(), found);
     let found = traverse_full(device, twin, 1, nodes, n);
     check_pairs("overlaps by queries of all", all.clone(), found);
     let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
     let wrapped = !all.is_empty() as u32;
-    assert_eq!(
-        read::<u32>(&pairs),
-        [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0],
-        "a count that runs over"
-    );
+    let want = [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0];
+    assert_eq!(read::<u32>(&pairs), want, "a count that runs over");
 }

@@ -2,6 +2,7 @@
 //! of features by brute force; whole steps by every method, against pairs of features on the same
 //! device and against triangles on the CPU, number by number.
 
+use crate::failures::check_growth_of;
 use crate::scenes::{check_pairs, check_step};
 use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
 use crate::twin::union;
@@ -13,7 +14,7 @@ use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::triangle_pairs::near_tests;
 use ccd_core::triangle_pairs::orphans::OrphanSets;
 use ccd_core::triangle_pairs::representatives::Triangles;
-use ccd_testkit::generate::{Random, Step, crumpled_sheet, triangle_soup};
+use ccd_testkit::generate::{Random, Step, crumpled_sheet};
 use ccd_testkit::{brute, compare};
 
 pub const TESTS: crate::Tests = &[
@@ -171,19 +172,9 @@ fn check_methods(device: &Device) {
     check_step(device, &sheet, triangles(true, false));
 }
 
-/// Fixed bodies, with and without contact of their own, and a distance.
+/// Neighbours of bodies: two sheets, one of which stands still, at a distance. `rules.rs` has
+/// bodies without neighbours.
 fn check_bodies(device: &Device) {
-    let step = triangle_soup(150, 0.25, 5);
-    let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
-    for (self_contact, orphans) in [(false, true), (true, false), (true, true)] {
-        let bodies =
-            Some(Bodies::new(&body, &[true, false, true], self_contact).with_fixed_motion(true));
-        let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
-        let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
-        check_candidates(device, &step, &features, &options);
-        check_step(device, &step, options);
-    }
-    // Neighbours of bodies: two sheets, one of which stands still.
     let (mut sheet, other) = (crumpled_sheet(12, 3), crumpled_sheet(12, 4));
     let n = sheet.x0.len() as u32;
     let shifted = other.mesh.faces().iter().map(|f| f.map(|v| v + n));
@@ -194,10 +185,12 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..2 * n).map(|v| v / n).collect();
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[false, true], self_contact).with_fixed_motion(true));
-        let features = Options::default().with_bodies(bodies);
-        let options = features.clone().with_pipeline(Pipeline::TRIANGLES);
-        check_candidates(device, &sheet, &features, &options);
-        check_step(device, &sheet, options);
+        let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
+        for orphans in [false, true] {
+            let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);
+            check_candidates(device, &sheet, &features, &options);
+            check_step(device, &sheet, options);
+        }
     }
 }
 
@@ -245,16 +238,7 @@ fn check_growth(device: &Device) {
     let step = crumpled_sheet(24, 7);
     for broad_phase in methods(device) {
         let options = triangles(true, false).with_broad_phase(broad_phase);
-        let want = ccd::step(&step.mesh, &step.x0, &step.x1, &triangles(true, false)).unwrap();
-        let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
-        session.reserve(8).unwrap();
-        let got = session.step(&step.x0, &step.x1).unwrap().clone();
-        assert!(session.grown() >= 2, "{broad_phase}: few lists had to grow");
-        assert_eq!((got.candidates, got.triangles), (want.candidates, want.triangles));
-        assert_eq!(got.contacts.len(), want.contacts.len(), "{broad_phase}");
-        let grown = session.grown();
-        session.step(&step.x0, &step.x1).unwrap();
-        assert_eq!(session.grown(), grown, "{broad_phase}: the second frame grows again");
+        check_growth_of(device, &step, options, 2);
     }
 }
 
@@ -263,16 +247,10 @@ fn check_many(device: &Device) {
     let n = 760;
     let faces: Vec<[u32; 3]> = [[[0, 1, 2]; 760], [[3, 4, 5]; 760]].concat();
     let mesh = Mesh::new(6, &faces).unwrap();
-    let x0 = [
-        [0.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0],
-        [0.2, 0.5, 0.2],
-        [0.3, 1.5, 0.2],
-        [0.2, 1.5, 0.3],
-    ];
-    let x1 = x0.map(|[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]);
-    let step = Step { mesh, x0: x0.to_vec(), x1: x1.to_vec() };
+    let x0 = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].into_iter();
+    let x0: Vec<_> = x0.chain([[0.2, 0.5, 0.2], [0.3, 1.5, 0.2], [0.2, 1.5, 0.3]]).collect();
+    let x1 = x0.iter().map(|&[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]).collect();
+    let step = Step { mesh, x0, x1 };
     let options = triangles(false, false).with_broad_phase(ccd::BroadPhaseMethod::TREE);
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let counts = session.step(&step.x0, &step.x1).unwrap().triangles.unwrap();

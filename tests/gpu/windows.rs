@@ -13,8 +13,7 @@ pub const TESTS: crate::Tests =
 /// distance, between whole steps.
 fn check_windows(device: &Device) {
     let step = generate::triangle_soup(150, 0.2, 11);
-    let narrow = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>();
-    let (y0, y1) = (narrow(&step.x0), narrow(&step.x1));
+    let [y0, y1] = step.rounded();
     for options in [Options::default(), Options::default().with_min_distance(0.004)] {
         let mut gpu = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
         let mut cpu = ccd::Session::new(step.mesh.clone(), options).unwrap();

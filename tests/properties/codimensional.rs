@@ -2,7 +2,7 @@
 //! queries say of a mesh that stands still.
 
 use ccd::scenes::{crumpled_sheet, particles_and_rods, triangle_soup};
-use ccd::{Bodies, Contact, Exclusions, Kind, Mesh, Options, Pair, Session, State};
+use ccd::{Bodies, Contact, Kind, Mesh, Options, Pair, Session, State};
 use ccd_testkit::brute;
 use ccd_testkit::compare::agree;
 
@@ -160,18 +160,9 @@ fn what_is_near_at_rest_is_left_out() {
             n_open += (d.least <= distance && d.greatest > distance) as usize;
             d.least <= distance
         };
-        for v in 0..mesh.n_vertices() as u32 {
-            for (f, face) in (0..).zip(mesh.faces()) {
-                if !face.contains(&v) && ask(Kind::VertexFace, v, f) {
-                    vf.push([v, f]);
-                }
-            }
-        }
-        for (i, a) in (0..).zip(mesh.edges()) {
-            for (j, b) in (0..).zip(mesh.edges()).skip(i as usize + 1) {
-                if !a.iter().any(|v| b.contains(v)) && ask(Kind::EdgeEdge, i, j) {
-                    ee.push([i, j]);
-                }
+        for (kind, Pair { a, b }) in brute::feature_pairs(mesh) {
+            if ask(kind, a, b) {
+                (if kind == Kind::VertexFace { &mut vf } else { &mut ee }).push([a, b]);
             }
         }
         assert!(near.vf == vf && near.ee == ee, "{distance}");
@@ -193,52 +184,6 @@ fn what_is_near_at_rest_is_left_out() {
         let n_thin = left.iter().filter(is_thin).count();
         assert!(n_thin > 30 || std::ptr::eq(step, &sheet), "{distance}: {n_thin}");
     }
-}
-
-/// Neighbours in a mesh of triangles, rods that hang on them and on nothing, and particles, which
-/// have none; against distances between all vertices.
-#[test]
-fn rods_have_neighbours_and_particles_have_none() {
-    // A fan around 0, a rod from it that branches, a loop of rods, three particles.
-    let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [5, 6, 7]];
-    let rods = [[4, 8], [8, 9], [9, 10], [9, 5], [12, 13], [13, 14], [14, 15], [15, 12], [16, 12]];
-    let mesh = Mesh::with_edges(20, &faces, &rods).unwrap();
-    assert_eq!(mesh.isolated_vertices(), [11, 17, 18, 19]);
-    let n = mesh.n_vertices();
-    let mut d = vec![vec![99u32; n]; n];
-    (0..n).for_each(|v| d[v][v] = 0);
-    for &[a, b] in mesh.edges() {
-        (d[a as usize][b as usize], d[b as usize][a as usize]) = (1, 1);
-    }
-    for k in 0..n {
-        for i in 0..n {
-            for j in 0..n {
-                d[i][j] = d[i][j].min(d[i][k] + d[k][j]);
-            }
-        }
-    }
-    let least = |a: &[u32], b: &[u32]| {
-        let all = a.iter().flat_map(|&v| b.iter().map(move |&w| (v, w)));
-        all.map(|(v, w)| d[v as usize][w as usize]).min().unwrap()
-    };
-    let mut counts = Vec::new();
-    for rings in 0..6 {
-        let is_near = |a: &[u32], b: &[u32]| (1..=rings).contains(&least(a, b));
-        let (mut vf, mut ee) = (Vec::new(), Vec::new());
-        for v in 0..n as u32 {
-            let faces = (0..).zip(mesh.faces());
-            vf.extend(faces.filter(|(_, f)| is_near(&[v], *f)).map(|(f, _)| [v, f]));
-        }
-        for (i, a) in (0..).zip(mesh.edges()) {
-            let others = (0..).zip(mesh.edges()).filter(|(j, b)| i < *j && is_near(a, *b));
-            ee.extend(others.map(|(j, _)| [i, j]));
-        }
-        let found = Exclusions::of_neighbours(&mesh, rings);
-        assert!(found.vf.iter().all(|[v, _]| ![11, 17, 18, 19].contains(v)), "{found:?}");
-        counts.push(vf.len() + ee.len());
-        assert_eq!(found, Exclusions::new(vf, ee), "{rings} rings");
-    }
-    assert!(counts.is_sorted_by(|a, b| a < b), "{counts:?}");
 }
 
 fn length(p: [f64; 3], q: [f64; 3]) -> f64 {

@@ -8,19 +8,10 @@ use ccd::{
 };
 use std::time::{Duration, Instant};
 
-/// Triangles in a row, of which the first two overlap; and where all of them end up at one place.
+/// Triangles whose pairs are few at first and then as many as can be, in `f64`.
 fn collapse(n: usize) -> (Mesh, [Vec<[f64; 3]>; 3]) {
-    let faces: Vec<[u32; 3]> = (0..n as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let corner = |k: usize| [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.1, 1.0, 0.3]][k];
-    let at = |spacing: f64, lift: f64| -> Vec<[f64; 3]> {
-        let place = |v: usize| {
-            let ([x, y, z], i) = (corner(v % 3), v / 3);
-            let row = if i < 2 { 0.2 * i as f64 } else { spacing * i as f64 };
-            [x + row, y + lift, z - row * 0.01]
-        };
-        (0..3 * n).map(place).collect()
-    };
-    (Mesh::new(3 * n, &faces).unwrap(), [at(3.0, 0.0), at(3.0, 0.1), at(1e-3, 0.2)])
+    let (mesh, x) = ccd_testkit::collapse::collapse(n);
+    (mesh, x.map(|x| x.iter().map(|p| p.map(f64::from)).collect()))
 }
 
 fn contacts(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Vec<Contact> {

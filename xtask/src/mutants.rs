@@ -106,6 +106,7 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
     let mut files = Vec::new();
     collect(&root.join("ccd-core"), &mut files)?;
     files.push(root.join("ccd-testkit/src/oracle.rs"));
+    files.push(root.join("src/scenes/random.rs"));
     files.push(root.join("Cargo.lock"));
     for from in &files {
         let name = from.strip_prefix(root).map_err(|e| e.to_string())?;

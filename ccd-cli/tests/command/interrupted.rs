@@ -121,19 +121,11 @@ pub fn a_second_ctrl_c_ends_at_once() {
     assert!(!contacts.exists());
 }
 
-pub fn memory_is_limited() {
-    let dir = tempfile::tempdir().unwrap();
-    let frame = |name, drop| super::obj(dir.path(), name, drop).to_str().unwrap().to_owned();
-    let (a, b) = (frame("a.obj", 0.0), frame("b.obj", 1.0));
-    let check = |memory| {
-        ccd(&["check", &a, &b, "--backend", "cpu", "--threads", "1", "--max-memory", memory])
-    };
-    assert!(check("1G").status.success());
-    super::check_refused(
-        &["check", &a, &b, "--backend", "cpu", "--threads", "1", "--max-memory", "64K"],
-        "boxes and trees of the mesh need",
-    );
-    for wrong in ["-1", "1.5G", "lots", "20000000000G", "1g"] {
-        assert_eq!(check(wrong).status.code(), Some(2), "{wrong}");
-    }
+pub fn a_reader_that_goes_away_ends_quietly() {
+    let mut child = start(&["completions", "bash"]);
+    drop(child.stdout.take());
+    let output = ended(child);
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
+    let bash = text(&ccd(&["completions", "bash"]).stdout);
+    assert!(bash.contains("--min-distance") && bash.contains("_ccd()"), "{bash}");
 }

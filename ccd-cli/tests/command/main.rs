@@ -1,75 +1,35 @@
 //! The command as a user runs it: text, JSON, CSV, pictures, exit status, errors.
 
 mod backends;
-mod bench;
-mod files;
 #[cfg(unix)]
 mod interrupted;
-mod meshes;
 mod methods;
-mod outputs;
-mod parts;
-mod refusals;
-mod rows;
-mod streams;
+mod transcripts;
 
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 /// Tests that run anywhere.
 const ANYWHERE: &[(&str, fn())] = &[
-    ("check_finds_the_contact", meshes::check_finds_the_contact),
-    ("check_reads_every_line_end_of_obj", meshes::check_reads_every_line_end_of_obj),
-    ("sequence_steps_through_frames", meshes::sequence_steps_through_frames),
-    ("queries_are_counted_against_their_answers", rows::queries_are_counted_against_their_answers),
-    ("boxes_are_paired", rows::boxes_are_paired),
-    ("bad_use_and_bad_input_end_with_status_2", refusals::bad_use_and_bad_input_end_with_status_2),
-    ("the_demo_ends_without_penetration", meshes::the_demo_ends_without_penetration),
     ("auto_goes_on_with_the_cpu", backends::auto_goes_on_with_the_cpu),
     ("opengl_is_refused", backends::opengl_is_refused),
     ("the_list_names_every_choice", methods::the_list_names_every_choice),
     ("every_choice_finds_the_same", methods::every_choice_finds_the_same),
-    (
-        "combinations_that_mean_nothing_are_refused",
-        methods::combinations_that_mean_nothing_are_refused,
-    ),
-    ("bench_checks_its_answers", bench::bench_checks_its_answers),
-    ("contacts_go_to_standard_output", streams::contacts_go_to_standard_output),
-    ("output_that_fails_is_no_panic", streams::output_that_fails_is_no_panic),
-    ("sequences_are_folders_and_patterns", streams::sequences_are_folders_and_patterns),
-    ("bodies_select_contacts", streams::bodies_select_contacts),
-    ("shells_and_man_have_something_to_read", streams::shells_and_man_have_something_to_read),
-    ("contacts_say_where_they_are", outputs::contacts_say_where_they_are),
-    ("candidates_are_listed", outputs::candidates_are_listed),
-    ("pairs_of_boxes_are_written", outputs::pairs_of_boxes_are_written),
-    ("people_are_told_what_it_means", outputs::people_are_told_what_it_means),
-    (
-        "a_first_frame_that_intersects_itself_is_told",
-        outputs::a_first_frame_that_intersects_itself_is_told,
-    ),
-    ("the_demo_writes_its_frames", outputs::the_demo_writes_its_frames),
-    ("parts_are_joined_to_the_whole", parts::parts_are_joined_to_the_whole),
-    ("slurm_says_which_part", parts::slurm_says_which_part),
-    ("positions_over_time_are_a_sequence", parts::positions_over_time_are_a_sequence),
-    ("verdicts_on_queries_are_written", rows::verdicts_on_queries_are_written),
-    ("outputs_never_lie_over_files", files::outputs_never_lie_over_files),
-    ("everything_goes_to_standard_output", files::everything_goes_to_standard_output),
-    ("contacts_of_parts_are_joined", files::contacts_of_parts_are_joined),
+    #[cfg(unix)]
+    ("a_reader_that_goes_away_ends_quietly", interrupted::a_reader_that_goes_away_ends_quietly),
     #[cfg(unix)]
     ("ctrl_c_leaves_whole_files_or_none", interrupted::ctrl_c_leaves_whole_files_or_none),
     #[cfg(unix)]
     ("a_second_ctrl_c_ends_at_once", interrupted::a_second_ctrl_c_ends_at_once),
-    #[cfg(unix)]
-    ("memory_is_limited", interrupted::memory_is_limited),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[
     ("info_says_what_there_is", backends::info_says_what_there_is),
     ("the_gpu_finds_what_the_cpu_finds", backends::the_gpu_finds_what_the_cpu_finds),
     ("kernels_are_kept", backends::kernels_are_kept),
-    ("bench_checks_its_answers_on_the_gpu", bench::bench_checks_its_answers_on_the_gpu),
+    ("bench_checks_its_answers_on_the_gpu", backends::bench_checks_its_answers_on_the_gpu),
 ];
 
 fn main() {
@@ -79,7 +39,7 @@ fn main() {
             Ok::<_, Failed>(())
         }
     };
-    let mut trials: Vec<Trial> = Vec::new();
+    let mut trials = transcripts::trials();
     trials.extend(ANYWHERE.iter().map(|&(name, test)| Trial::test(name, passes(test))));
     let info = ccd(&["info"]);
     let missing = (!info.status.success()).then(|| text(&info.stderr).trim().to_owned());
@@ -99,19 +59,15 @@ fn main() {
 }
 
 /// A square of two triangles and a triangle above it; `drop` lowers the triangle.
-fn obj(dir: &Path, name: &str, drop: f64) -> PathBuf {
-    let y = |h: f64| h - drop;
+fn obj(dir: &Path, name: &str, drop: f64) -> String {
+    let [y, z] = [0.5, 2.0].map(|height| height - drop);
     let text = format!(
-        "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\n\
-         v 0.3 {} 0.3\nv 0.2 {} 0.3\nv 0.4 {} 0.3\n\
-         f 1 2 3\nf 3 2 4\nf 5 6 7\n",
-        y(0.5),
-        y(2.0),
-        y(2.0)
+        "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0.3 {y} 0.3\nv 0.2 {z} 0.3\nv 0.4 {z} 0.3\n\
+         f 1 2 3\nf 3 2 4\nf 5 6 7\n"
     );
     let path = dir.join(name);
     std::fs::write(&path, text).unwrap();
-    path
+    path.to_str().unwrap().to_owned()
 }
 
 fn ccd(args: &[&str]) -> Output {

@@ -198,6 +198,7 @@ pub fn lower_bound(keys: &[u32], n: u32, key: u32) -> u32 {
 mod tests {
     use super::*;
     use crate::broad_phase::morton_key::{order_key, shared_word};
+    use crate::random::Random;
     use alloc::vec::Vec;
 
     /// The survey of some boxes: bounds and sides, or bounds and an axis.
@@ -239,11 +240,7 @@ mod tests {
 
     #[test]
     fn boxes_that_overlap_ask_for_each_other_once() {
-        let mut state = 9u32;
-        let mut random = || {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (state >> 8) as f32 / 16_777_216.0
-        };
+        let mut random = Random::new(9);
         let grown = |p: [f32; 3], by: f32| Aabb { min: p, max: p.map(|c| c + by) };
         // In general position; on a lattice, so that boxes touch and places are equal; huge; tiny;
         // all in one plane; zeros of both signs.
@@ -257,7 +254,7 @@ mod tests {
         for (side, size, lattice) in scenes {
             let mut point = |n: usize| -> [f32; 3] {
                 core::array::from_fn(|_| {
-                    let x = (random() - 0.5) * side;
+                    let x = (random.unit() as f32 - 0.5) * side;
                     let x = if lattice > 0.0 { (x / lattice) as i32 as f32 * lattice } else { x };
                     if x == 0.0 { zero(n) } else { x }
                 })

@@ -174,37 +174,10 @@ pub fn store_branch(number: u32, branch: &Branch, branches: &impl Words) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kernel::test_words::Atomics;
+    use crate::random::Random;
     use alloc::vec;
     use alloc::vec::Vec;
-    use core::cell::Cell;
-
-    struct Plain(Vec<Cell<u32>>);
-
-    impl Plain {
-        fn new(n: usize) -> Self {
-            Self(vec![Cell::new(0xdead); n])
-        }
-    }
-
-    impl Words for Plain {
-        fn load(&self, i: usize) -> u32 {
-            self.0[i].get()
-        }
-        fn store(&self, i: usize, value: u32) {
-            self.0[i].set(value);
-        }
-        fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
-            self.0[i].replace(self.0[i].get() + value)
-        }
-        fn load_acquire(&self, i: usize) -> u32 {
-            self.0[i].get()
-        }
-        fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
-            let seen = self.0[i].get();
-            self.0[i].set(if seen == old { new } else { seen });
-            seen
-        }
-    }
 
     /// Children of internal nodes, the last of which is the root; `n_internal + k` is leaf `k`.
     type Children = Vec<[u32; 2]>;
@@ -250,8 +223,8 @@ mod tests {
     /// What the threads find, each by itself.
     fn by_threads(children: &Children) -> (Vec<u32>, Vec<Branch>) {
         let n_internal = children.len() as u32;
-        let joins = Plain::new((2 * children.len() + 1) * JOIN);
-        let branches = Plain::new(children.len() * BRANCH);
+        let joins = Atomics::new((2 * children.len() + 1) * JOIN, 0xdead);
+        let branches = Atomics::new(children.len() * BRANCH, 0xdead);
         let mut leaves = vec![1u32; 2 * children.len() + 1];
         for (node, &[left, right]) in children.iter().enumerate() {
             let below = [leaves[left as usize], leaves[right as usize]];
@@ -261,30 +234,24 @@ mod tests {
         store_words(root_words(n_internal - 1), &joins);
         let places = (0..=n_internal).map(|i| number(i, n_internal, &joins, &branches));
         let places = places.collect();
-        let word = |i: usize, k: usize| branches.load(i * BRANCH + k);
-        let branch = |i: usize| Branch {
-            left: word(i, 0),
-            right: word(i, 1),
-            first: word(i, 2),
-            last: word(i, 3),
+        let branch = |i: usize| {
+            let [left, right, first, last] = [0, 1, 2, 3].map(|k| branches.load(i * BRANCH + k));
+            Branch { left, right, first, last }
         };
         (places, (0..children.len()).map(branch).collect())
     }
 
     /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of
     /// the latest are joined with each other (2: a chain).
-    fn random_tree(n: usize, spread: usize, mut state: u32) -> Children {
-        let mut random = |n: usize| {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (state >> 8) as usize % n
-        };
+    fn random_tree(n: usize, spread: usize, seed: u32) -> Children {
+        let mut random = Random::new(seed);
         let n_internal = n as u32 - 1;
         let mut free: Vec<u32> = (0..n as u32).map(|k| n_internal + k).collect();
         let mut children = Children::new();
         for node in 0..n_internal {
             let mut take = || {
                 let among = free.len().min(spread);
-                let k = free.len() - 1 - random(among);
+                let k = free.len() - 1 - random.below(among as u32) as usize;
                 free.swap_remove(k)
             };
             children.push([take(), take()]);

@@ -86,21 +86,18 @@ fn nearest(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn nearest_is_the_conversion_of_the_standard_library() {
-        let mut state = 1u64;
+        let mut random = Random::new(1);
         for _ in 0..100_000 {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            let state = (random.bits() as u64) << 32 | random.bits() as u64;
             // Exponents from 2^-100 to 2^100; every fourth exactly between two f32.
             let exponent = (1023 - 100 + (state >> 50) % 200) << 52;
-            let fraction = if state.is_multiple_of(4) {
-                (state >> 12) & !0x1fff_ffff | 0x1000_0000
-            } else {
-                state >> 12
-            };
+            let all = state >> 12;
+            let tie = all & !0x1fff_ffff | 0x1000_0000;
+            let fraction = if state.is_multiple_of(4) { tie } else { all };
             let x = f64::from_bits(state >> 63 << 63 | exponent | fraction & ((1 << 52) - 1));
             assert_eq!(nearest(x).to_bits(), (x as f32).to_bits(), "{x:e}");
         }
@@ -114,10 +111,8 @@ mod tests {
         {
             let b = rounded(&Aabb { min: [x; 3], max: [x; 3] });
             assert!(b.min[0] as f64 <= x && b.max[0] as f64 >= x, "{x:e}: {b:?}");
-            assert!(
-                [b.min[0], b.max[0]].iter().all(|y| *y == 0.0 || y.abs() >= f32::MIN_POSITIVE),
-                "{x:e}: {b:?}"
-            );
+            let fine = |y: f32| y == 0.0 || y.abs() >= f32::MIN_POSITIVE;
+            assert!(fine(b.min[0]) && fine(b.max[0]), "{x:e}: {b:?}");
         }
     }
 }

@@ -156,6 +156,7 @@ pub fn finds<N: Num>(own: N, other: N, first: bool) -> u32 {
 mod tests {
     use super::*;
     use crate::math::aabb::GREATEST;
+    use crate::random::Random;
     use alloc::vec::Vec;
 
     fn moments<T: Real>(boxes: &[Aabb<f32>]) -> Moments<T> {
@@ -165,14 +166,9 @@ mod tests {
     }
 
     fn points(n: u32, at: [f32; 3], spread: [f32; 3]) -> Vec<Aabb<f32>> {
-        let mut x = 5u32;
-        let mut unit = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (x >> 8) as f32 / 16_777_216.0
-        };
-        (0..n)
-            .map(|_| Aabb::of_point(core::array::from_fn(|k| at[k] + spread[k] * unit())))
-            .collect()
+        let mut random = Random::new(5);
+        let mut place = |k: usize| at[k] + spread[k] * random.unit() as f32;
+        (0..n).map(|_| Aabb::of_point([0, 1, 2].map(&mut place))).collect()
     }
 
     #[test]

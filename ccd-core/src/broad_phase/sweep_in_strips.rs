@@ -113,6 +113,7 @@ pub fn n_strips(first: [u32; 2], last: [u32; 2]) -> u32 {
 mod tests {
     use super::*;
     use crate::math::aabb::GREATEST;
+    use crate::random::Random;
     use alloc::vec::Vec;
 
     /// Strips of a box.
@@ -137,16 +138,12 @@ mod tests {
 
     #[test]
     fn one_strip_reports_each_pair() {
-        let mut x = 1u32;
-        let mut next = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            x >> 16
-        };
+        let mut random = Random::new(1);
         let mut several = 0;
         for (origin, unit) in [(0.0, 1.0), (1e6, 0.125), (-GREATEST, 1e37), (0.0, 1e-42)] {
             // Bounds on a lattice of which every other line is a border of strips.
             let mut one = || {
-                let sides: [(u32, u32); 3] = core::array::from_fn(|_| (next() % 17, next() % 17));
+                let sides: [(u32, u32); 3] = [(); 3].map(|()| (random.below(17), random.below(17)));
                 Aabb {
                     min: sides.map(|(p, q)| origin + p.min(q) as f32 * unit),
                     max: sides.map(|(p, q)| origin + p.max(q) as f32 * unit),

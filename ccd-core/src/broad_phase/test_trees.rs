@@ -2,6 +2,7 @@
 
 use crate::layout::{Branch, Node};
 use crate::math::aabb::Aabb;
+use crate::random::{Random, pcg};
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -18,12 +19,8 @@ impl Tree {
     /// that range.
     pub fn new(boxes: &[Aabb], split: impl Fn(u32, u32) -> u32) -> Self {
         let n_internal = boxes.len() - 1;
-        let mut branches = Vec::from_iter((0..n_internal).map(|_| Branch {
-            left: 0,
-            right: 0,
-            first: 0,
-            last: 0,
-        }));
+        let none = Branch { left: 0, right: 0, first: 0, last: 0 };
+        let mut branches = Vec::from_iter((0..n_internal).map(|_| none));
         let empty = Node { min: [0.0; 3], left: 0, max: [0.0; 3], right: 0 };
         let mut nodes = Vec::from_iter((0..n_internal + boxes.len()).map(|_| empty));
         for (i, b) in boxes.iter().enumerate() {
@@ -65,14 +62,13 @@ pub type Split = Box<dyn Fn(u32, u32) -> u32>;
 /// Ways to split `n` leaves: in halves, chains of leaves and of pairs of leaves to either side, at
 /// random.
 pub fn splits() -> Vec<(&'static str, Split)> {
-    let hash = |x: u32| (x ^ x >> 15).wrapping_mul(747_796_405) >> 7;
     Vec::from([
         ("halves", Box::new(|first: u32, last: u32| first + (last - first) / 2) as Split),
         ("chain to the left", Box::new(|_, last| last - 1)),
         ("chain to the right", Box::new(|first, _| first)),
         ("pairs to the left", Box::new(|first, last| (last.max(2) - 2).max(first))),
         ("pairs to the right", Box::new(|first, last| (first + 1).min(last - 1))),
-        ("random", Box::new(move |first, last| first + hash(first * 977 + last) % (last - first))),
+        ("random", Box::new(move |first, last| first + pcg(first * 977 + last) % (last - first))),
     ])
 }
 
@@ -84,11 +80,8 @@ pub fn shapes(n: usize, boxes: &[Aabb]) -> impl Iterator<Item = (&'static str, T
 
 /// Boxes of which some overlap.
 pub fn boxes(n: usize, seed: u32) -> Vec<Aabb> {
-    let mut x = seed;
-    let mut unit = || {
-        x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (x >> 8) as f32 / 16_777_216.0
-    };
+    let mut random = Random::new(seed);
+    let mut unit = || random.unit() as f32;
     let mut one = || {
         let min = [unit(), unit(), unit()];
         Aabb { min, max: min.map(|c| c + 0.5 * unit()) }

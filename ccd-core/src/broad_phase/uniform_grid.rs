@@ -164,14 +164,8 @@ pub fn row(cell: [u32; 3], row: u32, forward: bool) -> [u32; 2] {
 mod tests {
     use super::*;
     use crate::math::aabb::GREATEST;
+    use crate::random::Random;
     use alloc::vec::Vec;
-
-    fn random(mut x: u32) -> impl FnMut() -> u32 {
-        move || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            x >> 8
-        }
-    }
 
     fn grid(boxes: &[Aabb<f32>]) -> UniformGrid {
         UniformGrid::new(&boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b))))
@@ -207,7 +201,7 @@ mod tests {
 
     #[test]
     fn boxes_that_overlap_are_in_neighbouring_cells() {
-        let mut next = random(3);
+        let mut random = Random::new(3);
         let scales =
             [(0.0f32, 1e-38f32), (0.0, 1e-30), (0.0, 1.0), (1e6, 1.0), (-1e6, 0.25), (0.0, 1e35)];
         for (offset, unit) in scales {
@@ -217,7 +211,7 @@ mod tests {
                 for _ in 0..300 {
                     let min: [f32; 3] = core::array::from_fn(|k| {
                         let n = if k == 0 { cells } else { 5 };
-                        offset + (next() % n) as f32 * 0.5 * unit
+                        offset + random.below(n) as f32 * 0.5 * unit
                     });
                     boxes.push(Aabb { min, max: min.map(|c| c + unit) });
                     let p = core::array::from_fn(|k| min[k] + 0.5 * unit);
@@ -232,8 +226,8 @@ mod tests {
     #[test]
     fn rounding_moves_no_centre_by_more_than_the_margin() {
         // Two boxes of one size that touch, anywhere in scenes of hundreds of their sizes.
-        let mut next = random(5);
-        let mut unit = || next() as f32 / (1 << 24) as f32;
+        let mut random = Random::new(5);
+        let mut unit = || random.unit() as f32;
         for _ in 0..3000 {
             let (width, origin) = (0.5 + unit(), 100.0 * unit() - 50.0);
             let scene = Aabb { min: [origin; 3], max: [origin + 900.0 * width; 3] };
@@ -265,11 +259,11 @@ mod tests {
     #[test]
     fn cells_of_any_boxes_are_in_the_grid() {
         let places = [-GREATEST, -1e30, -1.0, -1e-40, 0.0, 1e-45, 1.0, 1e30, GREATEST];
-        let mut next = random(9);
+        let mut random = Random::new(9);
         for n in [1, 2, 5, 40] {
             for _ in 0..200 {
                 let mut place = || {
-                    let (i, j) = (next() as usize % 9, next() as usize % 9);
+                    let (i, j) = (random.below(9) as usize, random.below(9) as usize);
                     (places[i.min(j)], places[i.max(j)])
                 };
                 let mut one = || {

@@ -15,6 +15,8 @@ pub mod prefix;
 pub mod probe;
 pub mod sort;
 mod table;
+#[cfg(test)]
+pub(crate) mod test_words;
 mod threads;
 mod word_access;
 

@@ -120,6 +120,7 @@ fn halves(x: f64) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::math::real::Num;
+    use crate::random::Random;
     use num_rational::BigRational;
     use num_traits::{FromPrimitive, Signed, Zero};
     use std::vec::Vec;
@@ -132,13 +133,10 @@ mod tests {
     /// Sums of products of numbers of very different sizes, which cancel, against rationals.
     #[test]
     fn sums_and_products_are_not_rounded() {
-        let mut seed = 9u64;
+        let mut random = Random::new(9);
         let mut next = || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            let exponent = (seed >> 32) as i32 % 130;
-            ((seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5) * 2f64.powi(exponent)
+            let exponent = random.below(260) as i32 - 130;
+            (random.unit() + random.unit() / (1 << 24) as f64 - 0.5) * 2f64.powi(exponent)
         };
         let mut cancelled = 0;
         for _ in 0..500 {

@@ -97,6 +97,7 @@ impl MortonGrid {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     fn interleave(cell: [u32; 3], bits: u32) -> u64 {
         (0..bits).fold(0, |code, i| {
@@ -107,12 +108,9 @@ mod tests {
 
     #[test]
     fn codes_equal_bit_by_bit_interleaving() {
-        let mut x = 1u32;
+        let mut random = Random::new(1);
         for _ in 0..1000 {
-            let cell = core::array::from_fn(|_| {
-                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-                x >> 11
-            });
+            let cell = [(); 3].map(|()| random.bits() >> 11);
             assert_eq!(morton30(cell) as u64, interleave(cell, 10), "{cell:?}");
             let [low, high] = morton63(cell);
             assert_eq!((high as u64) << 32 | low as u64, interleave(cell, 21), "{cell:?}");

@@ -242,6 +242,7 @@ real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000);
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     fn check_sqrt<R: Real>(x: R, slack: f64) {
         let (got, want) = (x.sqrt_up().to_f64(), x.to_f64().sqrt());
@@ -250,9 +251,9 @@ mod tests {
 
     #[test]
     fn neighbours_are_those_of_the_standard_library() {
-        let mut x = 1u32;
+        let mut random = Random::new(1);
         for i in 0..20_000u64 {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            let x = random.bits();
             let narrow = f32::from_bits(x);
             let wide = f64::from_bits((x as u64) << 32 | i);
             if !narrow.is_finite() || !wide.is_finite() {

@@ -25,7 +25,7 @@
 //! With `u` the unit roundoff and `|m|` the greatest absolute eigenvalue: every value is within
 //! `32 u |m|` of one of the matrix, `m v - value v` is no longer than `32 u |m|`, and scalar
 //! products of vectors are within [`ORTHONORMAL`] of 1 and 0. The last holds for any input
-//! whatever, because it is checked; the others are measured against faer
+//! whatever, because it is checked; the others are measured
 //! (`ccd-testkit/tests/symmetric_eigen.rs`), where the matrix is finite and its largest entry is
 //! normal.
 
@@ -224,6 +224,7 @@ fn unless_tiny<T: Real>(x: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// Scalar products are as promised.
     fn check_basis<T: Real>(m: &[[T; 3]; 3]) -> Eigen<T> {
@@ -244,26 +245,20 @@ mod tests {
     #[test]
     fn whatever_goes_in_a_basis_comes_out() {
         let strange = [f32::NAN, f32::INFINITY, f32::MAX, -f32::MAX, 1e-45, 1e-38, 0.0, 1.0, -2.0];
-        let mut x = 7u32;
+        let mut random = Random::new(7);
         for _ in 0..20_000 {
-            let mut next = || {
-                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-                strange[(x >> 16) as usize % strange.len()]
-            };
-            let mut m = [[0.0; 3]; 3];
-            m.as_flattened_mut().iter_mut().for_each(|c| *c = next());
-            check_basis(&m);
+            let mut row = || [(); 3].map(|()| strange[random.below(9) as usize]);
+            check_basis(&[row(), row(), row()]);
         }
     }
 
     #[test]
     fn few_steps_are_enough_and_fewer_leave_a_basis() {
-        let mut x = 3u32;
+        let mut random = Random::new(3);
         let mut most = 0;
         for i in 0..20_000 {
             let mut next = || {
-                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-                let entry = (x >> 8) as f32 / 8_388_608.0 - 1.0;
+                let entry = 2.0 * random.unit() as f32 - 1.0;
                 // Every other matrix with many zeros and entries that are equal.
                 if i % 2 == 0 { entry } else { (entry * 1.5) as i32 as f32 }
             };

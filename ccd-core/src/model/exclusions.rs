@@ -156,17 +156,22 @@ impl Near {
 mod tests {
     use super::*;
 
-    /// A grid, against distances between all vertices.
+    /// Against distances between all vertices: of a grid; of a fan around 0, a rod from it that
+    /// branches, a loop of rods, and particles, which have no neighbours.
     #[test]
     fn neighbours_are_those_of_all_distances() {
-        let (n, mut faces) = (5u32, Vec::new());
-        for i in 0..n - 1 {
-            for j in 0..n - 1 {
-                let v = i * n + j;
-                faces.extend([[v, v + 1, v + n], [v + n, v + 1, v + n + 1]]);
-            }
-        }
-        let mesh = Mesh::new((n * n) as usize, &faces).unwrap();
+        let square = |i: u32| i / 4 * 5 + i % 4;
+        let grid = (0..16).map(square).flat_map(|v| [[v, v + 1, v + 5], [v + 5, v + 1, v + 6]]);
+        check_neighbours(&Mesh::new(25, &grid.collect::<Vec<_>>()).unwrap(), 4);
+        let fan = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [5, 6, 7]];
+        let rods =
+            [[4, 8], [8, 9], [9, 10], [9, 5], [12, 13], [13, 14], [14, 15], [15, 12], [16, 12]];
+        let mesh = Mesh::with_edges(20, &fan, &rods).unwrap();
+        assert_eq!(mesh.isolated_vertices(), [11, 17, 18, 19]);
+        check_neighbours(&mesh, 6);
+    }
+
+    fn check_neighbours(mesh: &Mesh, most: u32) {
         let n = mesh.n_vertices();
         let mut d = vec![vec![99u32; n]; n];
         (0..n).for_each(|v| d[v][v] = 0);
@@ -184,7 +189,8 @@ mod tests {
             let all = a.iter().flat_map(|&v| b.iter().map(move |&w| (v, w)));
             all.map(|(v, w)| d[v as usize][w as usize]).min().unwrap()
         };
-        for rings in 0..4 {
+        let mut counts = Vec::new();
+        for rings in 0..most {
             let (mut vf, mut ee) = (Vec::new(), Vec::new());
             let is_near = |a: &[u32], b: &[u32]| (1..=rings).contains(&least(a, b));
             for v in 0..n as u32 {
@@ -195,7 +201,9 @@ mod tests {
                 let others = (0..).zip(mesh.edges()).filter(|(j, b)| i < *j && is_near(a, *b));
                 ee.extend(others.map(|(j, _)| [i, j]));
             }
-            assert_eq!(Exclusions::of_neighbours(&mesh, rings), Exclusions::new(vf, ee));
+            counts.push(vf.len() + ee.len());
+            assert_eq!(Exclusions::of_neighbours(mesh, rings), Exclusions::new(vf, ee));
         }
+        assert!(counts.is_sorted_by(|a, b| a < b), "{counts:?}");
     }
 }

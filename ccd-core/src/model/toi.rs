@@ -36,6 +36,7 @@ pub fn scaled_toi(toi: f64, factor: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use num_bigint::BigInt;
     use num_rational::BigRational;
 
@@ -45,11 +46,8 @@ mod tests {
 
     #[test]
     fn nothing_becomes_later() {
-        let mut x = 1u64;
-        let mut unit = || {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (x >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut random = Random::new(1);
+        let mut unit = || random.unit() + random.unit() / (1 << 24) as f64;
         let mut n_later = 0;
         for i in 0..20_000 {
             let (toi, factor) = (unit() * 0.5f64.powi(i % 1100), unit());

@@ -227,6 +227,7 @@ impl<R: Real> Cubic<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// `(t - r0)(t - r1)(t - r2)` scaled, in the basis of `Cubic`.
     fn from_roots(r: [f64; 3]) -> [f64; 4] {
@@ -260,13 +261,10 @@ mod tests {
         check_roots([0.5, 0.5, 0.5], 1e-3);
         check_roots([0.0, 0.5, 1.0], 1e-10);
         check_roots([1e-9, 2e-9, 3e-9], 1e-4);
-        let mut x = 12345u32;
-        let mut unit = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (x >> 8) as f64 / 16_777_216.0
-        };
+        let mut random = Random::new(12345);
         for _ in 0..2000 {
-            check_roots([unit() * 3.0 - 1.0, unit() * 3.0 - 1.0, unit()], 1e-3);
+            let [a, b, c] = random.point();
+            check_roots([a * 3.0 - 1.0, b * 3.0 - 1.0, c], 1e-3);
         }
     }
 

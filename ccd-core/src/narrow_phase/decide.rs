@@ -239,16 +239,14 @@ pub fn pair<T: Copy + Into<R>, R: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are
     /// left from the first time alone.
     #[test]
     fn narrow_searches_hold_the_wide_ones() {
-        let mut x = 1u64;
-        let mut unit = || {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (x >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut random = Random::new(1);
+        let mut unit = || random.unit() + random.unit() / (1 << 24) as f64;
         let ends = [0.0, 1e-320, 1e-40, 0.5, 0.5f64.next_up(), 1.0f64.next_down(), 1.0];
         for i in 0..4000 {
             let mut time = || if i % 3 == 0 { ends[(unit() * 7.0) as usize] } else { unit() };

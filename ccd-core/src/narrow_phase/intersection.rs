@@ -177,6 +177,7 @@ fn turn(axis: usize, a: Point, b: Point, c: Point) -> Ordering {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use num_bigint::BigInt;
     use std::vec::Vec;
 
@@ -232,19 +233,15 @@ mod tests {
     /// unit of roundoff.
     #[test]
     fn small_cases_are_decided_as_by_planes_in_between() {
-        let mut seed = 11u32;
-        let mut random = |n: u32| {
-            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (seed >> 16) % n
-        };
+        let mut random = Random::new(11);
         let (mut met, mut apart, mut flat) = (0, 0, 0);
         for round in 0..1200 {
             let scale = if round % 3 == 0 { 1.0 } else { 0.1 };
             let mut point = || -> Point {
                 core::array::from_fn(|k| {
                     let planar = round % 2 == 1 && k == 2;
-                    let x = (1 + if planar { 0 } else { random(3) }) as f64 * scale;
-                    let nudge = if round % 5 == 4 { random(3) as f64 - 1.0 } else { 0.0 };
+                    let x = (1 + if planar { 0 } else { random.below(3) }) as f64 * scale;
+                    let nudge = if round % 5 == 4 { random.below(3) as f64 - 1.0 } else { 0.0 };
                     x + nudge * f64::EPSILON
                 })
             };
@@ -264,14 +261,11 @@ mod tests {
     /// directions are rounded.
     #[test]
     fn no_edge_that_touches_is_outside() {
-        let mut seed = 7u32;
-        let mut random = || {
-            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (seed >> 16) as f32 / 65536.0
-        };
+        let mut random = Random::new(7);
         let (mut outside, reach) = (0, 102.0);
         for _ in 0..20_000 {
-            let mut point = || -> [f32; 3] { [0; 3].map(|_| 100.0 + random()) };
+            let mut point =
+                || -> [f32; 3] { [(); 3].map(|()| 100.0 + (random.bits() >> 16) as f32 / 65536.0) };
             let (t, far) = ([point(), point(), point()], point());
             let middle: [f32; 3] = core::array::from_fn(|k| 0.5 * t[0][k] + 0.5 * t[1][k]);
             let exact = |x: [f32; 3]| x.map(f64::from);

@@ -57,18 +57,14 @@ fn boxes_hold_what_they_are_of() {
         for k in 0..3 {
             for c in [p[k], q[k]] {
                 assert!(exact.min[k] <= c && c <= exact.max[k], "{c:e} in {exact:?}");
-                assert!(
-                    rounded.min[k] as f64 <= c && c <= rounded.max[k] as f64,
-                    "{c:e} in {rounded:?}"
-                );
+                let (low, high) = (rounded.min[k] as f64, rounded.max[k] as f64);
+                assert!(low <= c && c <= high, "{c:e} in {rounded:?}");
             }
             // Sums of two numbers of f32 this near are exact in f64.
-            let (low, high) =
-                (narrow.min[k] as f64 - grow as f64, narrow.max[k] as f64 + grow as f64);
-            assert!(
-                grown.min[k] as f64 <= low && grown.max[k] as f64 >= high,
-                "{narrow:?} grown by {grow:e}"
-            );
+            let by = grow as f64;
+            let (low, high) = (narrow.min[k] as f64 - by, narrow.max[k] as f64 + by);
+            let holds = grown.min[k] as f64 <= low && grown.max[k] as f64 >= high;
+            assert!(holds, "{narrow:?} grown by {grow:e}");
         }
     }
 }
@@ -88,10 +84,8 @@ fn rounded_boxes_overlap_by_no_more_than_the_slack_unless_they_do_in_truth() {
         let slack = slack_at(x.abs().max(y.abs()).round_up());
         assert!(a.overlaps(&b) || depth <= slack, "{x:e} {y:e}: {depth:e}, more than {slack:e}");
         // And it is no more than it must be, up to a factor of 4 and rounding.
-        assert!(
-            slack <= 4.001 * (2.0 * f32::UNIT * x.abs().max(y.abs()) as f32 + f32::MIN_POSITIVE),
-            "{slack:e}"
-        );
+        let least = 2.0 * f32::UNIT * x.abs().max(y.abs()) as f32 + f32::MIN_POSITIVE;
+        assert!(slack <= 4.001 * least, "{slack:e}");
     }
     assert!(n > 10_000, "{n} overlaps that rounding made");
 }
@@ -106,11 +100,8 @@ fn check_table(low: f64, high: f64) -> f64 {
     let mut worst = 0f64;
     // Near the ends, where numbers of f32 are furthest apart.
     for i in 0..2000 {
-        let p = if i % 2 == 0 {
-            low + i as f64 * 1e-12 * (high - low)
-        } else {
-            high - i as f64 * 1e-12 * (high - low)
-        };
+        let off = i as f64 * 1e-12 * (high - low);
+        let p = if i % 2 == 0 { low + off } else { high - off };
         let want = (p - table.origin[0]) * table.scale;
         worst = worst.max((table.place([p; 3])[0] as f64 - want).abs() / table.error as f64);
     }
@@ -170,16 +161,9 @@ fn an_axis_separates_at_both_ends_or_not_at_all() {
             let turned =
                 |b: [[f32; 3]; 2]| b.map(|p| [p[turn], p[(turn + 1) % 3], p[(turn + 2) % 3]]);
             let [p, q, r, s] = [a0, a1, b0, b1].map(|x| turned(at(x)));
-            assert_eq!(
-                axis_separated(&p, &q, &r, &s, needed),
-                want,
-                "{a0} {a1} {b0} {b1} {needed} {turn}"
-            );
-            assert_eq!(
-                axis_separated(&r, &s, &p, &q, needed),
-                want,
-                "{b0} {b1} {a0} {a1} {needed} {turn}"
-            );
+            let both = [[&p, &q, &r, &s], [&r, &s, &p, &q]];
+            let found = both.map(|[p, q, r, s]| axis_separated(p, q, r, s, needed));
+            assert_eq!(found, [want; 2], "{a0} {a1} {b0} {b1} {needed} {turn}");
         }
     };
     check(0.0, 0.0, 2.0, 2.0, 0.0, true);
@@ -202,10 +186,7 @@ fn halves_meet_in_the_middle() {
     for patch in [Patch::Triangle, Patch::Parallelogram] {
         let mut four = || std::array::from_fn(|_| random.vector());
         let (t0, t1): ([[f64; 3]; 4], [[f64; 3]; 4]) = (four(), four());
-        let m = match patch {
-            Patch::Triangle => Motion::vertex_face(&t0, &t1, 0.125),
-            Patch::Parallelogram => Motion::edge_edge(&t0, &t1, 0.125),
-        };
+        let m = Motion::new(patch, &t0, &t1, 0.125);
         let (first, second) = m.halves();
         assert_eq!((m.error, first.error, second.error), (0.25, 0.25, 0.25));
         for (whole, [p, q]) in
@@ -236,10 +217,7 @@ fn features_beside_each_other_keep_their_distance() {
     let triangle = [[0.25, -0.25, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let edges = [[1.25, 0.25, 0.0], [2.0, 0.25, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
     for (patch, x) in [(Patch::Triangle, triangle), (Patch::Parallelogram, edges)] {
-        let m = match patch {
-            Patch::Triangle => Motion::vertex_face(&x, &x, 0.0),
-            Patch::Parallelogram => Motion::edge_edge(&x, &x, 0.0),
-        };
+        let m = Motion::new(patch, &x, &x, 0.0);
         for (d, want) in
             [(0.0, true), (0.1, true), (0.249, true), (0.25, false), (0.251, false), (1.0, false)]
         {
@@ -253,10 +231,7 @@ fn features_beside_each_other_keep_their_distance() {
         for (t0, t1, want) in [(x, onto, false), (onto, x, false), (mirrored, mirrored, true)] {
             let backwards = [t0, t1].map(|x| x.map(|p| p.map(|c: f64| -c)));
             for [t0, t1] in [[t0, t1], backwards] {
-                let m = match patch {
-                    Patch::Triangle => Motion::vertex_face(&t0, &t1, 0.0),
-                    Patch::Parallelogram => Motion::edge_edge(&t0, &t1, 0.0),
-                };
+                let m = Motion::new(patch, &t0, &t1, 0.0);
                 assert_eq!(beside(&m, patch, 0.0) > 0.0, want, "{patch:?} {t0:?} {t1:?}");
             }
         }

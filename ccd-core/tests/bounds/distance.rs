@@ -60,10 +60,7 @@ fn query<R: Real>(random: &mut Random) -> Query<R> {
 fn check<R: Real>(random: &mut Random, late: f64) -> [usize; 3] {
     let Query { patch, t0, t1, d, distance, n_first } = query::<R>(random);
     let zero = R::splat(0.0);
-    let m = match patch {
-        Patch::Triangle => Motion::vertex_face(&t0, &t1, zero),
-        Patch::Parallelogram => Motion::edge_edge(&t0, &t1, zero),
-    };
+    let m = Motion::new(patch, &t0, &t1, zero);
     let verdict = solve(&m, patch, R::from_f64(d));
     let toi = verdict.toi().map(|t| t.to_f64());
     let first = first_within(distance, n_first, &widen(&t0), &widen(&t1), d);

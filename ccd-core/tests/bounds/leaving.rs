@@ -15,6 +15,7 @@ use num_traits::One;
 
 /// Features close to each other that move anyhow, and a distance at which they are in contact or
 /// nearly.
+#[derive(Debug)]
 pub struct Near<R> {
     pub patch: Patch,
     pub t0: Points<R>,
@@ -113,7 +114,7 @@ impl<R: Real> Near<R> {
 
 /// What is said at time `from` is exactly true.
 pub fn check_departure<R: Real>(q: &Near<R>, found: &Departure<R>, from: f64) {
-    let tell = || format!("{:?} {:?} {:?} from {from}: {found:?}", q.patch, q.t0, q.t1);
+    let tell = || format!("{q:?} from {from}: {found:?}");
     let now = q.square(&exact(from));
     // So short that only the derivative counts.
     let soon = exact(from) + BigRational::one() / exact(2f64.powi(100));
@@ -181,14 +182,7 @@ pub fn check_left<R: Real>(q: &Near<R>, from: f64, verdict: Verdict<R>) {
     times.sort_by(f64::total_cmp);
     for t in times.into_iter().filter(|t| verdict.toi().is_none() || *t < until) {
         let now = q.square(&exact(t));
-        assert!(
-            now > d || now >= start,
-            "{t} before {verdict:?}: {:?} {:?} {:?} {:?}",
-            q.patch,
-            q.t0,
-            q.t1,
-            q.d
-        );
+        assert!(now > d || now >= start, "{t} before {verdict:?}: {q:?}");
     }
     if let Verdict::Hit { toi } = verdict {
         let toi = toi.to_f64();
@@ -198,7 +192,7 @@ pub fn check_left<R: Real>(q: &Near<R>, from: f64, verdict: Verdict<R>) {
             assert!(q.square(&exact(toi - (toi - from) * 1e-6)) > d, "not left: {verdict:?}");
         }
         let witnessed = [0.0, 0.5, 1.0].into_iter().any(|part| near(toi + 1e-6 * part));
-        assert!(witnessed, "no contact at {toi}: {:?} {:?} {:?} {:?}", q.patch, q.t0, q.t1, q.d);
+        assert!(witnessed, "no contact at {toi}: {q:?}");
     }
 }
 
@@ -210,12 +204,8 @@ fn check_leaving<R: Real>(n: usize, seed: u64) {
         let back = random.below(2) == 0;
         let q = if back { returning::<R>(&mut random) } else { near::<R>(&mut random) };
         let from = [0.0, 0.25][random.below(2)];
-        let wanted = Search {
-            from: R::from_f64(from),
-            leaves: true,
-            tolerance: R::splat(1e-6),
-            ..Search::whole(q.d)
-        };
+        let (at, tolerance) = (R::from_f64(from), R::splat(1e-6));
+        let wanted = Search { from: at, leaves: true, tolerance, ..Search::whole(q.d) };
         let answer = search(&q.motion(), q.patch, &wanted);
         check_left(&q, from, answer.verdict);
         let stays = search(&q.motion(), q.patch, &Search { leaves: false, ..wanted });
@@ -240,11 +230,7 @@ fn contacts_that_are_left_keep_the_promise() {
 /// A vertex that leaves a corner of a face and is met by the side across, which overtakes it.
 #[test]
 fn a_second_contact_is_found() {
-    let corners = |x: f64| [[0.0; 3], [x, 0.5, 0.0], [x, -0.5, 0.0]];
-    let with = |v: [f64; 3], x: f64| {
-        let [f0, f1, f2] = corners(x);
-        [v, f0, f1, f2]
-    };
+    let with = |v: [f64; 3], x: f64| [v, [0.0; 3], [x, 0.5, 0.0], [x, -0.5, 0.0]];
     let t0 = with([-0.0625, 0.0, 0.0], 4.0);
     let (moves, stays) = (with([-1.0625, 0.0, 0.0], -8.0), with([-1.0625, 0.0, 0.0], 4.0));
     let wanted = Search { leaves: true, ..Search::whole(0.125) };
@@ -265,11 +251,8 @@ fn a_second_contact_is_found() {
     assert_eq!((rests.verdict, rests.approach), (Verdict::Hit { toi: 0.0 }, Approach::Unknown));
     let on = with([1.0, 0.0, 0.0], 4.0);
     let off = with([1.0, 0.0, 1.0], 4.0);
-    let touching = search(
-        &Motion::vertex_face(&on, &off, 0.0),
-        Patch::Triangle,
-        &Search { leaves: true, ..Search::whole(0.0) },
-    );
+    let m = Motion::vertex_face(&on, &off, 0.0);
+    let touching = search(&m, Patch::Triangle, &Search { min_distance: 0.0, ..wanted });
     assert_eq!(touching.verdict.toi(), Some(0.0));
     assert_eq!(touching.approach, Approach::Unknown);
 }

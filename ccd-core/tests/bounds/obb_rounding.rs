@@ -103,12 +103,8 @@ fn points_in_a_box() {
             };
             (0..3).map(worst).fold(f64::NEG_INFINITY, f64::max)
         };
-        Ascent { n_inputs: FRAME + 6, flush: size < 1e-6, ratio }.check(
-            name,
-            31,
-            [2, 300],
-            documented,
-        );
+        let ascent = Ascent { n_inputs: FRAME + 6, flush: size < 1e-6, ratio };
+        ascent.check(name, 31, [2, 300], documented);
     }
 }
 
@@ -133,12 +129,8 @@ fn boxes_in_a_box() {
             };
             (0..3).map(worst).fold(f64::NEG_INFINITY, f64::max)
         };
-        Ascent { n_inputs: BOX + FRAME + 3, flush: size < 1e-6, ratio }.check(
-            name,
-            33,
-            [2, 300],
-            documented,
-        );
+        let ascent = Ascent { n_inputs: BOX + FRAME + 3, flush: size < 1e-6, ratio };
+        ascent.check(name, 33, [2, 300], documented);
     }
 }
 
@@ -221,12 +213,8 @@ fn boxes_that_touch() {
             let bound = 256.0 * UNIT * sizes + 128.0 * MIN_NORMAL;
             1.0 + wrap_box(&a).gap(&wrap_box(&b)).0 / bound
         };
-        Ascent { n_inputs: 2 * BOX + 6, flush: size < 1e-6, ratio }.check(
-            name,
-            35,
-            [2, 300],
-            documented,
-        );
+        let ascent = Ascent { n_inputs: 2 * BOX + 6, flush: size < 1e-6, ratio };
+        ascent.check(name, 35, [2, 300], documented);
     }
 }
 

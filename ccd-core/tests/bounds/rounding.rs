@@ -33,12 +33,8 @@ fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, docume
         let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
         (c - control(&exact, k)) / plane.bound.0
     };
-    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(
-        name,
-        1 + k as u64,
-        [2, 200],
-        documented,
-    );
+    let ascent = Ascent { n_inputs: 48, flush: size < 1e-6, ratio };
+    ascent.check(name, 1 + k as u64, [2, 200], documented);
 }
 
 #[test]
@@ -149,12 +145,8 @@ fn separations_beside() {
             let bound = -undisturbed(separation);
             1.0 + separation() / bound
         };
-        Ascent { n_inputs: 26, flush: false, ratio }.check(
-            &format!("beside, {patch:?} {part:?}"),
-            11,
-            [2, 200],
-            documented,
-        );
+        let ascent = Ascent { n_inputs: 26, flush: false, ratio };
+        ascent.check(&format!("beside, {patch:?} {part:?}"), 11, [2, 200], documented);
     }
 }
 
@@ -171,12 +163,8 @@ fn values_of_cubics() {
         let t = 0.5 + 0.5 * x[4];
         (cubic(x).value(Adversarial(t)).0 - exact(x, t)) / (12.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 5, flush: false, ratio: value }.check(
-        "value of a cubic",
-        13,
-        [2, 600],
-        0.66,
-    );
+    let ascent = Ascent { n_inputs: 5, flush: false, ratio: value };
+    ascent.check("value of a cubic", 13, [2, 600], 0.66);
     // The value at a critical point as found, against the true extreme value.
     let turning = |x: &[f64]| {
         let (ends, n) = cubic(x).pieces();
@@ -197,12 +185,8 @@ fn values_of_cubics() {
         let sign = if x[5] > 0.0 { 1.0 } else { -1.0 };
         sign * (got - exact(x, t)) / (256.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 6, flush: false, ratio: turning }.check(
-        "value at a critical point",
-        15,
-        [3, 700],
-        0.0126,
-    );
+    let ascent = Ascent { n_inputs: 6, flush: false, ratio: turning };
+    ascent.check("value at a critical point", 15, [3, 700], 0.0126);
 }
 
 #[test]
@@ -237,12 +221,8 @@ fn balls_and_products_over_an_interval() {
             (b.centre[0].0 - at(&exact, times(x).2)[0]) / b.radius.0
         };
         let name = format!("ball, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(
-            &name,
-            17,
-            [2, 250],
-            documented[0],
-        );
+        let ascent = Ascent { n_inputs: 26, flush: false, ratio: radius };
+        ascent.check(&name, 17, [2, 250], documented[0]);
         let product = |x: &[f64]| {
             let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
             let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
@@ -250,12 +230,8 @@ fn balls_and_products_over_an_interval() {
             (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
         };
         let name = format!("product, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: product }.check(
-            &name,
-            19,
-            [2, 250],
-            documented[1],
-        );
+        let ascent = Ascent { n_inputs: 26, flush: false, ratio: product };
+        ascent.check(&name, 19, [2, 250], documented[1]);
     }
 }
 

@@ -99,18 +99,12 @@ fn no_contact_is_missed() {
         let [t0, t1] = q.points(origin);
         let (verdict, _) = under(&ways, flush, || {
             let zero = Adversarial(0.0);
-            let m = match q.patch {
-                Patch::Triangle => Motion::vertex_face(&t0, &t1, zero),
-                Patch::Parallelogram => Motion::edge_edge(&t0, &t1, zero),
-            };
+            let m = Motion::new(q.patch, &t0, &t1, zero);
             solve(&m, q.patch, zero)
         });
         let early = verdict.toi().is_some_and(|toi| toi.0 <= q.t + LATE);
-        assert!(
-            early,
-            "contact at {}, but {verdict:?}: {:?} {t0:?} {t1:?} {flush} {ways:?}",
-            q.t, q.patch
-        );
+        let (t, patch) = (q.t, q.patch);
+        assert!(early, "{t}, but {verdict:?}: {patch:?} {t0:?} {t1:?} {flush} {ways:?}");
         n_late += verdict.toi().is_some_and(|toi| toi.0 > 0.1) as usize;
     }
     assert!(n_late > 400, "{n_late} that were decided at all");
@@ -147,19 +141,14 @@ fn containment_is_certain() {
         let (got, _) =
             under(&ways, i % 3 == 0, || inside(&m, q.patch, Adversarial(lo), Adversarial(hi)));
         // It touches at a time within the interval, so it is not outside.
-        assert!(
-            got != Inside::Outside,
-            "{:?} {:?} at {} in [{lo}, {hi}] {ways:?}",
-            q.patch,
-            q.x,
-            q.t
-        );
+        let tell = |t: f64| format!("{:?} {:?} at {t} in [{lo}, {hi}] {ways:?}", q.patch, q.x);
+        assert!(got != Inside::Outside, "{}", tell(q.t));
         n[got as usize] += 1;
         if got == Inside::Inside {
             // The projected point is in the patch all the time: at both ends too, by exact signs of
             // the same fractions.
             for t in [lo, q.t, hi] {
-                assert!(in_patch(&q, t), "{:?} {:?} at {t} in [{lo}, {hi}] {ways:?}", q.patch, q.x);
+                assert!(in_patch(&q, t), "{}", tell(t));
             }
         }
     }
@@ -205,11 +194,8 @@ fn a_witness_is_near() {
         let m = apart.motion();
         let run = || within(&m, apart.patch, Adversarial(apart.t), Adversarial(distance));
         let (near, _) = under(&ways, false, run);
-        assert!(
-            !near || gap <= distance * (1.0 + 1e-9),
-            "{gap} is not within {distance}: {:?} {ways:?}",
-            apart.x
-        );
+        let holds = !near || gap <= distance * (1.0 + 1e-9);
+        assert!(holds, "{gap} is not within {distance}: {:?} {ways:?}", apart.x);
         n[near as usize] += 1;
     }
     assert!(n[0] > 400 && n[1] > 400, "{n:?}");

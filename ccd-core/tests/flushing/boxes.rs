@@ -1,26 +1,18 @@
 //! Boxes on devices that flush denormals: no pair within the minimum distance is lost.
 
 use crate::number::Flushed;
+use crate::random::Random;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::swept_box::swept;
 use ccd_core::model::quantization::margin;
 
 /// Numbers from far below the smallest normal one to some way above it, of both signs.
-struct Numbers(u32);
-
-impl Numbers {
-    fn bits(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (self.0 >> 16) ^ self.0
-    }
-
-    fn next(&mut self) -> f32 {
-        // Exponents 0 (denormal) to 3; denormals of all sizes.
-        let bits = self.bits();
-        let small = bits & 0x01ff_ffff;
-        let small = if small < 0x0080_0000 { small >> (self.bits() % 24) } else { small };
-        f32::from_bits(bits & 0x8000_0000 | small)
-    }
+fn number(random: &mut Random) -> f32 {
+    // Exponents 0 (denormal) to 3; denormals of all sizes.
+    let bits = random.bits();
+    let small = bits & 0x01ff_ffff;
+    let small = if small < 0x0080_0000 { small >> random.below(24) } else { small };
+    f32::from_bits(bits & 0x8000_0000 | small)
 }
 
 /// The box that a device makes of a point, grown by half of the distance as the host sends that.
@@ -43,9 +35,9 @@ fn pairs_within_the_distance_overlap_where_denormals_are_flushed() {
     check_pair(1.175_494_4e-38, 1.175_494_6e-38, 1e-40);
     check_pair(3.4e-38, 1.0e-38, 2.45e-38);
     check_pair(-3.4e-38, -1.0e-38, 2.45e-38);
-    let mut numbers = Numbers(1);
+    let mut random = Random::new(1);
     for _ in 0..1_000_000 {
-        let (x, y) = (numbers.next(), numbers.next());
+        let (x, y) = (number(&mut random), number(&mut random));
         // Exactly the gap, which is a number of `f64`, and somewhat more.
         let gap = (x as f64 - y as f64).abs();
         check_pair(x, y, gap);

@@ -4,5 +4,8 @@
 mod boxes;
 mod number;
 mod queries;
+#[path = "../../../src/scenes/random.rs"]
+#[allow(dead_code, reason = "these tests need a part of it")]
+mod random;
 mod sessions;
 mod step;

@@ -1,5 +1,6 @@
 //! Near-degenerate queries in units from 2^-149 to 2^120, against the CPU.
 
+use crate::random;
 use crate::step::{OnDevice, Query, Step, in_f64, wrong};
 use ccd_core::Verdict;
 use ccd_core::layout::split;
@@ -12,16 +13,15 @@ pub fn exponents() -> impl Iterator<Item = i32> {
 }
 
 /// Whole numbers at random.
-pub struct Random(u32);
+pub struct Random(random::Random);
 
 impl Random {
     pub fn new(seed: u32) -> Self {
-        Self(seed)
+        Self(random::Random::new(seed))
     }
 
     pub fn below(&mut self, n: u32) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        ((self.0 >> 16) ^ (self.0 >> 3)) % n
+        self.0.below(n)
     }
 
     /// From `-n` to `n`.

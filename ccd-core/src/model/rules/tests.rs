@@ -2,18 +2,12 @@
 
 use super::*;
 use crate::model::groups::Groups;
-
-/// Random numbers, the same on every machine.
-fn random(mut state: u32) -> impl FnMut(u32) -> u32 {
-    move |below| {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (state >> 8) % below
-    }
-}
+use crate::random::Random;
 
 #[test]
 fn tables_say_what_bodies_say() {
-    let mut below = random(5);
+    let mut random = Random::new(5);
+    let mut below = |n: u32| random.below(n);
     for round in 0..40 {
         let n_bodies = 1 + below(80);
         let of_vertex: Vec<u32> = (0..200).map(|_| below(n_bodies) * 7).collect();

@@ -1,43 +1,17 @@
 //! Deques and workers in threads: every item once, none lost, under room for few batches.
 
 use super::*;
+use crate::kernel::test_words::Atomics;
 use crate::scheduling::deque::{Full, Item};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::vec::Vec;
-
-struct Atomics(Vec<AtomicU32>);
-
-impl Atomics {
-    fn new(n: usize) -> Self {
-        Self((0..n).map(|_| AtomicU32::new(0xdead_beef)).collect())
-    }
-}
-
-impl Words for Atomics {
-    fn load(&self, i: usize) -> u32 {
-        self.0[i].load(Ordering::Relaxed)
-    }
-    fn store(&self, i: usize, value: u32) {
-        self.0[i].store(value, Ordering::Relaxed);
-    }
-    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
-        self.0[i].fetch_add(value, Ordering::AcqRel)
-    }
-    fn load_acquire(&self, i: usize) -> u32 {
-        self.0[i].load(Ordering::Acquire)
-    }
-    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
-        let (taken, lost) = (Ordering::AcqRel, Ordering::Relaxed);
-        self.0[i].compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen)
-    }
-}
 
 fn items(deque: Deque, words: &Atomics, slot: u32) -> Vec<Item> {
     (0..deque.items(words, slot)).map(|i| deque.read(words, slot, i)).collect()
 }
 
 fn deque(batches: u32, batch: u32) -> (Deque, Atomics) {
-    let words = Atomics::new(3 + Deque::words(batches, batch));
+    let words = Atomics::new(3 + Deque::words(batches, batch), 0xdead_beef);
     let deque = Deque { base: 3, batches, batch };
     deque.clear(&words);
     (deque, words)
@@ -143,7 +117,7 @@ fn work(
 fn check_workers(n: u32, batches: u32, batch: u32, lazy: Option<u32>) -> u32 {
     const DEPTH: u32 = 14;
     let workers = Workers { n, batches, batch };
-    let words = Atomics::new(workers.words());
+    let words = Atomics::new(workers.words(), 0xdead_beef);
     workers.clear(&words);
     let leaves: Vec<AtomicU32> = (0..1 << DEPTH).map(|_| AtomicU32::new(0)).collect();
     workers.deque(0).push(&words, &[[DEPTH, 0]]).unwrap();

@@ -9,6 +9,7 @@ use crate::model::bodies::Bodies;
 use crate::model::groups::Groups;
 use crate::model::mesh::Mesh;
 use crate::model::rules::Rules;
+use crate::random::Random;
 use crate::triangle_pairs::near_tests::NearTests;
 use crate::triangle_pairs::orphans::OrphanSets;
 use crate::triangle_pairs::representatives::Triangles;
@@ -150,7 +151,7 @@ impl Scene {
 }
 
 /// Random triangles, wires and vertices in one another, with random boxes.
-fn random(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
+fn random_scene(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
     let n = 6 + below(30);
     // Names of two bodies are far apart, so no element joins two.
     let half = n / 2;
@@ -177,14 +178,11 @@ fn random(below: &mut impl FnMut(u32) -> u32, with_bodies: bool) -> Scene {
 
 #[test]
 fn every_pair_of_features_comes_once() {
-    let mut state = 5u32;
-    let mut below = move |n: u32| {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (state >> 8) % n
-    };
+    let mut random = Random::new(5);
+    let mut below = |n: u32| random.below(n);
     let (mut sums, mut n_lost) = ([0; N_COUNTS], 0);
     for round in 0..120 {
-        let scene = random(&mut below, round % 2 == 1);
+        let scene = random_scene(&mut below, round % 2 == 1);
         let want = scene.all();
         let (plain, before) = scene.expanded(false, 0);
         assert_eq!(plain, want, "round {round}");

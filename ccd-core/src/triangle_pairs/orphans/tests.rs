@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::contact::Kind;
+use crate::random::Random;
 use std::collections::BTreeMap;
 use std::println;
 
@@ -166,11 +167,8 @@ fn represented(triangles: &Triangles, s: u32, t: u32) -> u16 {
 
 #[test]
 fn every_pair_of_features_is_tested_once() {
-    let mut state = 11u32;
-    let mut below = move |n: u32| {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (state >> 8) % n
-    };
+    let mut random = Random::new(11);
+    let mut below = |n: u32| random.below(n);
     let mut seen = [0; 2];
     // Random triangles, wires and vertices: from all in one another to far apart; corners repeat,
     // edges have many faces, faces are there twice.

@@ -37,13 +37,7 @@ impl<F: Fn(&[f64]) -> f64> Ascent<F> {
             choices[i] = 1;
             let effect = run(&choices).0 - base;
             choices[i] = 0;
-            best[i] = if effect > 0.0 {
-                1
-            } else if effect < 0.0 {
-                -1
-            } else {
-                0
-            };
+            best[i] = (effect > 0.0) as i8 - (effect < 0.0) as i8;
         }
         let opposite: Vec<i8> = best.iter().map(|c| -c).collect();
         run(&best).0.max(run(&opposite).0).max(base)
@@ -83,18 +77,9 @@ impl<F: Fn(&[f64]) -> f64> Ascent<F> {
     /// Asserts that the bound holds, and that the search comes at least as near to it as the
     /// documents say.
     pub fn check(&self, name: &str, seed: u64, [starts, steps]: [usize; 2], documented: f64) {
-        let peak = self.climb(seed, starts, steps);
-        println!("{name}: {:.4}", peak.ratio);
-        assert!(
-            peak.ratio <= 1.0,
-            "{name}: the error is {} of its bound at {:?}",
-            peak.ratio,
-            peak.inputs
-        );
-        assert!(
-            peak.ratio >= documented,
-            "{name}: {} of the bound, but {documented} is documented",
-            peak.ratio
-        );
+        let Peak { ratio, inputs } = self.climb(seed, starts, steps);
+        println!("{name}: {ratio:.4}");
+        assert!(ratio <= 1.0, "{name}: the error is {ratio} of its bound at {inputs:?}");
+        assert!(ratio >= documented, "{name}: {ratio}, but {documented} is documented");
     }
 }

@@ -151,10 +151,7 @@ pub fn query<R: Real>(random: &mut Random) -> Query<R> {
 impl<R: Real> Query<R> {
     pub fn motion(&self) -> Motion<R> {
         let zero = R::splat(0.0);
-        match self.patch {
-            Patch::Triangle => Motion::vertex_face(&self.t0, &self.t1, zero),
-            Patch::Parallelogram => Motion::edge_edge(&self.t0, &self.t1, zero),
-        }
+        Motion::new(self.patch, &self.t0, &self.t1, zero)
     }
 }
 

@@ -1,0 +1,81 @@
+//! Sequences of frames by schedulers with fronts: on every frame the candidates of a session that
+//! begins where the step before ended are those of one that begins at the roots.
+
+use crate::rows::schedulings;
+use crate::scenes::Source;
+use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
+use ccd::{Digest, Front, FrontOptions, Mesh, Options, Session};
+use ccd_testkit::data;
+
+/// Frames of a mesh.
+pub struct Frames {
+    mesh: Mesh,
+    x: Vec<Vec<[f64; 3]>>,
+}
+
+fn generated(scene: &Sequence, n: usize) -> Frames {
+    Frames { mesh: scene.mesh.clone(), x: (0..n).map(|i| scene.frame(i)).collect() }
+}
+
+/// Debris that falls against a wall.
+fn debris() -> Frames {
+    let dir = data::data_dir().expect("the row is ignored without the data");
+    let frame = |i: usize| {
+        let path = dir.join(format!("scenes/debris-wall/frames/{i:03}.ply"));
+        ccd::io::read_frame(&path).expect("a frame")
+    };
+    let mesh = frame(40).mesh().expect("a mesh");
+    Frames { mesh, x: (40..100).map(|i| frame(i).positions).collect() }
+}
+
+/// Names, whether they need the data, and frames.
+pub const SEQUENCES: [(&str, bool, fn() -> Frames); 6] = [
+    ("interpenetrating 64", false, || generated(&interpenetrating(64), 12)),
+    ("interpenetrating 1024", false, || generated(&interpenetrating(1024), 12)),
+    ("funnel", false, || generated(&funnel(32), 20)),
+    ("cloth on a ball", false, || generated(&cloth_on_ball(30), 20)),
+    ("bodies that bounce", false, || generated(&n_body(40, 9), 20)),
+    ("debris-wall", true, debris),
+];
+
+/// Candidates of a step, of both kinds.
+fn candidates(session: &mut Session, x: &[Vec<[f64; 3]>]) -> [Digest; 2] {
+    let found = session.candidates(&x[0], &x[1]).expect("candidates");
+    [Digest::of(0, found.vf.iter()), Digest::of(1, found.ee.iter())]
+}
+
+/// Every frame by a scheduler on blocks, and by others on binary trees of either volume; most of
+/// the steps begin at a front.
+pub fn check(frames: &Frames) -> Result<(), String> {
+    let Frames { mesh, x } = frames;
+    let options = Options::default().with_threads(2);
+    let mut fresh = Session::new(mesh, options.clone()).expect("a session");
+    let want: Vec<[Digest; 2]> = x.windows(2).map(|x| candidates(&mut fresh, x)).collect();
+    let n_changed = want.windows(2).filter(|two| two[0] != two[1]).count();
+    if n_changed < 3 {
+        return Err(format!("{n_changed} frames differ from the one before: that shows little"));
+    }
+    let with_front = schedulings("crowded", Source::Boxes(Vec::new), "cpu", "cpu", false)
+        .filter(|(_, scheduling)| scheduling.front != Front::Off);
+    // Of eighteen, in turn: every method, and every scheduler.
+    for (k, (method, scheduling)) in with_front.enumerate().filter(|(k, _)| k % 5 == 0) {
+        // Given up now and then, or whenever they are not better.
+        let growth = FrontOptions::default().growth([150, 102][k % 2]);
+        let scheduling = scheduling.front(Front::On(growth.rebuild(4, 101)));
+        let options = options.clone().with_broad_phase(method).with_scheduling(scheduling);
+        let mut session = Session::new(mesh, options).expect("a session");
+        let mut n_begun = 0;
+        for (i, (x, want)) in x.windows(2).zip(&want).enumerate() {
+            if candidates(&mut session, x) != *want {
+                return Err(format!("frame {i} by {method}, {scheduling}: other pairs"));
+            }
+            let front = session.step(&x[0], &x[1]).expect("a step").front.expect("fronts count");
+            n_begun += (front.begun > 0) as usize;
+            assert!(front.bytes <= 512 << 20, "{front:?}");
+        }
+        if 3 * n_begun < want.len() {
+            return Err(format!("{n_begun} of {} steps began at a front: {method}", want.len()));
+        }
+    }
+    Ok(())
+}
