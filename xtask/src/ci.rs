@@ -1,8 +1,7 @@
 //! The checks that a change must pass, in the order of what fails fastest.
 
-use crate::optional::{has_target, skipped};
+use crate::programs::{command, command_with, has_target, skipped};
 use std::path::Path;
-use std::process::Command;
 
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
@@ -66,25 +65,6 @@ fn readme_test_command(root: &Path) -> Result<String, String> {
         .ok_or_else(|| "README.md has no line that begins with `cargo test`".into())
 }
 
-/// Runs a command in `root`, showing it; an error if it fails.
-pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
-    command_with(root, words, &[])
-}
-
-pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
-    println!("$ {}", words.join(" "));
-    let status = Command::new(words[0])
-        .args(&words[1..])
-        .envs(env.iter().copied())
-        .current_dir(root)
-        .status();
-    match status {
-        Ok(s) if s.success() => Ok(()),
-        Ok(s) => Err(format!("`{}` failed: {s}", words.join(" "))),
-        Err(e) => Err(format!("`{}`: {e}", words.join(" "))),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,7 +75,7 @@ mod tests {
         let (_, rest) = manifest.split_once("[features]\n").expect("features");
         let (features, _) = rest.split_once("\n[").expect("what follows");
         let named: Vec<&str> =
-            features.lines().filter_map(|line| Some(line.split_once(" = ")?.0)).collect();
+            features.lines().filter_map(|line| Some(line.split_once(" = [")?.0)).collect();
         assert_eq!(named, XTASK_FEATURES);
     }
 }

@@ -5,9 +5,7 @@
 //! workspace, but built into its target folder: a dependency that has the same features there is
 //! not compiled again.
 
-use crate::ci::{command, command_with};
-use crate::optional::{output, skipped};
-use crate::wasm::target_folder;
+use crate::programs::{command, command_with, output, skipped, target_folder};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -370,7 +370,7 @@ fn scaling(out: &mut String, ours: &[Ours]) {
 
 /// Runs criterion and lists its medians.
 fn kernels(root: &Path, out: &mut String) -> Result<(), String> {
-    crate::ci::command(
+    crate::programs::command(
         root,
         &["cargo", "bench", "-p", "meshccd", "--bench", "kernels", "--", "--quick", "--noplot"],
     )?;

@@ -1,7 +1,32 @@
-//! What a machine may lack: a check that needs it is skipped there, loudly and with the reason,
-//! never silently.
+//! Other programs that are run. What a machine may lack: a check that needs it is skipped there,
+//! loudly and with the reason, never silently.
 
+use std::path::Path;
 use std::process::Command;
+
+/// Runs a command in `root`, showing it; an error if it fails.
+pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
+    command_with(root, words, &[])
+}
+
+pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
+    println!("$ {}", words.join(" "));
+    let status = Command::new(words[0])
+        .args(&words[1..])
+        .envs(env.iter().copied())
+        .current_dir(root)
+        .status();
+    match status {
+        Ok(s) if s.success() => Ok(()),
+        Ok(s) => Err(format!("`{}` failed: {s}", words.join(" "))),
+        Err(e) => Err(format!("`{}`: {e}", words.join(" "))),
+    }
+}
+
+/// Where cargo builds.
+pub fn target_folder(root: &Path) -> std::path::PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
+}
 
 /// Says that a check was skipped.
 pub fn skipped(why: &str) {
