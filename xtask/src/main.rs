@@ -1,7 +1,7 @@
 //! `cargo xtask`: what the project does to itself.
 #![deny(unsafe_code)]
 
-#[cfg(feature = "algorithms")]
+#[cfg(feature = "report")]
 mod algorithms;
 #[cfg(feature = "attack")]
 mod attack;
@@ -9,20 +9,24 @@ mod checked;
 mod ci;
 mod circles;
 mod compile_times;
-#[cfg(feature = "gpu-report")]
+#[cfg(feature = "report")]
 mod gpu;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]
 mod instructions;
 #[cfg(feature = "loom")]
 mod interleavings;
-#[cfg(any(feature = "report", feature = "gpu-report", test))]
+#[cfg(any(feature = "report", test))]
 mod markdown;
+#[cfg(feature = "report")]
+mod measure;
 mod mutants;
+#[cfg(feature = "report")]
+mod plot;
 mod programs;
 mod python;
 #[cfg(feature = "report")]
 mod report;
-#[cfg(feature = "algorithms")]
+#[cfg(feature = "report")]
 mod schedulers;
 mod shaders;
 #[cfg(feature = "soak")]
@@ -226,10 +230,6 @@ fn feature_of(task: &Task) -> Option<(&'static str, bool)> {
         Task::Loom { .. } => ("loom", cfg!(feature = "loom")),
         Task::Attack(_) => ("attack", cfg!(feature = "attack")),
         Task::Shaders { checked: false, .. } => ("shaders", cfg!(feature = "shaders")),
-        Task::Report { algorithms: true, .. } | Task::Report { schedulers: true, .. } => {
-            ("algorithms", cfg!(feature = "algorithms"))
-        }
-        Task::Report { gpu: true, .. } => ("gpu-report", cfg!(feature = "gpu-report")),
         Task::Report { .. } => ("report", cfg!(feature = "report")),
         Task::Soak { .. } => ("soak", cfg!(feature = "soak")),
         _ => return None,
@@ -267,13 +267,13 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
         Task::Python => python::run(root),
-        #[cfg(feature = "algorithms")]
+        #[cfg(feature = "report")]
         Task::Report { runs, algorithms: true, .. } => algorithms::run(root, runs),
-        #[cfg(feature = "algorithms")]
+        #[cfg(feature = "report")]
         Task::Report { schedulers: true, of_schedulers, .. } => {
             schedulers::run(root, &of_schedulers)
         }
-        #[cfg(feature = "gpu-report")]
+        #[cfg(feature = "report")]
         Task::Report { runs, gpu: true, out, only, .. } => gpu::run(runs, &root.join(out), &only),
         #[cfg(feature = "report")]
         Task::Report { runs, .. } => report::run(root, runs),
