@@ -1,10 +1,10 @@
 //! `ccd check`: contacts between two frames.
 
 use super::output::{self, Counts, MeshSize, TimesMs};
-use super::start::Intersections;
+use super::start::{self, Intersections};
 use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
-use ccd::io::{Frame, read_frame};
+use ccd::io::{Frame, MESH_EXTENSIONS, listed, read_frame};
 use ccd::{Kind, Mesh};
 use clap::Args;
 use serde::Serialize;
@@ -14,8 +14,8 @@ use std::time::Instant;
 
 #[derive(Args)]
 pub struct Check {
-    /// The mesh at the start of the step (.ply, .obj, .off, .stl, .gltf or .glb)
     #[arg(value_name = "T0")]
+    #[arg(help = format!("The mesh at the start of the step ({})", listed(&MESH_EXTENSIONS)))]
     t0: PathBuf,
     /// The same mesh at the end of the step
     #[arg(value_name = "T1")]
@@ -57,7 +57,8 @@ impl Check {
     pub fn run(&self) -> Outcome {
         self.options.check_outputs(None, self.candidates.as_deref())?;
         let file = self.options.contact_file(false)?;
-        let listed = self.candidates.as_deref().map(rows::CandidateFile::create).transpose()?;
+        let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
+        let listed = listed.transpose()?;
         let start = Instant::now();
         let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
         let mesh = mesh_of(&self.t0, &t0)?;
@@ -76,7 +77,7 @@ impl Check {
         if let Some(mut file) = file {
             let [x0, x1] = [&t0, &t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
-            file.write(0, &report.contacts, &step)?;
+            file.contacts(None, &report.contacts, &step)?;
             file.done()?;
         }
         if let Some(path) = &self.options.picture {
@@ -123,14 +124,14 @@ fn list_candidates(
     precision: Precision,
     t0: &Frame,
     t1: &Frame,
-    mut file: rows::CandidateFile,
+    mut file: rows::Rows,
 ) -> Result<(), Failure> {
     let found = match precision {
         Precision::F64 => session.candidates(&t0.positions, &t1.positions)?,
         Precision::F32 => session.candidates(&t0.positions_f32(), &t1.positions_f32())?,
     };
     for (kind, pairs) in Kind::ALL.into_iter().zip([found.vf, found.ee, found.ve, found.vv]) {
-        file.write(kind, pairs.iter())?;
+        file.pairs(kind, pairs.iter())?;
     }
     file.done()
 }
@@ -143,7 +144,7 @@ fn print(
 ) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
-    output::say!("{}", output::sentence(report, start));
+    output::say!("{}", start::sentence(report, start));
     output::line("mesh", MeshSize::from(mesh));
     if mesh.n_degenerate() > 0 {
         output::line(

@@ -7,12 +7,9 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// Refuses a path that ends otherwise than in what is written to it.
-fn check_extension(path: &Path, extension: &str) -> Result<(), Failure> {
-    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension)) {
-        return Ok(());
-    }
-    Err(in_file(path, format_args!("is written as .{extension}; a name that ends so is expected")))
+/// Whether the name of a file ends in one of these.
+pub fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    path.extension().is_some_and(|e| extensions.iter().any(|x| e.eq_ignore_ascii_case(x)))
 }
 
 /// Whether a path means standard output.
@@ -25,7 +22,10 @@ pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
     if is_stdout(path) {
         return Ok(Output { to: Box::new(io::stdout()), places: None });
     }
-    check_extension(path, extension)?;
+    if !has_extension(path, &[extension]) {
+        let what = "a name that ends so is expected";
+        return Err(in_file(path, format_args!("is written as .{extension}; {what}")));
+    }
     Output::beside(path).map_err(|e| in_file(path, e))
 }
 

@@ -2,9 +2,10 @@
 //! names; or one file of positions over time, with a mesh.
 
 use super::check::{mesh_of, same_topology};
+use super::files::has_extension;
 use super::{Failure, in_file};
 use ccd::Mesh;
-use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, read_frame};
+use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame};
 use std::path::{Path, PathBuf};
 
 /// What frames are read from.
@@ -45,11 +46,9 @@ impl Frames {
             return Err(in_file(missing, "there is no such file"));
         }
         if let Some(mesh) = mesh {
-            let formats = PointCache::EXTENSIONS.join(", .");
-            return Err(Failure(format!(
-                "--mesh {} is for one file of positions over time (.{formats})",
-                mesh.display()
-            )));
+            let formats = listed(&PointCache::EXTENSIONS);
+            let what = "is for one file of positions over time";
+            return Err(Failure(format!("--mesh {} {what} ({formats})", mesh.display())));
         }
         let (files, is_unsorted) = expand(given)?;
         Ok((Self::Files(files), is_unsorted))
@@ -132,10 +131,6 @@ fn at_least_two(n: usize) -> Result<(), Failure> {
     }
 }
 
-fn has_extension(path: &Path, extensions: &[&str]) -> bool {
-    path.extension().is_some_and(|e| extensions.iter().any(|x| e.eq_ignore_ascii_case(x)))
-}
-
 fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = std::fs::read_dir(folder).map_err(|e| in_file(folder, e))?;
     let mut found = Vec::new();
@@ -146,8 +141,8 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     if found.is_empty() {
-        let formats = MESH_EXTENSIONS.join(", .");
-        return Err(in_file(folder, format_args!("holds no mesh (.{formats})")));
+        let formats = listed(&MESH_EXTENSIONS);
+        return Err(in_file(folder, format_args!("holds no mesh ({formats})")));
     }
     Ok(found)
 }

@@ -14,11 +14,6 @@ struct Rows<'a> {
     steps: Option<[u64; 2]>,
 }
 
-/// Whether a file holds contacts, by its name.
-pub fn is_rows(path: &Path) -> bool {
-    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"))
-}
-
 /// Prints the rows of all files. Each is read twice: nothing is printed before all are known to be
 /// whole, and none is kept in memory.
 pub fn join(paths: &[PathBuf]) -> Result<(), Failure> {

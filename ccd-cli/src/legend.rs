@@ -2,18 +2,32 @@
 //! colours of times.
 
 use super::canvas::{Colour, HEIGHT, WIDTH};
-use super::letters::Pixels;
-use super::picture::colour_of;
-use super::{Failure, files, in_file, plot, toi};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder};
+use super::pixels::{Area, Failed, Pixels};
+use super::toi;
+use ccd::geometry::vec3::lerp;
 use plotters::prelude::*;
-use std::io::Write;
-use std::path::Path;
 
-/// Pixels above and below.
-pub const TOP: u32 = 62;
-pub const BOTTOM: u32 = 78;
+/// Pixels above and below the picture.
+const TOP: u32 = 62;
+const BOTTOM: u32 = 78;
+/// Of the picture with all of it around.
+pub const SIZE_ALL: (u32, u32) = (WIDTH as u32, HEIGHT as u32 + TOP + BOTTOM);
+
+/// Colours of the earliest to the latest time.
+const TIMES: [Colour; 5] = [
+    [0.10, 0.05, 0.50],
+    [0.48, 0.02, 0.64],
+    [0.80, 0.24, 0.42],
+    [0.95, 0.50, 0.22],
+    [0.98, 0.78, 0.20],
+];
+
+/// The colour of a part, 0 to 1, of the way from the earliest to the latest contact.
+pub fn colour_of(part: f64) -> Colour {
+    let at = part.clamp(0.0, 1.0) * (TIMES.len() - 1) as f64;
+    let i = (at as usize).min(TIMES.len() - 2);
+    lerp(TIMES[i], TIMES[i + 1], at - i as f64)
+}
 
 const INK: RGBColor = RGBColor(25, 28, 38);
 const MARK: RGBColor = RGBColor(204, 61, 107);
@@ -31,17 +45,13 @@ pub struct Legend<'a> {
     pub undecided: bool,
 }
 
-type Failed = Box<dyn std::error::Error>;
-
 impl Legend<'_> {
     /// The picture with all of it around: three bytes a pixel.
     pub fn frame(&self, picture: &[u8]) -> Result<Vec<u8>, Failed> {
-        let size = (WIDTH as u32, HEIGHT as u32 + TOP + BOTTOM);
-        let mut pixels = vec![255u8; (size.0 * size.1 * 3) as usize];
-        let first = (TOP * size.0 * 3) as usize;
+        let mut pixels = vec![255u8; (SIZE_ALL.0 * SIZE_ALL.1 * 3) as usize];
+        let first = (TOP * SIZE_ALL.0 * 3) as usize;
         pixels[first..first + picture.len()].copy_from_slice(picture);
-        plot::register()?;
-        let root = Pixels::of(&mut pixels, size)?.into_drawing_area();
+        let root = Pixels::of(&mut pixels, SIZE_ALL)?.into_drawing_area();
         write(&root, self.lines[0], [24, 8], SIZE + 4)?;
         write(&root, self.lines[1], [24, 34], SIZE)?;
         self.scale(&root)?;
@@ -104,8 +114,6 @@ impl Legend<'_> {
     }
 }
 
-type Area<'a> = DrawingArea<Pixels<'a>, plotters::coord::Shift>;
-
 /// A row so many pixels below the picture.
 fn bottom(y: i32) -> i32 {
     (TOP as usize + HEIGHT) as i32 + y
@@ -137,16 +145,6 @@ fn number(x: f64) -> String {
     } else {
         format!("{x:.0e}")
     }
-}
-
-/// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
-pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
-    let mut png = Vec::new();
-    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
-        .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
-        .map_err(|e| in_file(path, e))?;
-    let mut to = files::create(path, "png")?;
-    to.write_all(&png).and_then(|()| to.done()).map_err(|e| files::failed(path, e))
 }
 
 #[cfg(test)]

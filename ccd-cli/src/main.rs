@@ -16,7 +16,6 @@ mod info;
 mod interrupt;
 mod join;
 mod legend;
-mod letters;
 mod lines;
 mod manual;
 mod merge;
@@ -25,6 +24,7 @@ mod method;
 mod output;
 mod part;
 mod picture;
+mod pixels;
 mod plot;
 mod queries;
 mod rows;
@@ -180,12 +180,12 @@ struct StepOptions {
 impl StepOptions {
     /// Opens what will be written, before any work: contacts, if they are wanted. A picture that
     /// cannot be written is refused here, too.
-    fn contact_file(&self, frames: bool) -> Result<Option<rows::ContactFile<'_>>, Failure> {
+    fn contact_file(&self, frames: bool) -> Result<Option<rows::Rows<'_>>, Failure> {
         if let Some(path) = &self.picture {
             files::open(path, "png")?;
         }
         let path = self.contacts.as_deref();
-        path.map(|path| rows::ContactFile::create(path, frames)).transpose()
+        path.map(|path| rows::Rows::of_contacts(path, frames)).transpose()
     }
 
     /// Refuses outputs that lie over each other or over what is read. `json`: another option that

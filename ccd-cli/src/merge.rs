@@ -1,5 +1,6 @@
 //! `ccd merge`: the outputs of the parts of a sequence, joined; contacts in `join`.
 
+use super::files::has_extension;
 use super::lines::{LastLine, Share, Step, summarise};
 use super::output::{self, MeshSize};
 use super::part::Part;
@@ -30,8 +31,9 @@ struct Output<'a> {
 
 impl Merge {
     pub fn run(&self) -> Outcome {
-        if let Some(rows) = self.parts.iter().find(|path| join::is_rows(path)) {
-            if let Some(lines) = self.parts.iter().find(|path| !join::is_rows(path)) {
+        let is_rows = |path: &&PathBuf| has_extension(path, &["csv"]);
+        if let Some(rows) = self.parts.iter().find(is_rows) {
+            if let Some(lines) = self.parts.iter().find(|path| !is_rows(path)) {
                 let what = format!("is no CSV, {} is: they are joined apart", rows.display());
                 return Err(in_file(lines, what));
             }

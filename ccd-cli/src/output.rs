@@ -1,7 +1,6 @@
 //! What commands print: text and JSON.
 
-use super::start::Intersections;
-use super::{Failure, toi};
+use super::Failure;
 use ccd::any::Place;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
@@ -140,16 +139,6 @@ pub fn milliseconds(ms: f64) -> String {
         format!("{ms:.1} ms")
     } else {
         format!("{:.0} us", ms * 1e3)
-    }
-}
-
-/// What a step found, in one sentence for people.
-pub fn sentence(report: &Report, start: &Intersections) -> String {
-    match (report.toi, start.verb()) {
-        (None, None) => "No contact: the whole step is free.".into(),
-        (None, Some(verb)) => format!("No contact, but the first frame {verb}."),
-        (Some(0.0), _) => "There are contacts from the start of the step on.".into(),
-        (Some(time), _) => format!("First contact {} of the step.", toi::when(time)),
     }
 }
 

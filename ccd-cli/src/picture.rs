@@ -1,10 +1,10 @@
 //! A picture of a mesh with its contacts: where and when each of them is, with a scale and a
 //! legend.
 
-use super::canvas::{Canvas, Colour, HEIGHT, Shape, View, WIDTH};
-use super::legend::{self, BOTTOM, Legend, TOP};
+use super::canvas::{Canvas, Colour, Shape, View};
+use super::legend::{Legend, SIZE_ALL, colour_of};
 use super::output::thousands;
-use super::{Failure, in_file, toi};
+use super::{Failure, in_file, pixels, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
 use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
@@ -32,14 +32,6 @@ pub struct Scene<'a> {
     pub zoom: Zoom,
 }
 
-/// Colours of the earliest to the latest time.
-const TIMES: [Colour; 5] = [
-    [0.10, 0.05, 0.50],
-    [0.48, 0.02, 0.64],
-    [0.80, 0.24, 0.42],
-    [0.95, 0.50, 0.22],
-    [0.98, 0.78, 0.20],
-];
 const ROD: Colour = [0.20, 0.24, 0.32];
 const RING: Colour = [0.03, 0.03, 0.06];
 /// Radius of the ring around the earliest contact, in samples.
@@ -47,22 +39,14 @@ const RING_RADIUS: f64 = 30.0;
 /// Of at most so many contacts the features are outlined where they meet.
 const FEW: usize = 24;
 
-/// The colour of a part, 0 to 1, of the way from the earliest to the latest contact.
-pub fn colour_of(part: f64) -> Colour {
-    let at = part.clamp(0.0, 1.0) * (TIMES.len() - 1) as f64;
-    let i = (at as usize).min(TIMES.len() - 2);
-    lerp(TIMES[i], TIMES[i + 1], at - i as f64)
-}
-
 /// Writes the picture: the mesh as it is at the earliest time of impact, and a mark for each
 /// contact at its place and in the colour of its time.
 pub fn write(path: &Path, scene: &Scene) -> Result<(), Failure> {
-    let pixels = draw(scene).map_err(|e| in_file(path, e))?;
-    let size = (WIDTH as u32, HEIGHT as u32 + TOP + BOTTOM);
-    legend::save(path, size, pixels)
+    let drawn = draw(scene).map_err(|e| in_file(path, e))?;
+    pixels::save(path, SIZE_ALL, drawn)
 }
 
-fn draw(scene: &Scene) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
+fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
     let (mesh, [x0, x1]) = (scene.mesh, scene.x);
     // The latest first, so that the earlier are not covered.
     let mut marks: Vec<(&Contact, ContactGeometry)> =

@@ -1,9 +1,8 @@
 //! Line plots of numbers over frames, one above the other.
 
-use super::letters::Pixels;
-use super::{Failure, in_file, legend};
+use super::pixels::{self, Failed, Pixels};
+use super::{Failure, in_file};
 use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
 use std::path::Path;
 
 const WIDTH: u32 = 1200;
@@ -27,13 +26,7 @@ pub fn write<const N: usize>(
     let size = (WIDTH, TITLE + HEIGHT_EACH * N as u32);
     let mut pixels = vec![255u8; (size.0 * size.1 * 3) as usize];
     draw(&mut pixels, size, title, axis, series).map_err(|e| in_file(path, e))?;
-    legend::save(path, size, pixels)
-}
-
-/// Lets texts be drawn: the font travels with the program, none need be installed.
-pub fn register() -> Result<(), &'static str> {
-    register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
-        .map_err(|_| "the font cannot be read")
+    pixels::save(path, size, pixels)
 }
 
 fn draw<const N: usize>(
@@ -42,10 +35,8 @@ fn draw<const N: usize>(
     title: &str,
     (axis, first): (&str, usize),
     series: [(&str, &[f64]); N],
-) -> Result<(), Box<dyn std::error::Error>> {
-    register()?;
+) -> Result<(), Failed> {
     let root = Pixels::of(pixels, size)?.into_drawing_area();
-    root.fill(&WHITE)?;
     let (above, below) = root.split_vertically(TITLE);
     above.draw(&Text::new(title.to_string(), (16, 14), ("sans-serif", 22).into_font()))?;
     for (k, (area, (name, values))) in below.split_evenly((N, 1)).iter().zip(series).enumerate() {

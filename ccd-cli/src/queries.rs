@@ -77,11 +77,9 @@ impl Queries {
         let read_from: Vec<&Path> = self.files.iter().map(PathBuf::as_path).collect();
         let path = self.out.as_deref();
         files::check(self.json.then_some("--json"), &[("--out", path)], &read_from)?;
-        let mut out = path.map(Rows::create).transpose()?;
+        let columns = "file,query,kind,verdict,toi,answer";
+        let mut out = path.map(|path| Rows::create(path, columns)).transpose()?;
         let prints_text = !self.json && !path.is_some_and(files::is_stdout);
-        if let Some(out) = &mut out {
-            out.row(format_args!("file,query,kind,verdict,toi,answer"))?;
-        }
         let bar = output::progress(self.files.len(), "files");
         let mut files = Vec::new();
         let mut total = Counts::default();
@@ -229,28 +227,24 @@ fn print(c: &Counts, name: &str) {
 
 /// `None`: a miss by the boxes alone.
 fn decide(query: &Query, precision: Precision, d: f64) -> Option<Verdict<f64>> {
-    let round = |x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| c as f32 as f64));
-    let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| c as f32));
+    let (kind, ends) = match *query {
+        Query::VertexFace(VertexFace { t0, t1 }) => (Kind::VertexFace, [t0, t1]),
+        Query::EdgeEdge(EdgeEdge { t0, t1 }) => (Kind::EdgeEdge, [t0, t1]),
+    };
+    let narrow = ends.map(|x| x.map(|p| p.map(|c| c as f32)));
     let is_wide = precision == Precision::F64;
-    match *query {
-        Query::VertexFace(q) => {
-            let q = if is_wide { q } else { VertexFace { t0: round(&q.t0), t1: round(&q.t1) } };
-            if are_apart(&q.t0, &q.t1, 1, d) {
-                return None;
-            }
-            let single = VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) };
-            let decided = (!is_wide).then(|| widen(ccd::vertex_face(&single, round_up(d)), d));
-            Some(decided.flatten().unwrap_or_else(|| ccd::vertex_face(&q, d)))
-        }
-        Query::EdgeEdge(q) => {
-            let q = if is_wide { q } else { EdgeEdge { t0: round(&q.t0), t1: round(&q.t1) } };
-            if are_apart(&q.t0, &q.t1, 2, d) {
-                return None;
-            }
-            let single = EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) };
-            let decided = (!is_wide).then(|| widen(ccd::edge_edge(&single, round_up(d)), d));
-            Some(decided.flatten().unwrap_or_else(|| ccd::edge_edge(&q, d)))
-        }
+    let ends = if is_wide { ends } else { narrow.map(|x| x.map(|p| p.map(f64::from))) };
+    if are_apart(&ends[0], &ends[1], kind.n_first(), d) {
+        return None;
+    }
+    let decided = (!is_wide).then(|| widen(ask(kind, narrow, round_up(d)), d)).flatten();
+    Some(decided.unwrap_or_else(|| ask(kind, ends, d)))
+}
+
+fn ask<R: ccd::Real>(kind: Kind, [t0, t1]: [[[R; 3]; 4]; 2], d: R) -> Verdict<R> {
+    match kind {
+        Kind::VertexFace => ccd::vertex_face(&VertexFace { t0, t1 }, d),
+        _ => ccd::edge_edge(&EdgeEdge { t0, t1 }, d),
     }
 }
 

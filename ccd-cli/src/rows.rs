@@ -24,10 +24,18 @@ pub struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// Opens the file, or standard output for `-`.
-    pub fn create(path: &'a Path) -> Result<Self, Failure> {
+    /// Opens the file, or standard output for `-`, and writes the names of columns.
+    pub fn create(path: &'a Path, columns: &str) -> Result<Self, Failure> {
         let writer = BufWriter::with_capacity(1 << 16, files::create(path, "csv")?);
-        Ok(Self { path, writer })
+        let mut rows = Self { path, writer };
+        rows.row(format_args!("{columns}"))?;
+        rows.flush()?;
+        Ok(rows)
+    }
+
+    /// A file of contacts, of many steps with their numbers in front.
+    pub fn of_contacts(path: &'a Path, frames: bool) -> Result<Self, Failure> {
+        Self::create(path, &format!("{}{COLUMNS}", if frames { "frame," } else { "" }))
     }
 
     pub fn row(&mut self, text: std::fmt::Arguments) -> Result<(), Failure> {
@@ -44,32 +52,16 @@ impl<'a> Rows<'a> {
         let written = self.writer.into_inner().map_err(|e| e.into_error());
         written.and_then(|out| out.done()).map_err(|e| files::failed(self.path, e))
     }
-}
 
-/// Contacts, one file for one step or, with the numbers of steps, for many.
-pub struct ContactFile<'a> {
-    rows: Rows<'a>,
-    frames: bool,
-}
-
-impl<'a> ContactFile<'a> {
-    /// Opens the file and writes the names of columns.
-    pub fn create(path: &'a Path, frames: bool) -> Result<Self, Failure> {
-        let mut rows = Rows::create(path)?;
-        rows.row(format_args!("{}{COLUMNS}", if frames { "frame," } else { "" }))?;
-        rows.flush()?;
-        Ok(Self { rows, frames })
-    }
-
-    /// Appends the contacts of a step.
-    pub fn write(
+    /// Appends the contacts of a step, with its number where there are several.
+    pub fn contacts(
         &mut self,
-        frame: usize,
+        frame: Option<usize>,
         contacts: &[Contact],
         step: &Step,
     ) -> Result<(), Failure> {
+        let frame = frame.map_or(String::new(), |frame| format!("{frame},"));
         for c in contacts {
-            let frame = if self.frames { format!("{frame},") } else { String::new() };
             let polygon = match c.kind {
                 Kind::VertexFace => step.polygons.get(c.b as usize).map(u32::to_string),
                 _ => None,
@@ -80,7 +72,7 @@ impl<'a> ContactFile<'a> {
             let at = c.geometry(step.mesh, step.x0, step.x1);
             let ([px, py, pz], [nx, ny, nz]) = (at.point, at.normal);
             let [w0, w1, w2, w3] = only(n, at.weights.map(|w| format!("{w:?}")));
-            self.rows.row(format_args!(
+            self.row(format_args!(
                 "{frame}{kind},{},{},{:?},{state},{v0},{v1},{v2},{v3},{},\
                  {px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?},{w0},{w1},{w2},{w3}",
                 c.a,
@@ -89,12 +81,21 @@ impl<'a> ContactFile<'a> {
                 polygon.unwrap_or_default()
             ))?;
         }
-        self.rows.flush()
+        self.flush()
     }
 
-    /// Puts the file in its place.
-    pub fn done(self) -> Result<(), Failure> {
-        self.rows.done()
+    /// Appends pairs of one kind, kind, a, b, sorted.
+    pub fn pairs(
+        &mut self,
+        of: Kind,
+        pairs: impl Iterator<Item = ccd::Pair>,
+    ) -> Result<(), Failure> {
+        let mut pairs: Vec<(u32, u32)> = pairs.map(|pair| (pair.a, pair.b)).collect();
+        pairs.sort_unstable();
+        for (a, b) in pairs {
+            self.row(format_args!("{},{a},{b}", kind(of)))?;
+        }
+        self.flush()
     }
 }
 
@@ -111,38 +112,6 @@ fn n_vertices(kind: Kind) -> usize {
 fn only(n: usize, mut of: [String; 4]) -> [String; 4] {
     of[n..].iter_mut().for_each(String::clear);
     of
-}
-
-/// Candidates: kind, a, b, sorted so.
-pub struct CandidateFile<'a>(Rows<'a>);
-
-impl<'a> CandidateFile<'a> {
-    /// Opens the file and writes the names of columns.
-    pub fn create(path: &'a Path) -> Result<Self, Failure> {
-        let mut rows = Rows::create(path)?;
-        rows.row(format_args!("kind,a,b"))?;
-        rows.flush()?;
-        Ok(Self(rows))
-    }
-
-    /// Appends pairs of one kind, sorted.
-    pub fn write(
-        &mut self,
-        of: Kind,
-        pairs: impl Iterator<Item = ccd::Pair>,
-    ) -> Result<(), Failure> {
-        let mut pairs: Vec<(u32, u32)> = pairs.map(|pair| (pair.a, pair.b)).collect();
-        pairs.sort_unstable();
-        for (a, b) in pairs {
-            self.0.row(format_args!("{},{a},{b}", kind(of)))?;
-        }
-        self.0.flush()
-    }
-
-    /// Puts the file in its place.
-    pub fn done(self) -> Result<(), Failure> {
-        self.0.done()
-    }
 }
 
 pub fn kind(kind: Kind) -> &'static str {

@@ -8,6 +8,7 @@ use super::part::Part;
 use super::start::Intersections;
 use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
+use ccd::io::{MESH_EXTENSIONS, PointCache, listed};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -15,10 +16,10 @@ use std::time::Instant;
 
 #[derive(Args)]
 pub struct Sequence {
-    /// Frames of one mesh, two or more: files in order (.ply, .obj, .off, .stl, .gltf, .glb), or
-    /// folders and patterns, whose files are taken by name, f2 before f10; or one file of
-    /// positions over time (.npy, .npz, .pc2, .mdd) and --mesh
     #[arg(required = true, value_name = "FRAMES")]
+    #[arg(help = format!("Frames of one mesh, two or more: files in order ({}), or folders and \
+        patterns, whose files are taken by name, f2 before f10; or one file of positions over \
+        time ({}) and --mesh", listed(&MESH_EXTENSIONS), listed(&PointCache::EXTENSIONS)))]
     frames: Vec<PathBuf>,
     /// The mesh of a file of positions over time; its own positions are not used
     #[arg(long, value_name = "MESH")]
@@ -99,7 +100,7 @@ impl Sequence {
                 let [x0, x1] = [&before, &after].map(|frame| precision.round(&frame.positions));
                 let mesh = session.mesh();
                 let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &polygons };
-                file.write(i, &report.contacts, &step)?;
+                file.contacts(Some(i), &report.contacts, &step)?;
             }
             if self.json_lines {
                 bar.suspend(|| output::json(&row))?;
@@ -112,7 +113,7 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
-        file.map_or(Ok(()), rows::ContactFile::done)?;
+        file.map_or(Ok(()), rows::Rows::done)?;
         let ends = [frames.name(todo.start), frames.name(todo.end)];
         self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share, start)
     }

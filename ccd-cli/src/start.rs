@@ -1,9 +1,9 @@
 //! Whether the first frame already passes through itself, exactly: steps from there on cannot tell,
 //! for what is through stays through without a contact.
 
-use super::output;
-use ccd::State;
+use super::{output, toi};
 use ccd::any::Session;
+use ccd::{Report, State};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -66,5 +66,15 @@ impl Intersections {
         let ([a, b], [c, d, e]) = (edge, face);
         output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));
         output::line("", "a step without contacts keeps it so: they cross at its end as well");
+    }
+}
+
+/// What a step found, in one sentence for people.
+pub fn sentence(report: &Report, start: &Intersections) -> String {
+    match (report.toi, start.verb()) {
+        (None, None) => "No contact: the whole step is free.".into(),
+        (None, Some(verb)) => format!("No contact, but the first frame {verb}."),
+        (Some(0.0), _) => "There are contacts from the start of the step on.".into(),
+        (Some(time), _) => format!("First contact {} of the step.", toi::when(time)),
     }
 }

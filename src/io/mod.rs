@@ -18,8 +18,41 @@ pub use queries::{Queries, Query, read_queries, read_queries_of};
 use crate::Mesh;
 use std::path::{Path, PathBuf};
 
+type Reader = fn(&Path) -> Result<Frame, ReadErrorKind>;
+
+/// Ends of names, and what reads such files.
+const READERS: [(&str, Reader); 6] = [
+    ("ply", ply::read),
+    ("obj", obj::read),
+    ("off", off::read),
+    ("stl", stl::read),
+    ("gltf", gltf::read),
+    ("glb", gltf::read),
+];
+
 /// Ends of the names of files that [`read_frame`] reads.
-pub const MESH_EXTENSIONS: [&str; 6] = ["ply", "obj", "off", "stl", "gltf", "glb"];
+pub const MESH_EXTENSIONS: [&str; READERS.len()] = {
+    let mut all = [""; READERS.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = READERS[i].0;
+        i += 1;
+    }
+    all
+};
+
+/// Ends of names as a text lists them: `.ply, .obj or .glb`.
+///
+/// ```
+/// assert_eq!(ccd::io::listed(&["npy", "npz", "mdd"]), ".npy, .npz or .mdd");
+/// ```
+pub fn listed(extensions: &[&str]) -> String {
+    let all: Vec<String> = extensions.iter().map(|end| format!(".{end}")).collect();
+    match all.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => all.concat(),
+    }
+}
 
 /// One frame of a mesh as a file holds it.
 ///
@@ -123,10 +156,10 @@ pub enum ReadErrorKind {
     #[error("{0}")]
     Io(#[from] std::io::Error),
     /// Its name ends in nothing that is read.
-    #[error("unknown kind of file; expected {expected}")]
+    #[error("unknown kind of file; expected {}", listed(expected))]
     Extension {
-        /// What it may end in.
-        expected: &'static str,
+        /// What it may end in, without the dot.
+        expected: &'static [&'static str],
     },
     /// A line cannot be understood.
     #[error("line {line}: {what}")]
@@ -179,13 +212,10 @@ pub enum ReadErrorKind {
 /// What cannot be understood is refused with its line or element, as is a coordinate that is not
 /// finite or beyond [`crate::Error::MAX_COORDINATE`], or a face of a vertex that is not there.
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
-    let frame = match extension(path).as_deref() {
-        Some("ply") => ply::read(path),
-        Some("obj") => obj::read(path),
-        Some("off") => off::read(path),
-        Some("stl") => stl::read(path),
-        Some("gltf" | "glb") => gltf::read(path),
-        _ => Err(ReadErrorKind::Extension { expected: ".ply, .obj, .off, .stl, .gltf or .glb" }),
+    let end = extension(path).unwrap_or_default();
+    let frame = match READERS.iter().find(|reader| reader.0 == end) {
+        Some((_, read)) => read(path),
+        None => Err(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS }),
     };
     let checked = frame.and_then(|frame| frame.check().map(|()| frame));
     checked.map_err(|kind| ReadError { path: path.to_owned(), kind })

@@ -125,7 +125,7 @@ fn open(path: &Path) -> Result<PointCache, ReadErrorKind> {
             let header = npy::Header { start, n_frames, n_vertices, wide: false, big_endian: true };
             of_array(path, Box::new(file), length, header)
         }
-        _ => Err(ReadErrorKind::Extension { expected: ".npy, .npz, .pc2 or .mdd" }),
+        _ => Err(ReadErrorKind::Extension { expected: &PointCache::EXTENSIONS }),
     }
 }
 

@@ -12,6 +12,7 @@
 //! Works on `ccd-gpu/shaders/*.spv`, so that what is tested is what is shipped, and no nightly is
 //! needed. No control flow is added: barriers stay where they are.
 
+use crate::instructions::{instructions, opcode as op, words};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -59,11 +60,8 @@ pub fn run(root: &Path) -> Result<(), String> {
         if path.extension().is_some_and(|e| e == "spv") {
             let name = path.file_name().unwrap_or_default();
             let bytes = std::fs::read(&path).map_err(|e| e.to_string())?;
-            let words: Vec<u32> = bytes
-                .chunks_exact(4)
-                .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
-                .collect();
-            let (module, n) = checked(&words).map_err(|e| format!("{}: {e}", name.display()))?;
+            let (module, n) =
+                checked(&words(&bytes)).map_err(|e| format!("{}: {e}", name.display()))?;
             let bytes: Vec<u8> = module.iter().flat_map(|w| w.to_le_bytes()).collect();
             std::fs::write(out.join(name), bytes).map_err(|e| e.to_string())?;
             (kernels, checks) = (kernels + 1, checks + n);
@@ -71,20 +69,6 @@ pub fn run(root: &Path) -> Result<(), String> {
     }
     println!("{kernels} kernels with {checks} checks of indices in {OUT}");
     Ok(())
-}
-
-fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
-    let mut rest = &words[5..];
-    std::iter::from_fn(move || {
-        let n = (*rest.first()? >> 16) as usize;
-        let (one, others) = rest.split_at(n.max(1));
-        rest = others;
-        Some(one)
-    })
-}
-
-fn op(instruction: &[u32]) -> u32 {
-    instruction[0] & 0xffff
 }
 
 /// Instructions in the making.

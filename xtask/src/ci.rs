@@ -1,17 +1,13 @@
 //! The checks that a change must pass, in the order of what fails fastest.
 
-use crate::optional::{has_target, skipped};
+use crate::programs::{TIMES, command, command_with, has_target, skipped};
 use std::path::Path;
-use std::process::Command;
-use std::sync::Mutex;
-use std::time::Instant;
 
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
 /// What this crate is built with for one task each, and by default without: clippy sees all of it.
-const XTASK_FEATURES: [&str; 7] =
-    ["report", "gpu-report", "algorithms", "attack", "shaders", "loom", "soak"];
+const XTASK_FEATURES: [&str; 5] = ["report", "attack", "shaders", "loom", "soak"];
 
 /// Runs the gate, or `whole`: that without what it leaves out, and with the searches that take long.
 /// Prints at the end how long each command took.
@@ -66,6 +62,13 @@ fn long(root: &Path) -> Result<(), String> {
             command(root, &attack)?;
         }
     }
+    command(root, &["cargo", "xtask", "loom", "--whole"])?;
+    let benches = ["--release", "-p", "ccd-benches", "--features", "criterion"];
+    let clippy = [&["cargo", "clippy", "--all-targets"][..], &benches, &["--", "-D", "warnings"]];
+    command(root, &clippy.concat())?;
+    // Each benchmark once: its answer.
+    let bench = ["cargo", "bench", "-p", "ccd-benches", "--features", "criterion", "--", "--test"];
+    command(root, &bench)?;
     command(root, &["cargo", "xtask", "mutants"])
 }
 
@@ -96,32 +99,6 @@ fn readme_test_command(root: &Path) -> Result<String, String> {
         .ok_or_else(|| "README.md has no line that begins with `cargo test`".into())
 }
 
-/// Runs a command in `root`, showing it; an error if it fails.
-pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
-    command_with(root, words, &[])
-}
-
-/// Commands that ran, and their seconds.
-static TIMES: Mutex<Vec<(String, f64)>> = Mutex::new(Vec::new());
-
-pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
-    let shown = words.join(" ");
-    println!("$ {shown}");
-    let begun = Instant::now();
-    let status = Command::new(words[0])
-        .args(&words[1..])
-        .envs(env.iter().copied())
-        .current_dir(root)
-        .status();
-    let seconds = begun.elapsed().as_secs_f64();
-    TIMES.lock().map_err(|e| e.to_string())?.push((shown.clone(), seconds));
-    match status {
-        Ok(s) if s.success() => Ok(()),
-        Ok(s) => Err(format!("`{shown}` failed: {s}")),
-        Err(e) => Err(format!("`{shown}`: {e}")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,7 +109,7 @@ mod tests {
         let (_, rest) = manifest.split_once("[features]\n").expect("features");
         let (features, _) = rest.split_once("\n[").expect("what follows");
         let named: Vec<&str> =
-            features.lines().filter_map(|line| Some(line.split_once(" = ")?.0)).collect();
+            features.lines().filter_map(|line| Some(line.split_once(" = [")?.0)).collect();
         assert_eq!(named, XTASK_FEATURES);
     }
 }

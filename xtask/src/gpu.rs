@@ -2,17 +2,14 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
+use crate::measure::{median, timed, warm};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::{BroadPhaseMethod, Mesh};
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
-/// Work before a measurement: a device that was idle needs about this long to reach its clock
-/// again.
-const WARM_UP: Duration = Duration::from_millis(300);
 /// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other
 /// devices do not follow from it.
 const COPY: f64 = 4.3e12;
@@ -104,11 +101,6 @@ fn error(e: ccd::gpu::Error) -> String {
     e.to_string()
 }
 
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
-}
-
 /// Medians of what was measured.
 struct Measured {
     /// All kernels together, by the device.
@@ -119,40 +111,43 @@ struct Measured {
     stages: Vec<(String, f64)>,
 }
 
-/// Runs for `runs` times and at least as long as a device needs to reach its clock.
-fn repeat<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
-    let start = Instant::now();
-    while start.elapsed() < WARM_UP {
-        run()?;
-    }
-    (0..runs).map(|_| run()).collect()
-}
-
 /// Measures in three ways, one after the other. `run` sets the timing it is told, works, and
 /// returns the stages.
 fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> Result<Measured, E> {
     run(Timing::Off)?;
-    let mut wall = repeat(runs, || -> Result<f64, E> {
-        let start = Instant::now();
-        run(Timing::Off)?;
-        Ok(start.elapsed().as_secs_f64() * 1e3)
+    let wall = warm(runs, || {
+        let (ms, done) = timed(|| run(Timing::Off));
+        done.map(|_| ms)
     })?;
-    let mut device =
-        repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
-    let mut timed = repeat(runs, || run(Timing::Stages))?;
+    let device =
+        warm(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
+    let mut stages_of = warm(runs, || run(Timing::Stages))?;
     // Now and then a call goes another way (the earliest time tries a sample again): the way that
     // most went.
-    let usual = |n: usize| timed.iter().filter(|s| s.len() == n).count();
-    let n_stages = timed.iter().map(Vec::len).max_by_key(|&n| usual(n)).unwrap_or(0);
-    timed.retain(|s| s.len() == n_stages);
+    let usual = |n: usize| stages_of.iter().filter(|s| s.len() == n).count();
+    let n_stages = stages_of.iter().map(Vec::len).max_by_key(|&n| usual(n)).unwrap_or(0);
+    stages_of.retain(|s| s.len() == n_stages);
     let mut stages: Vec<(String, f64)> = Vec::new();
     for i in 0..n_stages {
-        let name = timed[0][i].0;
-        let again = timed[0][..i].iter().filter(|s| s.0 == name).count();
+        let name = stages_of[0][i].0;
+        let again = stages_of[0][..i].iter().filter(|s| s.0 == name).count();
         let name = if again == 0 { name.to_string() } else { format!("{name} {}", again + 1) };
-        stages.push((name, median(&mut timed.iter().map(|s| s[i].1).collect::<Vec<_>>())));
+        stages.push((name, median(stages_of.iter().map(|s| s[i].1))));
     }
-    Ok(Measured { device: median(&mut device), wall: median(&mut wall), stages })
+    Ok(Measured { device: median(device), wall: median(wall), stages })
+}
+
+/// The same of a call of a session.
+fn of_session(
+    session: &mut Session,
+    runs: usize,
+    call: impl Fn(&mut Session) -> Result<(), ccd::gpu::Error>,
+) -> Result<Measured, ccd::gpu::Error> {
+    sample(runs, |timing| {
+        session.set_timing(timing)?;
+        call(session)?;
+        Ok(session.stages().to_vec())
+    })
 }
 
 /// One item of a list: it is too long for a row of a table. `bytes`: those that must move; `peer`:
@@ -194,11 +189,7 @@ fn measure_scene(
     measure_sources(device, &mesh, [x0, x1], want.candidates, runs, text)?;
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
     let peer = PEERS.iter().find(|p| p.scene == scene.name);
-    let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-        session.set_timing(timing)?;
-        session.candidates_on_device(x0, x1)?;
-        Ok(session.stages().to_vec())
-    })?;
+    let measured = of_session(&mut session, runs, |s| s.candidates_on_device(x0, x1).map(|_| ()))?;
     assert_eq!(session.report().candidates, want.candidates, "candidates of {}", scene.name);
     let c = want.candidates;
     let note = format!("{} vertex-face, {} edge-edge", c.vf, c.ee);
@@ -210,17 +201,9 @@ fn measure_scene(
         peer.map_or("", |p| p.candidates),
         &note,
     );
-    let steps = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-        session.set_timing(timing)?;
-        session.step(x0, x1)?;
-        Ok(session.stages().to_vec())
-    })?;
+    let steps = of_session(&mut session, runs, |s| s.step(x0, x1).map(|_| ()))?;
     let report = session.report().clone();
-    let earliest = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-        session.set_timing(timing)?;
-        session.earliest_toi(x0, x1)?;
-        Ok(session.stages().to_vec())
-    })?;
+    let earliest = of_session(&mut session, runs, |s| s.earliest_toi(x0, x1).map(|_| ()))?;
     assert_eq!(report.n_contacts(), want.n_contacts(), "contacts of {}", scene.name);
     let (f, n) = (report.filtered, report.n_contacts());
     let note = format!(
@@ -266,11 +249,8 @@ fn measure_sources(
     ] {
         let options = ccd::Options::default().with_broad_phase(broad_phase);
         let mut session = Session::new(device, mesh.clone(), options)?;
-        let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-            session.set_timing(timing)?;
-            session.candidates_on_device(x0, x1)?;
-            Ok(session.stages().to_vec())
-        });
+        let measured =
+            of_session(&mut session, runs, |s| s.candidates_on_device(x0, x1).map(|_| ()));
         match measured {
             Ok(measured) => {
                 assert_eq!(session.report().candidates, want, "candidates by {name}");
@@ -298,12 +278,11 @@ fn measure_narrow(
     let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
-    let mut wall = repeat(runs, || -> Result<f64, ccd::gpu::Error> {
-        let start = Instant::now();
-        session.step(&t0.positions, &t1.positions)?;
-        Ok(start.elapsed().as_secs_f64() * 1e3)
+    let wall = warm(runs, || {
+        let (ms, done) = timed(|| session.step(&t0.positions, &t1.positions).map(|_| ()));
+        done.map(|()| ms)
     })?;
-    let wall = median(&mut wall);
+    let wall = median(wall);
     let (report, open) = (session.report(), session.left_open());
     let (c, f, n) = (report.candidates, report.filtered, report.n_contacts());
     let _ = writeln!(
@@ -368,11 +347,10 @@ fn measure_sort(device: &Device, runs: usize, text: &mut String) -> Result<(), c
             sorted.is_sorted() && order.iter().zip(&sorted).all(|(&i, &k)| keys[i as usize] == k),
             "not sorted"
         );
-        let kernels = repeat(runs, || sorter.again())?;
+        let kernels = warm(runs, || sorter.again())?;
         let names: Vec<&str> = kernels[0].iter().map(|s| s.0).collect();
-        let stages: Vec<(&str, f64)> = (0..names.len())
-            .map(|i| (names[i], median(&mut kernels.iter().map(|k| k[i].1).collect::<Vec<_>>())))
-            .collect();
+        let stages: Vec<(&str, f64)> =
+            (0..names.len()).map(|i| (names[i], median(kernels.iter().map(|k| k[i].1)))).collect();
         let total: f64 = stages.iter().map(|s| s.1).sum();
         let of =
             |name: &str| stages.iter().filter(|s| s.0.starts_with(name)).map(|s| s.1).sum::<f64>();

@@ -1,25 +1,32 @@
 //! `cargo xtask`: what the project does to itself.
 #![deny(unsafe_code)]
 
-#[cfg(feature = "algorithms")]
+#[cfg(feature = "report")]
 mod algorithms;
 #[cfg(feature = "attack")]
 mod attack;
 mod checked;
 mod ci;
+mod circles;
 mod compile_times;
-#[cfg(feature = "gpu-report")]
+#[cfg(feature = "report")]
 mod gpu;
+#[path = "../../ccd-shaders/builder/src/instructions.rs"]
+mod instructions;
 #[cfg(feature = "loom")]
 mod interleavings;
-#[cfg(any(feature = "report", feature = "gpu-report", test))]
+#[cfg(any(feature = "report", test))]
 mod markdown;
+#[cfg(feature = "report")]
+mod measure;
 mod mutants;
-mod optional;
+#[cfg(feature = "report")]
+mod plot;
+mod programs;
 mod python;
 #[cfg(feature = "report")]
 mod report;
-#[cfg(feature = "algorithms")]
+#[cfg(feature = "report")]
 mod schedulers;
 mod shaders;
 #[cfg(feature = "soak")]
@@ -36,6 +43,7 @@ use std::process::ExitCode;
 
 /// Tasks of the project.
 #[derive(Parser)]
+#[allow(dead_code, reason = "what a task is told is read where its feature is built in")]
 #[command(name = "cargo xtask")]
 enum Task {
     /// Everything that must pass: formatting, lints, no_std, tests, docs, tidy
@@ -51,12 +59,15 @@ enum Task {
         /// Only those whose name contains one of these
         names: Vec<String>,
     },
-    /// Model checks of the deques that workers steal from: all interleavings, within bounds that
+    /// Model checks of the deques that workers steal from: interleavings, within bounds that
     /// docs/SCHEDULING.md states; the printed algorithms must be refuted
     Loom {
         /// Only models whose name contains this
         #[arg(default_value = "")]
         name: String,
+        /// Within the bounds of docs/SCHEDULING.md, which takes minutes, instead of two preemptions
+        #[arg(long)]
+        whole: bool,
         /// Run this one in this process
         #[arg(long, hide = true)]
         here: bool,
@@ -133,7 +144,6 @@ enum Task {
 
 /// What is searched, where, and for how long.
 #[derive(Clone, Debug, clap::Args)]
-#[cfg_attr(not(feature = "attack"), allow(dead_code, reason = "read where it is built"))]
 struct AttackOptions {
     /// How long, all kinds together
     #[arg(long, default_value_t = 10.0)]
@@ -148,9 +158,9 @@ struct AttackOptions {
     /// What cases are made of
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// This case alone, as a find names it
-    #[arg(long, requires = "kind")]
-    case: Option<u64>,
+    /// This case alone: a file that a find was written to, or with --kind its number
+    #[arg(long, value_name = "FILE|NUMBER")]
+    case: Option<String>,
     /// The folder for what is found
     #[arg(long, default_value = "target/attack")]
     out: std::path::PathBuf,
@@ -195,21 +205,6 @@ struct SchedulersOptions {
     folder: std::path::PathBuf,
 }
 
-impl SchedulersOptions {
-    /// As they are written on a command line.
-    #[cfg(not(feature = "algorithms"))]
-    fn args(&self) -> Vec<String> {
-        let mut args: Vec<String> =
-            self.threads.iter().map(|threads| format!("--threads={threads}")).collect();
-        args.extend(self.scenes.iter().map(|scene| format!("--scenes={scene}")));
-        let flags =
-            [(self.quick, "--quick"), (self.no_rules, "--no-rules"), (self.no_gpu, "--no-gpu")];
-        args.extend(flags.into_iter().filter(|flag| flag.0).map(|flag| flag.1.to_owned()));
-        args.push(format!("--folder={}", self.folder.display()));
-        args
-    }
-}
-
 /// What the report of the GPU measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Part {
@@ -221,39 +216,12 @@ enum Part {
     Sort,
 }
 
-impl std::fmt::Display for Part {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Scenes => "scenes",
-            Self::Boxes => "boxes",
-            Self::Sort => "sort",
-        })
-    }
-}
-
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
-    let result = match Task::parse() {
-        Task::Ci { whole } => ci::run(root, whole),
-        Task::Tidy => tidy::run(root),
-        Task::Mutants { names } => mutants::run(root, &names),
-        Task::Loom { name, here } => loom_task(root, &name, here),
-        Task::Attack(options) => attack_task(root, &options),
-        Task::Shaders { checked: true, .. } => checked::run(root),
-        Task::Shaders { check, .. } => shaders_task(root, check),
-        Task::Tint => tint::run(root),
-        Task::Wasm => wasm::run(root),
-        Task::Python { wheel } => python::run(root, wheel),
-        Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),
-        Task::Report { schedulers: true, of_schedulers, .. } => {
-            schedulers_task(root, &of_schedulers)
-        }
-        Task::Report { runs, gpu: true, out, only, .. } => {
-            gpu_task(root, runs, &root.join(out), &only)
-        }
-        Task::Report { runs, .. } => report_task(root, runs),
-        Task::CompileTimes { only } => compile_times::run(root, only),
-        Task::Soak { minutes, backend } => soak_task(root, minutes, &backend),
+    let task = Task::parse();
+    let result = match feature_of(&task) {
+        Some((feature, false)) => again_with(root, feature, &task),
+        _ => run(root, task),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -264,134 +232,63 @@ fn main() -> ExitCode {
     }
 }
 
-#[cfg(feature = "report")]
-fn report_task(root: &Path, runs: usize) -> Result<(), String> {
-    report::run(root, runs)
+/// The feature that a task needs, and whether this program is built with it.
+fn feature_of(task: &Task) -> Option<(&'static str, bool)> {
+    Some(match task {
+        Task::Loom { .. } => ("loom", cfg!(feature = "loom")),
+        Task::Attack(_) => ("attack", cfg!(feature = "attack")),
+        Task::Shaders { checked: false, .. } => ("shaders", cfg!(feature = "shaders")),
+        Task::Report { .. } => ("report", cfg!(feature = "report")),
+        Task::Soak { .. } => ("soak", cfg!(feature = "soak")),
+        _ => return None,
+    })
 }
 
-/// Without the libraries to compare with: builds itself again with them.
-#[cfg(not(feature = "report"))]
-fn report_task(root: &Path, runs: usize) -> Result<(), String> {
-    let runs = runs.to_string();
-    ci::command(
-        root,
-        &[
-            "cargo",
-            "run",
-            "--release",
-            "-p",
-            "xtask",
-            "--features",
-            "report",
-            "--",
-            "report",
-            "--runs",
-            &runs,
-        ],
-    )
-}
-
-#[cfg(feature = "algorithms")]
-fn algorithms_task(root: &Path, runs: usize) -> Result<(), String> {
-    algorithms::run(root, runs)
-}
-
-/// Without what it measures: builds itself again with it.
-#[cfg(not(feature = "algorithms"))]
-fn algorithms_task(root: &Path, runs: usize) -> Result<(), String> {
-    let runs = runs.to_string();
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "algorithms", "--"];
-    ci::command(root, &[&build[..], &["report", "--algorithms", "--runs", &runs]].concat())
-}
-
-#[cfg(feature = "algorithms")]
-fn schedulers_task(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
-    schedulers::run(root, options)
-}
-
-/// Without what it measures: builds itself again with it.
-#[cfg(not(feature = "algorithms"))]
-fn schedulers_task(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
-    let args = options.args();
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "algorithms", "--"];
-    let args: Vec<&str> = args.iter().map(String::as_str).collect();
-    ci::command(root, &[&build[..], &["report", "--schedulers"], &args].concat())
-}
-
-#[cfg(feature = "gpu-report")]
-fn gpu_task(_root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
-    gpu::run(runs, out, only)
-}
-
-/// Without what it measures: builds itself again with it.
-#[cfg(not(feature = "gpu-report"))]
-fn gpu_task(root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
-    let (runs, out) = (runs.to_string(), out.to_string_lossy());
-    let only: Vec<String> = only.iter().map(|part| format!("--only={part}")).collect();
-    let mut args = vec!["report", "--gpu", "--runs", &runs, "--out", &out];
-    args.extend(only.iter().map(String::as_str));
-    ci::command(
-        root,
-        &[
-            &["cargo", "run", "--release", "-p", "xtask", "--features", "gpu-report", "--"],
-            &args[..],
-        ]
-        .concat(),
-    )
-}
-
-#[cfg(feature = "attack")]
-fn attack_task(_root: &Path, options: &AttackOptions) -> Result<(), String> {
-    attack::run(options)
-}
-
-/// Without what it attacks: builds itself again with it.
-#[cfg(not(feature = "attack"))]
-fn attack_task(root: &Path, _options: &AttackOptions) -> Result<(), String> {
-    let args: Vec<String> = std::env::args().skip(1).collect();
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "attack", "--"];
-    ci::command(root, &build.into_iter().chain(args.iter().map(String::as_str)).collect::<Vec<_>>())
-}
-
-#[cfg(feature = "shaders")]
-fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
-    shaders::run(root, check)
-}
-
-/// Without the translator: builds itself again with it, if there is anything to do.
-#[cfg(not(feature = "shaders"))]
-fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
-    if let (true, Some(no_nightly)) = (check, shaders::missing(root)?) {
-        optional::skipped(&no_nightly);
+/// Builds this program again with a feature, and runs the same task by that.
+fn again_with(root: &Path, feature: &str, task: &Task) -> Result<(), String> {
+    if let (Task::Shaders { check: true, .. }, Some(no_nightly)) = (task, shaders::missing(root)?) {
+        programs::skipped(&no_nightly);
         return tint::run(root);
     }
-    let mut args =
-        vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
-    args.extend(check.then_some("--check"));
-    ci::command(root, &args)
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", feature, "--"];
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    programs::command(
+        root,
+        &build.into_iter().chain(args.iter().map(String::as_str)).collect::<Vec<_>>(),
+    )
 }
 
-#[cfg(feature = "loom")]
-fn loom_task(_root: &Path, name: &str, here: bool) -> Result<(), String> {
-    if here { interleavings::here(name) } else { interleavings::run(name) }
-}
-
-/// Without the model checker: builds itself again with it.
-#[cfg(not(feature = "loom"))]
-fn loom_task(root: &Path, name: &str, _here: bool) -> Result<(), String> {
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "loom", "--", "loom"];
-    ci::command(root, &[&build[..], &[name]].concat())
-}
-
-#[cfg(feature = "soak")]
-fn soak_task(_root: &Path, minutes: f64, backend: &str) -> Result<(), String> {
-    soak::run(minutes, backend)
-}
-
-/// Without what it runs: builds itself again with it.
-#[cfg(not(feature = "soak"))]
-fn soak_task(root: &Path, minutes: f64, backend: &str) -> Result<(), String> {
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "soak", "--", "soak"];
-    let minutes = minutes.to_string();
-    ci::command(root, &[&build[..], &["--minutes", &minutes, "--backend", backend]].concat())
+fn run(root: &Path, task: Task) -> Result<(), String> {
+    match task {
+        Task::Ci { whole } => ci::run(root, whole),
+        Task::Tidy => tidy::run(root),
+        Task::Mutants { names } => mutants::run(root, &names),
+        #[cfg(feature = "loom")]
+        Task::Loom { name, here: true, whole } => interleavings::here(&name, whole),
+        #[cfg(feature = "loom")]
+        Task::Loom { name, whole, .. } => interleavings::run(&name, whole),
+        #[cfg(feature = "attack")]
+        Task::Attack(options) => attack::run(root, &options),
+        Task::Shaders { checked: true, .. } => checked::run(root),
+        #[cfg(feature = "shaders")]
+        Task::Shaders { check, .. } => shaders::run(root, check),
+        Task::Tint => tint::run(root),
+        Task::Wasm => wasm::run(root),
+        Task::Python { wheel } => python::run(root, wheel),
+        #[cfg(feature = "report")]
+        Task::Report { runs, algorithms: true, .. } => algorithms::run(root, runs),
+        #[cfg(feature = "report")]
+        Task::Report { schedulers: true, of_schedulers, .. } => {
+            schedulers::run(root, &of_schedulers)
+        }
+        #[cfg(feature = "report")]
+        Task::Report { runs, gpu: true, out, only, .. } => gpu::run(runs, &root.join(out), &only),
+        #[cfg(feature = "report")]
+        Task::Report { runs, .. } => report::run(root, runs),
+        Task::CompileTimes { only } => compile_times::run(root, only),
+        #[cfg(feature = "soak")]
+        Task::Soak { minutes, backend } => soak::run(minutes, &backend),
+        #[allow(unreachable_patterns, reason = "with all features there is none")]
+        _ => Err("the feature of this task is missing".into()),
+    }
 }

@@ -1,6 +1,7 @@
-//! Reports as Markdown: paragraphs wrapped at the width that `tidy` allows.
+//! Reports as Markdown: tables, and paragraphs wrapped at the width that `tidy` allows.
 
 use crate::tidy::MAX_COLUMNS_MARKDOWN;
+use std::path::Path;
 
 /// Wraps every line that is neither a row of a table nor a heading; no word is divided.
 pub fn wrap(text: &str) -> String {
@@ -37,6 +38,56 @@ fn wrap_line(line: &str, out: &mut String) {
     }
 }
 
+/// A table: the names of its columns, then rows.
+pub struct Table(String);
+
+impl Table {
+    pub fn new<S: AsRef<str>>(columns: impl IntoIterator<Item = S>) -> Self {
+        let mut table = Self(String::new());
+        table.row(columns);
+        let n = table.0.matches('|').count() - 1;
+        table.0 += &format!("|{}\n", "---|".repeat(n));
+        table
+    }
+
+    /// Appends a row.
+    pub fn row<S: AsRef<str>>(&mut self, cells: impl IntoIterator<Item = S>) {
+        self.0.push('|');
+        cells.into_iter().for_each(|cell| self.0 += &format!(" {} |", cell.as_ref()));
+        self.0.push('\n');
+    }
+}
+
+impl std::fmt::Display for Table {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// The text with another table between the comments `<!-- name -->` and `<!-- end -->`.
+pub fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
+    let begin = format!("<!-- {name} -->\n");
+    let (head, rest) = text.split_once(&begin).ok_or(format!("no place for `{name}`"))?;
+    let (_, tail) = rest.split_once("<!-- end -->").ok_or(format!("`{name}` has no end"))?;
+    Ok(format!("{head}{begin}\n{}\n<!-- end -->{tail}", table.trim()))
+}
+
+/// Writes a file of docs whose tables are made anew and whose text stays as it is.
+pub fn rewrite(path: &Path, tables: &[(&str, String)]) -> Result<(), String> {
+    let failed = |e: std::io::Error| format!("{}: {e}", path.display());
+    let text = std::fs::read_to_string(path).map_err(failed)?;
+    let text = tables.iter().try_fold(text, |text, (name, table)| replaced(&text, name, table))?;
+    std::fs::write(path, text).map_err(failed)?;
+    println!("written {}", path.display());
+    Ok(())
+}
+
+/// Three significant digits.
+pub fn digits(x: f64) -> String {
+    let places = (2 - x.abs().max(1e-9).log10().floor() as i32).clamp(0, 4) as usize;
+    format!("{x:.places$}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -55,5 +106,16 @@ mod tests {
         assert_eq!(wrap("   a  b"), "   a  b\n");
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(squeezed(&wrapped), squeezed(&text));
+    }
+
+    #[test]
+    fn tables_stand_between_their_comments() {
+        let mut table = Table::new(["a", "b"]);
+        table.row([digits(12.345), digits(0.0)]);
+        assert_eq!(table.to_string(), "| a | b |\n|---|---|\n| 12.3 | 0.0000 |\n");
+        let text = "x\n<!-- t -->\nold\n<!-- end -->\ny\n";
+        let new = replaced(text, "t", "new\n").unwrap();
+        assert_eq!(new, "x\n<!-- t -->\n\nnew\n<!-- end -->\ny\n");
+        assert!(replaced(text, "u", "").is_err() && replaced("<!-- t -->\n", "t", "").is_err());
     }
 }

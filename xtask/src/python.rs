@@ -6,9 +6,7 @@
 //! wheel with maturin instead, which compiles much again. Packages are the versions of
 //! `ccd-python/requirements.txt`.
 
-use crate::ci::{command, command_with};
-use crate::optional::{output, skipped};
-use crate::wasm::target_folder;
+use crate::programs::{command, command_with, output, skipped, target_folder};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

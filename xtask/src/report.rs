@@ -1,6 +1,8 @@
 //! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written
 //! to `benches/RESULTS.md`.
 
+use crate::markdown::{Table, wrap};
+use crate::measure::{median, timed};
 use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
 use ccd_testkit::data::{Scene, data_dir};
@@ -8,7 +10,6 @@ use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
 
 const SCENES: [&str; 3] = ["cloth-ball", "rod-twist", "cloth-funnel"];
 const THREADS: [usize; 2] = [1, 2];
@@ -38,8 +39,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     }
     kernels(root, &mut out)?;
     let path = root.join("benches/RESULTS.md");
-    std::fs::write(&path, crate::markdown::wrap(&out))
-        .map_err(|e| format!("{}: {e}", path.display()))?;
+    std::fs::write(&path, wrap(&out)).map_err(|e| format!("{}: {e}", path.display()))?;
     println!("written {}", path.display());
     Ok(())
 }
@@ -51,17 +51,15 @@ struct Input {
 }
 
 /// Median of `runs` times of `f` in milliseconds, and what it returned last.
-fn median<T>(runs: usize, mut f: impl FnMut() -> T) -> (f64, T) {
-    let mut times = Vec::new();
-    loop {
-        let start = Instant::now();
-        let result = f();
-        times.push(start.elapsed().as_secs_f64() * 1e3);
-        if times.len() >= runs {
-            times.sort_unstable_by(f64::total_cmp);
-            return (times[times.len() / 2], result);
-        }
+fn medians<T>(runs: usize, mut f: impl FnMut() -> T) -> (f64, T) {
+    let (first, mut last) = timed(&mut f);
+    let mut times = vec![first];
+    while times.len() < runs {
+        let (ms, result) = timed(&mut f);
+        times.push(ms);
+        last = result;
     }
+    (median(times), last)
 }
 
 /// Our times in milliseconds; `fresh` pays for every buffer anew, as the other libraries do.
@@ -91,15 +89,15 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
     let count = |session: &mut Session| {
         session.candidates(x0, x1).map_or([0; 2], |c| [c.vf.len(), c.ee.len()])
     };
-    let (candidates_fresh, _) = median(runs, || session().map(|mut s| count(&mut s)));
+    let (candidates_fresh, _) = medians(runs, || session().map(|mut s| count(&mut s)));
     let mut kept = session()?;
     count(&mut kept);
-    let (candidates_kept, n_candidates) = median(runs, || count(&mut kept));
+    let (candidates_kept, n_candidates) = medians(runs, || count(&mut kept));
     let mut broad = new()?;
-    let (edges, _) = median(runs, || new().map(|mut b| b.self_pairs(&e).map_or(0, |p| p.len())));
-    let (faces, _) = median(runs, || new().map(|mut b| b.self_pairs(&f).map_or(0, |p| p.len())));
+    let (edges, _) = medians(runs, || new().map(|mut b| b.self_pairs(&e).map_or(0, |p| p.len())));
+    let (faces, _) = medians(runs, || new().map(|mut b| b.self_pairs(&f).map_or(0, |p| p.len())));
     let (vertices_faces, _) =
-        median(runs, || new().map(|mut b| b.pairs(&v, &f).map_or(0, |p| p.len())));
+        medians(runs, || new().map(|mut b| b.pairs(&v, &f).map_or(0, |p| p.len())));
     let digest = |r: Result<ccd::Pairs, ccd::Error>| {
         r.map(|p| Digest::of(0, p.iter())).map_err(|e| e.to_string())
     };
@@ -108,14 +106,14 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
         digest(broad.self_pairs(&f))?,
         digest(broad.pairs(&v, &f))?,
     ];
-    let (toi_fresh, _) = median(runs, || session().map(|mut s| s.earliest_toi(x0, x1).ok()));
+    let (toi_fresh, _) = medians(runs, || session().map(|mut s| s.earliest_toi(x0, x1).ok()));
     let mut kept = session()?;
     kept.earliest_toi(x0, x1).map_err(|e| e.to_string())?;
-    let (toi_kept, toi) = median(runs, || kept.earliest_toi(x0, x1).ok().flatten());
+    let (toi_kept, toi) = medians(runs, || kept.earliest_toi(x0, x1).ok().flatten());
     let mut kept = session()?;
     kept.step(x0, x1).map_err(|e| e.to_string())?;
     let (step_kept, n_contacts) =
-        median(runs, || kept.step(x0, x1).map_or(0, |r| r.n_contacts().total()));
+        medians(runs, || kept.step(x0, x1).map_or(0, |r| r.n_contacts().total()));
     println!(
         "  ours, {threads} threads: candidates {candidates_fresh:.1} ms, \
          earliest toi {toi_fresh:.1} ms, step {step_kept:.1} ms"
@@ -226,9 +224,9 @@ fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
         a.leaf_pairs(&b, |a, b| a.intersects(b)).collect::<Vec<_>>()
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-    let (edges, edge_pairs) = pool.install(|| median(runs, || within(&e)));
-    let (faces, face_pairs) = pool.install(|| median(runs, || within(&f)));
-    let (vertices_faces, vf_pairs) = pool.install(|| median(runs, between));
+    let (edges, edge_pairs) = pool.install(|| medians(runs, || within(&e)));
+    let (faces, face_pairs) = pool.install(|| medians(runs, || within(&f)));
+    let (vertices_faces, vf_pairs) = pool.install(|| medians(runs, between));
     let digest = |pairs: &[(u32, u32)], ordered: bool| {
         let pair = |&(a, b): &(u32, u32)| {
             if ordered { ccd::Pair::ordered(a, b) } else { ccd::Pair { a, b } }
@@ -288,47 +286,27 @@ fn section(
 ) {
     let number = |key: &str| ipctk[key].as_f64().unwrap_or(f64::NAN);
     let toi = |i: usize| ipctk["toi"][i].as_f64().unwrap_or(f64::NAN);
+    let (broad, tight, additive) = (number("broad"), number("tight"), number("additive"));
+    let lbvh = "ipctk LBVH";
+    let tight_alone = "ipctk Tight-Inclusion, narrow alone";
     let rows = [
-        ("candidates, fresh", ours.candidates_fresh, "ipctk LBVH", number("broad")),
-        ("candidates, kept", ours.candidates_kept, "ipctk LBVH", number("broad")),
+        ("candidates, fresh", ours.candidates_fresh, lbvh, broad),
+        ("candidates, kept", ours.candidates_kept, lbvh, broad),
         ("edge boxes, fresh", ours.edges, "parry3d", parry.edges),
         ("face boxes, fresh", ours.faces, "parry3d", parry.faces),
         ("vertices x faces, fresh", ours.vertices_faces, "parry3d", parry.vertices_faces),
-        (
-            "earliest toi, all of it, fresh",
-            ours.toi_fresh,
-            "ipctk Tight-Inclusion, narrow alone",
-            number("tight"),
-        ),
-        (
-            "earliest toi, all of it, fresh",
-            ours.toi_fresh,
-            "ipctk ACCD, narrow alone",
-            number("additive"),
-        ),
-        (
-            "earliest toi, all of it, kept",
-            ours.toi_kept,
-            "ipctk Tight-Inclusion, narrow alone",
-            number("tight"),
-        ),
-        (
-            "all contacts, kept",
-            ours.step_kept,
-            "ipctk LBVH + Tight-Inclusion",
-            number("broad") + number("tight"),
-        ),
+        ("earliest toi, all of it, fresh", ours.toi_fresh, tight_alone, tight),
+        ("earliest toi, all of it, fresh", ours.toi_fresh, "ipctk ACCD, narrow alone", additive),
+        ("earliest toi, all of it, kept", ours.toi_kept, tight_alone, tight),
+        ("all contacts, kept", ours.step_kept, "ipctk LBVH + Tight-Inclusion", broad + tight),
     ];
     let kind = if threads == 1 { "thread" } else { "threads" };
-    let _ = writeln!(
-        out,
-        "\n## {name}, {threads} {kind}\n\n\
-         | what | ccd | beside | its time | ratio |\n|---|---|---|---|---|"
-    );
+    let mut table = Table::new(["what", "ccd", "beside", "its time", "ratio"]);
     for (what, ours, peer, theirs) in rows {
-        let _ =
-            writeln!(out, "| {what} | {ours:.1} | {peer} | {theirs:.1} | {:.3} |", ours / theirs);
+        let [ours_ms, theirs_ms] = [ours, theirs].map(|ms| format!("{ms:.1}"));
+        table.row([what, &ours_ms, peer, &theirs_ms, &format!("{:.3}", ours / theirs)]);
     }
+    let _ = write!(out, "\n## {name}, {threads} {kind}\n\n{table}");
     let same = if ours.digests == parry.digests { "the same pairs" } else { "OTHER PAIRS" };
     let _ = writeln!(
         out,
@@ -370,14 +348,20 @@ fn scaling(out: &mut String, ours: &[Ours]) {
 
 /// Runs criterion and lists its medians.
 fn kernels(root: &Path, out: &mut String) -> Result<(), String> {
-    crate::ci::command(
+    crate::programs::command(
         root,
-        &["cargo", "bench", "-p", "meshccd", "--bench", "kernels", "--", "--quick", "--noplot"],
+        &[
+            "cargo",
+            "bench",
+            "-p",
+            "ccd-benches",
+            "--features",
+            "criterion",
+            "--",
+            "--quick",
+            "--noplot",
+        ],
     )?;
-    let _ = writeln!(
-        out,
-        "\n## Kernels (criterion, medians, one thread)\n\n| kernel | time |\n|---|---|"
-    );
     let mut rows = Vec::new();
     let groups = std::fs::read_dir(root.join("target/criterion"))
         .map_err(|e| format!("target/criterion: {e}"))?;
@@ -390,15 +374,15 @@ fn kernels(root: &Path, out: &mut String) -> Result<(), String> {
         rows.push((group.file_name().to_string_lossy().into_owned(), ns));
     }
     rows.sort_by(|a, b| a.0.cmp(&b.0));
+    let mut table = Table::new(["kernel", "time"]);
     for (name, ns) in rows {
-        let time = if ns >= 1e6 {
-            format!("{:.2} ms", ns * 1e-6)
-        } else if ns >= 1e3 {
-            format!("{:.2} us", ns * 1e-3)
-        } else {
-            format!("{ns:.1} ns")
+        let time = match ns {
+            1e6.. => format!("{:.2} ms", ns * 1e-6),
+            1e3.. => format!("{:.2} us", ns * 1e-3),
+            _ => format!("{ns:.1} ns"),
         };
-        let _ = writeln!(out, "| {name} | {time} |");
+        table.row([name, time]);
     }
+    let _ = write!(out, "\n## Kernels (criterion, medians, one thread)\n\n{table}");
     Ok(())
 }

@@ -107,6 +107,7 @@ pub use build::run;
 #[cfg(feature = "shaders")]
 mod build {
     use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs, missing, toolchain};
+    use crate::instructions::{instructions, opcode, words};
     use ccd_core::kernel::TABLE;
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
@@ -116,7 +117,7 @@ mod build {
     /// Builds all products. `check`: compares them with the committed ones instead of writing them.
     pub fn run(root: &Path, check: bool) -> Result<(), String> {
         match missing(root)? {
-            Some(why) if check => crate::optional::skipped(&why),
+            Some(why) if check => crate::programs::skipped(&why),
             Some(why) => return Err(why),
             None => build(root, check)?,
         }
@@ -258,14 +259,7 @@ mod build {
 
     fn count_barriers(spirv: &[u8]) -> usize {
         const OP_CONTROL_BARRIER: u32 = 224;
-        let words: Vec<u32> =
-            spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-        let (mut at, mut n) = (5, 0);
-        while at < words.len() {
-            n += (words[at] & 0xffff == OP_CONTROL_BARRIER) as usize;
-            at += (words[at] >> 16).max(1) as usize;
-        }
-        n
+        instructions(&words(spirv)).filter(|i| opcode(i) == OP_CONTROL_BARRIER).count()
     }
 
     fn write(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {

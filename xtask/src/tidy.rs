@@ -44,11 +44,50 @@ const OWNERS: [(&str, &[&str]); 4] = [
     ("write_buffer", &["ccd-gpu/src/device.rs", "examples/", "tests/"]),
 ];
 
+/// What two backends do alike stands in files of one name: the core's first, which needs no twin.
+const ROOMS: [&str; 4] = [
+    "ccd-core/src/broad_phase/",
+    "ccd-cpu/src/broad_phase/",
+    "ccd-gpu/src/broad_phase/",
+    "ccd-shaders/src/broad_phase/",
+];
+/// What begins the line that says why a file has none of its name beside it.
+const TWIN: &str = "//! Twin:";
+/// Files and folders of these rooms that do not say it yet.
+const OPEN_TWINS: [&str; 25] = [
+    "ccd-cpu/src/broad_phase/brute_force.rs",
+    "ccd-cpu/src/broad_phase/descend.rs",
+    "ccd-cpu/src/broad_phase/descent_times.rs",
+    "ccd-cpu/src/broad_phase/leaf_boxes.rs",
+    "ccd-cpu/src/broad_phase/morton_order.rs",
+    "ccd-cpu/src/broad_phase/pair_list.rs",
+    "ccd-cpu/src/broad_phase/scheduler/",
+    "ccd-cpu/src/broad_phase/tasks.rs",
+    "ccd-cpu/src/broad_phase/tree/builder/ploc_search.rs",
+    "ccd-cpu/src/broad_phase/tree/shared_words.rs",
+    "ccd-cpu/src/broad_phase/tree/statistics.rs",
+    "ccd-cpu/src/broad_phase/tree/traversal/",
+    "ccd-gpu/src/broad_phase/block_descent.rs",
+    "ccd-gpu/src/broad_phase/block_levels.rs",
+    "ccd-gpu/src/broad_phase/scheduler/",
+    "ccd-gpu/src/broad_phase/upload.rs",
+    "ccd-gpu/src/broad_phase/worker_counts.rs",
+    "ccd-shaders/src/broad_phase/binary_pair_tree.rs",
+    "ccd-shaders/src/broad_phase/block_pair_tree.rs",
+    "ccd-shaders/src/broad_phase/bounds.rs",
+    "ccd-shaders/src/broad_phase/listed.rs",
+    "ccd-shaders/src/broad_phase/oriented_pairs.rs",
+    "ccd-shaders/src/broad_phase/pair_stealing.rs",
+    "ccd-shaders/src/broad_phase/stolen_batches.rs",
+    "ccd-shaders/src/broad_phase/worker.rs",
+];
+
 pub fn run(root: &Path) -> Result<(), String> {
     let mut problems = Vec::new();
     let mut files = Vec::new();
     collect(root, &mut files);
     let mut cited = BTreeSet::new();
+    let mut sources = Vec::new();
     for path in &files {
         let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/");
         let text = std::fs::read_to_string(path).map_err(|e| format!("{name}: {e}"))?;
@@ -57,7 +96,10 @@ pub fn run(root: &Path) -> Result<(), String> {
         if name != REFERENCES && name != "xtask/src/tidy.rs" {
             cited.extend(citations(&text));
         }
+        sources.push((name, text));
     }
+    problems.extend(crate::circles::check(&sources));
+    problems.extend(check_twins(&sources, &OPEN_TWINS));
     let text = std::fs::read_to_string(root.join(REFERENCES));
     let text = text.map_err(|e| format!("{REFERENCES}: {e}"))?;
     problems.extend(check_references(&cited, &text));
@@ -67,6 +109,31 @@ pub fn run(root: &Path) -> Result<(), String> {
     } else {
         Err(format!("tidy:\n{}", problems.join("\n")))
     }
+}
+
+/// Files of these rooms whose name no other room has and whose head does not say why, in a line
+/// that begins with [`TWIN`]; that of a folder's `mod.rs` holds for all files of the folder.
+fn check_twins(files: &[(String, String)], open: &[&str]) -> Vec<String> {
+    let in_rooms = files.iter().filter_map(|(name, text)| {
+        let room = ROOMS.iter().find(|room| name.starts_with(**room))?;
+        let own = name.strip_suffix("/mod.rs").or(name.strip_suffix(".rs"))?.rsplit('/').next()?;
+        Some((*room, own, name.as_str(), text.lines().any(|line| line.starts_with(TWIN))))
+    });
+    let all: Vec<_> = in_rooms.collect();
+    let says_why = |name: &str| {
+        let (folder, _) = name.rsplit_once('/').unwrap_or_default();
+        let of_folder = format!("{folder}/mod.rs");
+        all.iter().any(|file| file.3 && (file.2 == name || file.2 == of_folder))
+    };
+    let lonely = all.iter().filter(|(room, own, name, _)| {
+        let has_twin = all.iter().any(|other| other.1 == *own && other.0 != *room);
+        *room != ROOMS[0] && !own.ends_with("tests") && !has_twin && !says_why(name)
+    });
+    let lonely: Vec<&str> = lonely.map(|file| file.2).collect();
+    let new = lonely.iter().filter(|name| !open.iter().any(|known| name.starts_with(known)));
+    let new = new.map(|name| format!("{name}: no other room has this name, and no `{TWIN} ..`"));
+    let gone = open.iter().filter(|known| !lonely.iter().any(|name| name.starts_with(**known)));
+    new.chain(gone.map(|known| format!("{known}: says why or has a twin; not open"))).collect()
 }
 
 /// Keys that a text cites: words in brackets that begin with a name and end with a year, as in
@@ -191,6 +258,21 @@ mod tests {
         assert!(check_markdown(&format!("{}\n", "é".repeat(MAX_COLUMNS_MARKDOWN))).is_empty());
         assert_eq!(check_markdown(&"x".repeat(MAX_COLUMNS_MARKDOWN + 1)).len(), 1);
         assert_eq!(check_markdown("| a | \n").len(), 1);
+    }
+
+    #[test]
+    fn rooms_have_the_same_names_or_say_why() {
+        let file = |at: usize, name: &str, text: &str| {
+            (format!("{}{name}", ROOMS[at]), format!("//! A.\n{text}"))
+        };
+        let check = |files: &[(String, String)], open: &[&str]| check_twins(files, open).len();
+        let lonely = file(1, "tree/half.rs", "");
+        assert_eq!(check(&[lonely.clone()], &[]), 1);
+        assert_eq!(check(&[lonely.clone()], &[ROOMS[1]]), 0);
+        assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")], &[]), 0);
+        assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")], &[ROOMS[1]]), 1);
+        assert_eq!(check(&[lonely, file(1, "tree/mod.rs", "//! Twin: none.\n")], &[]), 0);
+        assert_eq!(check(&[file(3, "a.rs", "//! Twin: none.\n"), file(0, "b.rs", "")], &[]), 0);
     }
 
     #[test]

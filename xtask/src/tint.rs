@@ -1,7 +1,7 @@
 //! `cargo xtask tint`: what Chromium's compiler says of the WGSL. Kernels with `f64` are not for
 //! browsers, and not in their language; native ones have no WGSL.
 
-use crate::optional::{output, skipped};
+use crate::programs::{output, skipped};
 use std::path::Path;
 use std::process::Command;
 

@@ -1,8 +1,7 @@
 //! `cargo xtask wasm`: the CPU's path built for WebAssembly, where there is no clock and no second
 //! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm).
 
-use crate::ci::command;
-use crate::optional::{has_target, output, skipped};
+use crate::programs::{command, has_target, output, skipped, target_folder};
 use std::path::Path;
 use std::process::Command;
 
@@ -32,11 +31,6 @@ pub fn run(root: &Path) -> Result<(), String> {
     let n = compare(&native, &wasm)?;
     println!("WebAssembly under Node: {n} answers, all those of this machine");
     Ok(())
-}
-
-/// Where cargo builds.
-pub fn target_folder(root: &Path) -> std::path::PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
 }
 
 /// The number of answers, if both say the same.

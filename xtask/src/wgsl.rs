@@ -41,34 +41,16 @@ fn validate(module: &Module) -> Result<ModuleInfo, String> {
 /// Without `if in_range {} else { return; }`.
 fn without_failed_checks(block: Block) -> Block {
     let mut out = Block::with_capacity(block.len());
-    for (statement, span) in block.span_into_iter() {
-        let changed = match statement {
-            Statement::If { accept, reject, .. }
-                if accept.is_empty()
-                    && matches!(&reject[..], [Statement::Return { value: None }]) =>
-            {
-                continue;
-            }
-            Statement::If { condition, accept, reject } => Statement::If {
-                condition,
-                accept: without_failed_checks(accept),
-                reject: without_failed_checks(reject),
-            },
-            Statement::Loop { body, continuing, break_if } => Statement::Loop {
-                body: without_failed_checks(body),
-                continuing: without_failed_checks(continuing),
-                break_if,
-            },
-            Statement::Block(block) => Statement::Block(without_failed_checks(block)),
-            Statement::Switch { selector, mut cases } => {
-                for case in &mut cases {
-                    case.body = without_failed_checks(std::mem::take(&mut case.body));
-                }
-                Statement::Switch { selector, cases }
-            }
-            other => other,
-        };
-        out.push(changed, span);
+    for (mut statement, span) in block.span_into_iter() {
+        let is_check = matches!(&statement, Statement::If { accept, reject, .. }
+            if accept.is_empty() && matches!(&reject[..], [Statement::Return { value: None }]));
+        if is_check {
+            continue;
+        }
+        for inner in blocks_of(&mut statement) {
+            *inner = without_failed_checks(std::mem::take(inner));
+        }
+        out.push(statement, span);
     }
     out
 }

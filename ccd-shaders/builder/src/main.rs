@@ -4,6 +4,7 @@
 //! Runs under the nightly of `ccd-shaders/rust-toolchain.toml`, because the code generator is a
 //! part of that compiler. `cargo xtask shaders` calls this program and translates what it writes.
 
+mod instructions;
 mod rewrite;
 
 use rewrite::{forbid_contraction, glsl_memory_model, plain_name, without_lines};
@@ -35,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     std::fs::create_dir_all(&out)?;
     for (entry, path) in modules {
-        let words = read(&std::fs::read(path)?);
+        let words = instructions::words(&std::fs::read(path)?);
         let words = forbid_contraction(&without_lines(&glsl_memory_model(&plain_name(&words))?));
         // What the optimiser creates anew needs the decoration too.
         let words = forbid_contraction(&optimize(&words)?);
@@ -47,10 +48,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::fs::write(out.join(format!("{name}.spv")), bytes)?;
     }
     Ok(())
-}
-
-fn read(bytes: &[u8]) -> Vec<u32> {
-    bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
 }
 
 /// Passes that make modules small without moving code, which translators to structured languages

@@ -1,6 +1,7 @@
 //! What modules need before they run elsewhere than in rust-gpu's own runner: the memory model that
 //! hosts enable, and no contraction.
 
+use super::instructions::{self, instructions, opcode};
 use std::collections::HashSet;
 
 const OP_NO_LINE: u32 = 317;
@@ -30,21 +31,6 @@ const GLSL450: u32 = 1;
 const SCOPE_DEVICE: u32 = 1;
 const SCOPE_QUEUE_FAMILY: u32 = 5;
 const SEMANTICS_AVAILABLE_VISIBLE: u32 = 0x2000 | 0x4000 | 0x8000;
-
-/// The instructions after the header of five words.
-fn instructions(words: &[u32]) -> impl Iterator<Item = &[u32]> {
-    let mut rest = &words[5..];
-    std::iter::from_fn(move || {
-        let n = (*rest.first()? >> 16) as usize;
-        let (one, others) = rest.split_at(n.max(1));
-        rest = others;
-        Some(one)
-    })
-}
-
-fn opcode(instruction: &[u32]) -> u32 {
-    instruction[0] & 0xffff
-}
 
 /// Without line numbers of sources, which would name the folders of whoever built them.
 pub fn without_lines(words: &[u32]) -> Vec<u32> {
@@ -183,7 +169,7 @@ pub fn plain_name(words: &[u32]) -> Vec<u32> {
         let interface = &instruction[3 + end / 4 + 1..];
         out.push(((3 + short.len() / 4 + interface.len()) as u32) << 16 | OP_ENTRY_POINT);
         out.extend_from_slice(&instruction[1..3]);
-        out.extend(short.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])));
+        out.extend(instructions::words(&short));
         out.extend_from_slice(interface);
     }
     out

@@ -1,16 +1,9 @@
 //! One method on one scene at one place.
 
 use super::scenes::Case;
+use crate::measure::{Place, median, warm};
 use ccd::{BroadPhase, BroadPhaseMethod, Error, TreeStatistics};
 use std::time::{Duration, Instant};
-
-/// Where a method runs.
-pub enum Place {
-    /// So many threads.
-    Cpu { threads: usize, name: String },
-    /// The first GPU that there is.
-    Gpu { device: ccd::gpu::Device, name: String },
-}
 
 /// Medians in milliseconds, of a GPU by its timestamps.
 #[derive(Clone, Copy, Debug)]
@@ -23,37 +16,6 @@ pub struct Measured {
 
 /// A method is measured for so long at most, once at least.
 const LONG_ENOUGH: Duration = Duration::from_millis(500);
-
-impl Place {
-    /// One thread, all threads, and the GPU if there is one.
-    pub fn all() -> Result<Vec<Self>, String> {
-        let all = std::thread::available_parallelism().map_or(1, |n| n.get());
-        let mut places = vec![Self::one_thread()];
-        if all > 1 {
-            places.push(Self::Cpu { threads: all, name: format!("{all} threads") });
-        }
-        match ccd::gpu::Device::open(&ccd::gpu::DeviceOptions::default()) {
-            Ok(device) => {
-                let name = device.info().adapter.name.clone();
-                places.push(Self::Gpu { device, name });
-            }
-            Err(why) => println!("without a GPU: {why}"),
-        }
-        Ok(places)
-    }
-
-    /// The calling thread alone.
-    pub fn one_thread() -> Self {
-        Self::Cpu { threads: 1, name: "1 thread".into() }
-    }
-
-    pub fn name(&self) -> &str {
-        match self {
-            Self::Cpu { name, .. } => name,
-            Self::Gpu { name, .. } => name,
-        }
-    }
-}
 
 /// What was measured, or why the method refuses the scene.
 pub fn measure(
@@ -129,22 +91,16 @@ fn on_gpu(
         Err(e) => return Err(e.to_string()),
     }
     broad.set_timing(Timing::Stages).map_err(|e| e.to_string())?;
-    let (mut builds, mut searches) = (Vec::new(), Vec::new());
-    let start = Instant::now();
-    // As long as a device needs to reach its clock, and then so many.
-    while builds.len() < runs {
-        broad.again().map_err(|e| e.to_string())?;
-        if start.elapsed() > Duration::from_millis(300) {
-            let of = |search: bool| {
-                let stages = broad.stages().iter();
-                stages.filter(|s| s.0.contains("pairs") == search).map(|s| s.1).sum::<f64>()
-            };
-            builds.push(of(false));
-            searches.push(of(true));
-        }
-    }
-    let search = median(searches.into_iter());
-    Ok(Ok(Measured { build: median(builds.into_iter()), search, visits: 0, tree: None }))
+    let of = |stages: &[(&str, f64)], search: bool| {
+        stages.iter().filter(|s| s.0.contains("pairs") == search).map(|s| s.1).sum::<f64>()
+    };
+    let times = warm(runs, || {
+        broad.again()?;
+        Ok([of(broad.stages(), false), of(broad.stages(), true)])
+    });
+    let times = times.map_err(|e: ccd::gpu::Error| e.to_string())?;
+    let [build, search] = [0, 1].map(|k| median(times.iter().map(|t| t[k])));
+    Ok(Ok(Measured { build, search, visits: 0, tree: None }))
 }
 
 fn check(case: &Case, method: BroadPhaseMethod, found: usize) -> Result<(), String> {
@@ -153,11 +109,4 @@ fn check(case: &Case, method: BroadPhaseMethod, found: usize) -> Result<(), Stri
     } else {
         Err(format!("{}: {found} pairs by {method}, right are {}", case.name, case.n_pairs))
     }
-}
-
-/// The middle one; 0 of none.
-pub fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

@@ -4,57 +4,56 @@
 //! A table stands between two comments, `<!-- NAME -->` and `<!-- end -->`. Every answer is
 //! checked: pairs against the default method, and that against the known count where there is one.
 
-pub mod measure;
+mod measure;
 mod pipelines;
-pub mod plot;
 mod scenes;
 
+use crate::markdown::{Table, digits, rewrite};
+use crate::measure::Place;
+use crate::plot::Bars;
 use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
-use measure::{Measured, Place, measure};
-use plot::Bars;
+use measure::{Measured, measure};
 use scenes::Case;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+type Of = fn(&Measured) -> f64;
+
+/// Of every case a table: methods with their names, at every place.
+struct Section {
+    what: &'static str,
+    of: Of,
+    rows: Vec<(String, BroadPhaseMethod)>,
+    /// Columns of figures that no place changes, by one thread.
+    figures: &'static [&'static str],
+    /// Names of the plot and of its file, if there is one.
+    plot: Option<(&'static str, &'static str)>,
+}
 
 /// Measures all and rewrites the tables of docs/ALGORITHMS.md.
 pub fn run(root: &Path, runs: usize) -> Result<(), String> {
-    let path = root.join("docs/ALGORITHMS.md");
-    let mut text = std::fs::read_to_string(&path).map_err(|e| format!("{path:?}: {e}"))?;
     let plots = root.join("docs/algorithms");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
-    let places = Place::all()?;
-    let mut report = Report { places, runs, plots };
-    let cases = scenes::all()?;
+    let all = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let threads = if all > 1 { vec![1, all] } else { vec![1] };
+    let cpus = threads.into_iter().map(|threads| Place::Cpu { threads });
+    let places: Vec<Place> = cpus.chain(Place::gpu()).collect();
+    let names = places.iter().map(Place::name).collect();
+    let pipelines = pipelines::table(&places, runs)?;
+    let report = Report { places, names, runs, plots };
+    let (cases, cloths) = (scenes::all()?, scenes::cloths_on_spheres()?);
+    let machine = format!("Places: {}. Medians of {runs} runs.\n", report.names.join("; "));
     let tables = [
-        ("machine", report.machine()),
-        ("methods", report.methods(&cases)?),
-        ("ladder", report.ladder(&cases)?),
-        ("simultaneous", report.simultaneous(&cases)?),
-        ("builders", report.builders(&cases)?),
-        ("cloth-and-sphere", report.cloth_and_sphere()?),
-        ("volumes", report.volumes(&cases)?),
-        ("pipelines", pipelines::table(&report.places, runs)?),
+        ("machine", machine),
+        ("methods", report.tables(&cases, &[methods()])?),
+        ("ladder", report.tables(&cases, &[ladder()])?),
+        ("simultaneous", report.tables(&cases, &[simultaneous()])?),
+        ("builders", report.tables(&cases, &[builders()])?),
+        ("cloth-and-sphere", report.tables(&cloths, &cloth_and_sphere())?),
+        ("volumes", report.tables(&cases, &volumes())?),
+        ("pipelines", pipelines),
     ];
-    for (name, table) in tables {
-        text = replaced(&text, name, &table)?;
-    }
-    std::fs::write(&path, text).map_err(|e| format!("{path:?}: {e}"))?;
-    println!("written {}", path.display());
-    Ok(())
-}
-
-/// The text with another table between the comments of this name.
-pub fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
-    let begin = format!("<!-- {name} -->\n");
-    let (head, rest) = text.split_once(&begin).ok_or(format!("no place for `{name}`"))?;
-    let (_, tail) = rest.split_once("<!-- end -->").ok_or(format!("`{name}` has no end"))?;
-    Ok(format!("{head}{begin}\n{}\n<!-- end -->{tail}", table.trim()))
-}
-
-struct Report {
-    places: Vec<Place>,
-    runs: usize,
-    plots: std::path::PathBuf,
+    rewrite(&root.join("docs/ALGORITHMS.md"), &tables)
 }
 
 /// A tree of these.
@@ -62,187 +61,129 @@ fn tree(builder: Builder, traversal: Traversal) -> BroadPhaseMethod {
     BroadPhaseMethod::Tree(TreeOptions::default().builder(builder).traversal(traversal))
 }
 
+/// Every broad phase on every scene, whole calls.
+fn methods() -> Section {
+    let rows = BroadPhaseMethod::ROWS.iter().map(|row| (row.name.to_owned(), row.value)).collect();
+    let of = |m: &Measured| m.build + m.search;
+    let plot = Some(("Methods", "methods"));
+    Section { what: "ms, build and search", of, rows, figures: &[], plot }
+}
+
+/// Recursive, iterative, leaf order, half: the ladder of [Karras 2012b].
+fn ladder() -> Section {
+    let rungs = [Traversal::Recursive, Traversal::Iterative, Traversal::LeafOrder, Traversal::Half];
+    let row = |t: Traversal| (t.row().name.to_owned(), tree(Builder::Lbvh, t));
+    let (rows, plot) = (rungs.map(row).into(), Some(("The ladder", "ladder")));
+    Section { what: "ms, search alone", of: |m| m.search, rows, figures: &[], plot }
+}
+
+/// Simultaneous against independent traversal, in visits and in time.
+fn simultaneous() -> Section {
+    let rows = [
+        ("leaf-order", Traversal::LeafOrder),
+        ("half", Traversal::Half),
+        ("simultaneous, larger", Traversal::Simultaneous(Descent::Larger)),
+        ("simultaneous, both", Traversal::Simultaneous(Descent::Both)),
+        ("cut of 256, larger", Traversal::Cut { nodes: 256, descent: Descent::Larger }),
+        ("cut of 256, both", Traversal::CUT),
+    ];
+    let rows = rows.map(|(name, t)| (name.to_owned(), tree(Builder::Lbvh, t))).into();
+    Section { what: "ms, search alone", of: |m| m.search, rows, figures: &["visits"], plot: None }
+}
+
+/// Build time, cost and visited nodes of every builder.
+fn builders() -> Section {
+    let row = |row: &ccd::Row<Builder>| (row.name.to_owned(), tree(row.value, Traversal::Half));
+    let (rows, figures) = (Builder::ROWS.iter().map(row).collect(), &OF_TREE[..]);
+    Section { what: "ms, build alone", of: |m| m.build, rows, figures, plot: None }
+}
+
+const OF_TREE: [&str; 3] = ["cost", "nodes a query", "depth"];
+
+/// Boxes along the axes against oriented ones, in visits and in time.
+fn volumes() -> [Section; 2] {
+    let of: [(_, Of); 2] = [("ms, build alone", |m| m.build), ("ms, search alone", |m| m.search)];
+    of.map(|(what, of)| {
+        let traversals = [Traversal::Half, Traversal::CUT];
+        let rows = traversals.into_iter().flat_map(|traversal| {
+            Volume::ROWS.iter().map(move |row| {
+                let options = TreeOptions::default().traversal(traversal).volume(row.value);
+                let name = format!("{}, {}", row.name, traversal.row().name);
+                (name, BroadPhaseMethod::Tree(options))
+            })
+        });
+        Section { what, of, rows: rows.collect(), figures: &["visits"], plot: None }
+    })
+}
+
+/// The table of [Tian and Wan].
+fn cloth_and_sphere() -> [Section; 2] {
+    let of: [(_, Of); 2] = [("build, ms", |m| m.build), ("collision, ms", |m| m.search)];
+    of.map(|(what, of)| {
+        let pairs = Builder::NearestPair { limit: u32::MAX };
+        let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
+        let row = |b: Builder| (b.row().name.to_owned(), tree(b, Traversal::Half));
+        Section { what, of, rows: builders.map(row).into(), figures: &[], plot: None }
+    })
+}
+
+struct Report {
+    places: Vec<Place>,
+    names: Vec<String>,
+    runs: usize,
+    plots: PathBuf,
+}
+
 impl Report {
-    fn machine(&self) -> String {
-        let names: Vec<&str> = self.places.iter().map(Place::name).collect();
-        format!("Places: {}. Medians of {} runs.\n", names.join("; "), self.runs)
-    }
-
-    fn place_names(&self) -> Vec<String> {
-        self.places.iter().map(|place| place.name().to_owned()).collect()
-    }
-
-    /// A method at every place; `None` where it is not.
-    fn row(
-        &self,
-        method: BroadPhaseMethod,
-        case: &Case,
-        of: impl Fn(&Measured) -> f64,
-    ) -> Result<(String, Vec<Option<f64>>), String> {
-        let (mut cells, mut values) = (String::new(), Vec::new());
-        for place in &self.places {
-            let measured = measure(place, method, case, self.runs)?;
-            match &measured {
-                Ok(measured) => _ = write!(cells, " {} |", digits(of(measured))),
-                Err(why) => _ = write!(cells, " {why} |"),
-            }
-            values.push(measured.ok().as_ref().map(&of));
-        }
-        Ok((cells, values))
-    }
-
-    /// The head of a table: these columns, then a column for each place.
-    fn head(&self, columns: &[&str]) -> String {
-        let names = columns.iter().copied().chain(self.places.iter().map(Place::name));
-        let head: String = names.map(|name| format!(" {name} |")).collect();
-        format!("|{head}\n|{}\n", "---|".repeat(columns.len() + self.places.len()))
-    }
-
-    /// Every broad phase on every scene, whole calls.
-    fn methods(&mut self, cases: &[Case]) -> Result<String, String> {
+    /// All sections of every case.
+    fn tables(&self, cases: &[Case], sections: &[Section]) -> Result<String, String> {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, build and search"]);
-            let mut bars = Bars::new(&case.name, "ms", self.place_names());
-            for row in BroadPhaseMethod::ROWS {
-                let (cells, values) = self.row(row.value, case, |m| m.build + m.search)?;
-                let _ = writeln!(text, "| {} |{cells}", row.name);
-                bars.add(row.name, values);
+            for section in sections {
+                self.section(case, section, &mut text)?;
             }
-            let file = format!("methods-{}.svg", case.file_name());
+        }
+        Ok(text)
+    }
+
+    fn section(&self, case: &Case, section: &Section, text: &mut String) -> Result<(), String> {
+        let &Section { what, of, ref rows, figures, plot } = section;
+        let places = self.names.iter().map(String::as_str);
+        let mut table = Table::new([what].into_iter().chain(figures.iter().copied()).chain(places));
+        let mut bars = Bars::new(format!("{}, {what}", case.name), self.names.clone());
+        for (name, method) in rows {
+            let mut cells = vec![name.clone()];
+            if !figures.is_empty() {
+                let one = measure(&Place::Cpu { threads: 1 }, *method, case, 1)?.ok();
+                cells.extend(of_one_thread(one, figures));
+            }
+            let mut values = Vec::new();
+            for place in &self.places {
+                let measured = measure(place, *method, case, self.runs)?;
+                cells.push(measured.as_ref().map_or_else(|why| (*why).into(), |m| digits(of(m))));
+                values.push(measured.ok().as_ref().map(of));
+            }
+            table.row(cells);
+            bars.add(name, values);
+        }
+        let _ = writeln!(text, "{table}");
+        if let Some((title, prefix)) = plot {
+            let file = format!("{prefix}-{}.svg", case.file_name());
             bars.write(&self.plots.join(&file))?;
-            let _ = writeln!(text, "\n![Methods on {}](algorithms/{file})\n", case.name);
+            let _ = writeln!(text, "![{title} on {}](algorithms/{file})\n", case.name);
         }
-        Ok(text)
-    }
-
-    /// Recursive, iterative, leaf order, half: the ladder of [Karras 2012b].
-    fn ladder(&mut self, cases: &[Case]) -> Result<String, String> {
-        let rungs =
-            [Traversal::Recursive, Traversal::Iterative, Traversal::LeafOrder, Traversal::Half];
-        let mut text = String::new();
-        for case in cases {
-            let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, search alone"]);
-            let mut bars = Bars::new(&case.name, "ms, search alone", self.place_names());
-            for traversal in rungs {
-                let method = tree(Builder::Lbvh, traversal);
-                let (cells, values) = self.row(method, case, |m| m.search)?;
-                let _ = writeln!(text, "| {} |{cells}", traversal.row().name);
-                bars.add(traversal.row().name, values);
-            }
-            let file = format!("ladder-{}.svg", case.file_name());
-            bars.write(&self.plots.join(&file))?;
-            let _ = writeln!(text, "\n![The ladder on {}](algorithms/{file})\n", case.name);
-        }
-        Ok(text)
-    }
-
-    /// Simultaneous against independent traversal, in visits and in time.
-    fn simultaneous(&mut self, cases: &[Case]) -> Result<String, String> {
-        let rows = [
-            ("leaf-order", Traversal::LeafOrder),
-            ("half", Traversal::Half),
-            ("simultaneous, larger", Traversal::Simultaneous(Descent::Larger)),
-            ("simultaneous, both", Traversal::Simultaneous(Descent::Both)),
-            ("cut of 256, larger", Traversal::Cut { nodes: 256, descent: Descent::Larger }),
-            ("cut of 256, both", Traversal::CUT),
-        ];
-        let mut text = String::new();
-        for case in cases {
-            let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, search alone", "visits"]);
-            for (name, traversal) in rows {
-                let method = tree(Builder::Lbvh, traversal);
-                let (cells, _) = self.row(method, case, |m| m.search)?;
-                let visits = measure(&Place::one_thread(), method, case, 1)?
-                    .map_or("-".to_owned(), |m| m.visits.to_string());
-                let _ = writeln!(text, "| {name} | {visits} |{cells}");
-            }
-            text.push('\n');
-        }
-        Ok(text)
-    }
-
-    /// Build time, cost and visited nodes of every builder.
-    fn builders(&mut self, cases: &[Case]) -> Result<String, String> {
-        let mut text = String::new();
-        for case in cases {
-            let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, build alone", "cost", "nodes a query", "depth"]);
-            for row in Builder::ROWS {
-                let method = tree(row.value, Traversal::Half);
-                let (cells, _) = self.row(method, case, |m| m.build)?;
-                let of_tree = measure(&Place::one_thread(), method, case, 1)?;
-                let figures = match of_tree.ok().and_then(|m| m.tree) {
-                    Some(t) => format!(
-                        "{} | {} | {}",
-                        digits(t.sah_cost),
-                        digits(t.visited_per_query),
-                        t.depth
-                    ),
-                    None => " | | ".to_owned(),
-                };
-                let _ = writeln!(text, "| {} | {figures} |{cells}", row.name);
-            }
-            text.push('\n');
-        }
-        Ok(text)
-    }
-
-    /// Boxes along the axes against oriented ones, in visits and in time.
-    fn volumes(&mut self, cases: &[Case]) -> Result<String, String> {
-        let mut text = String::new();
-        for case in cases {
-            let _ = writeln!(text, "{}\n", case.title());
-            for (what, of) in [
-                ("ms, build alone", (|m: &Measured| m.build) as fn(&Measured) -> f64),
-                ("ms, search alone", |m: &Measured| m.search),
-            ] {
-                text += &self.head(&[what, "visits"]);
-                for traversal in [Traversal::Half, Traversal::CUT] {
-                    for row in Volume::ROWS {
-                        let options = TreeOptions::default().traversal(traversal);
-                        let method = BroadPhaseMethod::Tree(options.volume(row.value));
-                        let (cells, _) = self.row(method, case, of)?;
-                        let visits = measure(&Place::one_thread(), method, case, 1)?
-                            .map_or("-".to_owned(), |m| m.visits.to_string());
-                        let name = traversal.row().name;
-                        let _ = writeln!(text, "| {}, {name} | {visits} |{cells}", row.name);
-                    }
-                }
-                text.push('\n');
-            }
-        }
-        Ok(text)
-    }
-
-    /// The table of [Tian and Wan].
-    fn cloth_and_sphere(&mut self) -> Result<String, String> {
-        let mut text = String::new();
-        for case in scenes::cloths_on_spheres()? {
-            let _ = writeln!(text, "{}\n", case.title());
-            for (what, of) in [
-                ("build, ms", (|m: &Measured| m.build) as fn(&Measured) -> f64),
-                ("collision, ms", |m: &Measured| m.search),
-            ] {
-                text += &self.head(&[what]);
-                let pairs = Builder::NearestPair { limit: u32::MAX };
-                let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
-                for builder in builders {
-                    let (cells, _) = self.row(tree(builder, Traversal::Half), &case, of)?;
-                    let _ = writeln!(text, "| {} |{cells}", builder.row().name);
-                }
-                text.push('\n');
-            }
-        }
-        Ok(text)
+        Ok(())
     }
 }
 
-/// Three significant digits.
-pub fn digits(x: f64) -> String {
-    let places = (2 - x.abs().max(1e-9).log10().floor() as i32).clamp(0, 4) as usize;
-    format!("{x:.places$}")
+/// Cells of figures: visits, or those of the tree.
+fn of_one_thread(one: Option<Measured>, figures: &[&str]) -> Vec<String> {
+    if figures != OF_TREE {
+        return vec![one.map_or("-".into(), |m| m.visits.to_string())];
+    }
+    let tree = one.and_then(|m| m.tree);
+    let cells =
+        tree.map(|t| [digits(t.sah_cost), digits(t.visited_per_query), t.depth.to_string()]);
+    cells.unwrap_or_default().into()
 }

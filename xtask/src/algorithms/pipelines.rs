@@ -1,12 +1,12 @@
 //! Features against triangles: how many tests of features each step of either pipeline leaves.
 
-use super::measure::{Place, median};
+use crate::markdown::Table;
+use crate::measure::{Place, median, warm};
 use ccd::gpu::{self, Timing};
 use ccd::io::Frame;
 use ccd::{Mesh, Options, Pipeline, Report, Session, TriangleOptions};
 use ccd_testkit::data::{Scene, data_dir};
 use std::fmt::Write;
-use std::time::{Duration, Instant};
 
 /// One table a scene, by one thread and by the GPU if there is one; every pipeline must find the
 /// contacts of the first.
@@ -30,7 +30,10 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
         let frames = Scene::named(name).load(&dir);
         let [t0, t1] = &frames;
         let mesh = t0.mesh().map_err(|e| e.to_string())?;
-        let mut lines = String::new();
+        let mut columns =
+            vec!["pipeline", "pairs", "skipped", "tests", "overlap", "filtered", "ms"];
+        columns.extend(device.map(|(_, name)| name.as_str()));
+        let mut table = Table::new(columns);
         let mut contacts = None;
         for (row_name, pipeline) in rows {
             let options = Options::default().with_threads(1).with_pipeline(pipeline);
@@ -46,33 +49,29 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
             if *contacts.get_or_insert(found) != found {
                 return Err(format!("{name}: {found} contacts, features have {contacts:?}"));
             }
-            row(&mut lines, row_name, report, median(times.into_iter()));
+            let mut cells = cells(row_name, report, median(times));
             if let Some((device, _)) = device {
                 let [total, own] = on_gpu(device, &mesh, &frames, pipeline, report, runs)?;
-                let _ = write!(lines, " {total:.2} ({own:.2}) |");
+                cells.push(format!("{total:.2} ({own:.2})"));
             }
-            lines.push('\n');
+            table.row(cells);
         }
         let (n_faces, n_contacts) = (mesh.faces().len(), contacts.unwrap_or(0));
-        let (of_device, line) =
-            device.map_or(("".into(), ""), |(_, name)| (format!(" {name} |"), "---|"));
-        let _ = writeln!(
-            text,
-            "**{name}**: {n_faces} faces, {n_contacts} contacts by each\n\n\
-             | pipeline | pairs | skipped | tests | overlap | filtered | \
-             ms |{of_device}\n|---|---|---|---|---|---|---|{line}\n{lines}"
-        );
+        let _ =
+            writeln!(text, "**{name}**: {n_faces} faces, {n_contacts} contacts by each\n\n{table}");
     }
     Ok(text)
 }
 
-fn row(text: &mut String, name: &str, report: &Report, ms: f64) {
-    let before = report.triangles.map_or("| | ".to_owned(), |t| {
+fn cells(name: &str, report: &Report, ms: f64) -> Vec<String> {
+    let before = report.triangles.map(|t| {
         let (skipped, tests) = ((t.adjacent, t.free), (t.represented, t.orphans));
-        format!("{} | {} + {} | {} + {}", t.pairs, skipped.0, skipped.1, tests.0, tests.1)
+        let two = |(a, b)| format!("{a} + {b}");
+        [t.pairs.to_string(), two(skipped), two(tests)]
     });
     let (boxes, filtered) = (report.candidates.total(), report.filtered.total());
-    let _ = write!(text, "| {name} | {before} | {boxes} | {filtered} | {ms:.1} |");
+    let after = [boxes.to_string(), filtered.to_string(), format!("{ms:.1}")];
+    [&[name.to_owned()][..], &before.unwrap_or_default(), &after].concat()
 }
 
 /// Milliseconds of a step on a GPU, by the clock on the wall and by timestamps; candidates and what
@@ -89,19 +88,13 @@ fn on_gpu(
     let failed = |e: gpu::Error| e.to_string();
     let mut session = gpu::Session::new(device, mesh.clone(), options).map_err(failed)?;
     session.set_timing(Timing::Whole).map_err(failed)?;
-    let (mut totals, mut own) = (Vec::new(), Vec::new());
-    let start = Instant::now();
-    // As long as a device needs to reach its clock, and then so many.
-    while totals.len() < runs {
+    let times = warm(runs, || {
         let report = session.step(&t0.positions, &t1.positions).map_err(failed)?;
         let (total, same) = (report.times.total, report.candidates == want.candidates);
         if !same || report.triangles != want.triangles {
             return Err(format!("{pipeline:?}: {report:?} on the GPU, {want:?} on the CPU"));
         }
-        if start.elapsed() > Duration::from_millis(300) {
-            totals.push(total);
-            own.push(session.stages().iter().map(|stage| stage.1).sum());
-        }
-    }
-    Ok([median(totals.into_iter()), median(own.into_iter())])
+        Ok([total, session.stages().iter().map(|stage| stage.1).sum()])
+    })?;
+    Ok([0, 1].map(|k| median(times.iter().map(|t| t[k]))))
 }

@@ -1,11 +1,13 @@
 //! Boxes of 28 sizes by 12 shapes, by every method and every way to schedule it, against brute
 //! force: two calls on one broad phase, so that what it keeps meets other boxes.
 
-use super::{Counts, Found, Place, caught, fewest};
+use super::{Counts, Place, fewest};
+use crate::AttackKind;
 use ccd::any::{BroadPhase, Error};
-use ccd::{Aabb, BroadPhaseMethod, Pair, Scheduler, Scheduling, gpu};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Scheduling};
 use ccd_testkit::brute;
 use ccd_testkit::grazing::random::Random;
+use serde::{Deserialize, Serialize};
 
 /// Numbers of boxes: around those at which blocks, lanes and workgroups are full.
 const SIZES: [usize; 28] = [
@@ -67,62 +69,26 @@ fn cube(at: [f32; 3], side: f32) -> Aabb<f32> {
     Aabb { min: at, max: at.map(|c| c + side) }
 }
 
-fn make(random: &mut Random, counts: &mut Counts) -> Vec<Aabb<f32>> {
+fn make(random: &mut Random, counts: &mut Counts) -> Boxes {
     let (n, (shape, make)) = (SIZES[random.below(28)], SHAPES[random.below(12)]);
     counts.add(&format!("sets of {shape}"), 1);
-    (0..n).map(|i| make(random, i, n)).collect()
+    (0..n).map(|i| make(random, i, n)).map(|b| [b.min, b.max]).collect()
 }
 
-/// Every method of a place by itself, and with every scheduling that it takes.
-fn methods(place: &Place) -> Vec<(BroadPhaseMethod, Scheduling)> {
-    let device = place.choice.device();
-    let native = device.is_none_or(|device| device.info().path == gpu::Path::Passthrough);
-    let steals =
-        |s: &Scheduling| matches!(s.scheduler, Some(Scheduler::Stealing | Scheduler::LazyStealing));
-    let backend = place.backend();
-    ccd::every(backend)
-        .flat_map(|method| {
-            let all = Scheduling::every(backend).filter(move |s| s.check(method).is_ok());
-            let all = all.filter(move |s| native || !steals(s));
-            std::iter::once(Scheduling::default()).chain(all).map(move |s| (method, s))
-        })
-        .collect()
-}
+/// The corners of boxes.
+type Boxes = Vec<[[f32; 3]; 2]>;
 
-/// Boxes of one call: pairs within the first set, or between both.
-type Sets = (Vec<Aabb<f32>>, Option<Vec<Aabb<f32>>>);
-
-struct Run<'a> {
-    place: &'a Place,
+/// Calls of one broad phase: pairs within the first set, or between both.
+#[derive(Clone, Serialize, Deserialize)]
+pub struct Case {
     method: BroadPhaseMethod,
     scheduling: Scheduling,
     threads: usize,
+    calls: Vec<(Boxes, Option<Boxes>)>,
 }
 
-pub fn case(
-    place: &Place,
-    number: u64,
-    mut random: Random,
-    counts: &mut Counts,
-) -> Result<(), Found> {
-    let methods = methods(place);
-    // A step that shares no factor with their number visits all of them.
-    let (method, scheduling) = methods[(number.wrapping_mul(7919) % methods.len() as u64) as usize];
-    let run = Run { place, method, scheduling, threads: 1 + random.below(2) };
-    let calls: Vec<Sets> = (0..3)
-        .map(|_| {
-            let a = make(&mut random, counts);
-            (a, (random.below(2) == 0).then(|| make(&mut random, counts)))
-        })
-        .collect();
-    match caught(|| run.check(&calls)) {
-        Ok(n) => {
-            counts.add("calls", calls.len() as u64);
-            counts.add("pairs", n);
-            Ok(())
-        }
-        Err(what) => Err(run.shrink(calls, what)),
-    }
+fn boxes(corners: &Boxes) -> Vec<Aabb<f32>> {
+    corners.iter().map(|&[min, max]| Aabb { min, max }).collect()
 }
 
 /// Boxes with zero for bounds below the smallest normal number.
@@ -131,104 +97,85 @@ fn flushed(boxes: &[Aabb<f32>]) -> Vec<Aabb<f32>> {
     boxes.iter().map(|b| Aabb { min: b.min.map(flush), max: b.max.map(flush) }).collect()
 }
 
-impl Run<'_> {
-    /// The number of pairs.
-    fn check(&self, calls: &[Sets]) -> Result<u64, String> {
-        let &Self { place, method, scheduling, threads } = self;
+fn brute(a: &[Aabb<f32>], b: Option<&[Aabb<f32>]>) -> Vec<Pair> {
+    b.map_or_else(|| brute::self_pairs(a), |b| brute::pairs(a, b))
+}
+
+impl super::Case for Case {
+    const KIND: AttackKind = AttackKind::Boxes;
+    const NAME: &str = "boxes";
+
+    fn make(place: &Place, number: u64, mut random: Random, counts: &mut Counts) -> Self {
+        let with = |method| place.schedulings(method).into_iter().map(move |s| (method, s));
+        let all: Vec<_> = ccd::every(place.backend()).flat_map(with).collect();
+        // A step that shares no factor with their number visits all of them.
+        let (method, scheduling) = all[(number.wrapping_mul(7919) % all.len() as u64) as usize];
+        let threads = 1 + random.below(2);
+        let mut call = || {
+            let a = make(&mut random, counts);
+            (a, (random.below(2) == 0).then(|| make(&mut random, counts)))
+        };
+        Self { method, scheduling, threads, calls: vec![call(), call(), call()] }
+    }
+
+    fn check(&self, place: &Place, counts: &mut Counts) -> Result<(), String> {
+        let &Self { method, scheduling, threads, .. } = self;
+        let failed = |what: String| format!("{method}, {scheduling}, {threads} threads: {what}");
         let mut broad = BroadPhase::scheduled(&place.choice, threads, method, scheduling)
-            .map_err(|e| format!("refused: {e}"))?;
-        let mut n = 0;
-        for (a, b) in calls {
-            let found = match b {
-                None => broad.self_pairs(a),
-                Some(b) => broad.pairs(a, b),
+            .map_err(|e| failed(format!("refused: {e}")))?;
+        for (a, b) in &self.calls {
+            let (a, b) = (boxes(a), b.as_ref().map(boxes));
+            let found = match &b {
+                None => broad.self_pairs(&a),
+                Some(b) => broad.pairs(&a, b),
             };
             let mut found = match found {
                 Ok(pairs) => pairs.into_vec(),
                 // A grid is refused where its cells are crowded, which is documented.
                 Err(Error::Input(ccd::Error::CrowdedCells { .. })) => continue,
-                Err(e) => return Err(format!("an error: {e}")),
+                Err(e) => return Err(failed(format!("an error: {e}"))),
             };
-            let want = b.as_ref().map_or_else(|| brute::self_pairs(a), |b| brute::pairs(a, b));
+            let want = brute(&a, b.as_deref());
             let key = |p: &Pair| (p.a, p.b);
             found.sort_unstable_by_key(key);
-            n += want.len() as u64;
+            counts.add("pairs", want.len() as u64);
             if let Some(two) = found.windows(2).find(|two| two[0] == two[1]) {
-                return Err(format!("a pair twice: {:?}", two[0]));
+                return Err(failed(format!("a pair twice: {:?}", two[0])));
             }
             let without = |all: &[Pair], of: &[Pair]| {
                 of.iter().find(|p| all.binary_search_by_key(&key(p), key).is_err()).copied()
             };
             if let Some(pair) = without(&found, &want) {
-                return Err(format!("a pair is missing: {pair:?}"));
+                return Err(failed(format!("a pair is missing: {pair:?}")));
             }
             // A device may take bounds below the smallest normal number as zero, as is documented.
             let most = match place.choice.device() {
                 None => want,
-                Some(_) => b.as_ref().map_or_else(
-                    || brute::self_pairs(&flushed(a)),
-                    |b| brute::pairs(&flushed(a), &flushed(b)),
-                ),
+                Some(_) => brute(&flushed(&a), b.as_deref().map(flushed).as_deref()),
             };
             if let Some(pair) = without(&most, &found) {
-                return Err(format!("a pair too much: {pair:?}"));
+                return Err(failed(format!("a pair too much: {pair:?}")));
             }
         }
-        Ok(n)
+        counts.add("calls", self.calls.len() as u64);
+        Ok(())
     }
 
     /// Fewer calls, then fewer boxes.
-    fn shrink(&self, calls: Vec<Sets>, what: String) -> Found {
-        let fails = |calls: &[Sets]| caught(|| self.check(calls)).is_err();
-        let mut calls = fewest(&calls, fails);
+    fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
+        let of = |calls: &[_]| Self { calls: calls.to_vec(), ..self.clone() };
+        let mut calls = fewest(&self.calls, |calls| fails(&of(calls)));
         for i in 0..calls.len() {
             let with = |a: &[_], b: Option<&[_]>| {
                 let mut less = calls.clone();
                 less[i] = (a.to_vec(), b.map(<[_]>::to_vec));
-                less
+                of(&less)
             };
             let (a, b) = calls[i].clone();
             let a = fewest(&a, |a| fails(&with(a, b.as_deref())));
             let b = b.map(|b| fewest(&b, |b| fails(&with(&a, Some(b)))));
             calls[i] = (a, b);
         }
-        let what = caught(|| self.check(&calls)).err().unwrap_or(what);
-        let &Self { place, method, scheduling, threads } = self;
-        let mut code = place.code();
-        let backend = place.backend();
-        code += &format!(
-            "let mut methods = ccd::every({backend:?});\n\
-             let method = methods.find(|m| m.to_string() == \"{method}\").unwrap();\n"
-        );
-        code += &if scheduling == Scheduling::default() {
-            "let scheduling = ccd::Scheduling::default();\n".into()
-        } else {
-            let every = format!("ccd::Scheduling::every({backend:?})");
-            format!(
-                "let scheduling = {every}.find(|s| s.to_string() == \"{scheduling}\").unwrap();\n"
-            )
-        };
-        code += "let mut broad =\n    ccd::any::BroadPhase::scheduled";
-        code += &format!("(&choice, {threads}, method, scheduling).unwrap();\n");
-        for (a, b) in &calls {
-            let list = |name: &str, boxes: &[Aabb<f32>]| {
-                let all: Vec<String> = boxes.iter().map(|b| format!("    ccd::{b:?},\n")).collect();
-                format!("let {name}: Vec<ccd::Aabb<f32>> = vec![\n{}];\n", all.concat())
-            };
-            code += &list("a", a);
-            code += &match b {
-                None => "let found = broad.self_pairs(&a);\n\
-                         let want = ccd_testkit::brute::self_pairs(&a);\n"
-                    .into(),
-                Some(b) => {
-                    list("b", b)
-                        + "let found = broad.pairs(&a, &b);\n\
-                           let want = ccd_testkit::brute::pairs(&a, &b);\n"
-                }
-            };
-            code += "let mut found = found.unwrap().into_vec();\n";
-            code += "found.sort_unstable_by_key(|p| (p.a, p.b));\nassert_eq!(found, want);\n";
-        }
-        Found { what: format!("{method}, {scheduling}, {threads} threads: {what}"), code }
+        of(&calls)
     }
 }

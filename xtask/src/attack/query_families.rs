@@ -5,10 +5,11 @@
 //! (`relative_motion.rs`): contact is `a = s b + r c`. Positions at the time of contact and motions
 //! are chosen; the ends of the step follow, and are exact.
 
-use ccd::TOI_TOLERANCE;
 use ccd::geometry::Patch;
+use ccd::{Kind, TOI_TOLERANCE};
 use ccd_testkit::grazing::random::Random;
 use ccd_testkit::grazing::{Points, tangential, widen};
+use serde::{Deserialize, Serialize};
 
 pub type V = [i64; 3];
 
@@ -16,7 +17,7 @@ pub type V = [i64; 3];
 pub type Line = [V; 2];
 
 /// What is known of a query by construction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Known {
     /// Contact at the time of the batch; whether it is the first for certain.
     At { first: bool },
@@ -27,7 +28,7 @@ pub enum Known {
 }
 
 /// A query in integers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Form {
     pub a: Line,
     pub b: Line,
@@ -38,7 +39,7 @@ pub struct Form {
 }
 
 /// Queries that have all in common but their positions: what one session is asked at once.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Batch {
     pub family: usize,
     /// Whether coordinates are `f64`.
@@ -59,9 +60,9 @@ pub struct Batch {
     pub gap: (V, i64),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Query {
-    pub patch: Patch,
+    pub kind: Kind,
     /// In the unit of the batch.
     pub t0: Points<f64>,
     pub t1: Points<f64>,
@@ -243,14 +244,15 @@ impl Batch {
     }
 
     fn query(&self, random: &mut Random) -> Query {
-        let patch = [Patch::Triangle, Patch::Parallelogram][random.below(2)];
+        let kind = [Kind::VertexFace, Kind::EdgeEdge][random.below(2)];
+        let patch = kind.patch();
         match self.name() {
             "grazing" if self.wide => given(tangential::query::<f64>(random)),
             "grazing" => given(tangential::query::<f32>(random)),
             "coarse" => {
                 let mut four = || std::array::from_fn(|_| small(random).map(|x| x as f64));
                 let (t0, t1) = (four(), four());
-                Query { patch, t0, t1, known: Known::Nothing, form: None }
+                Query { kind, t0, t1, known: Known::Nothing, form: None }
             }
             _ => {
                 let [at, motion, offset] = self.bits;
@@ -277,19 +279,19 @@ impl Batch {
                 };
                 let Form { a, b, c, .. } = form;
                 [form.a, form.b, form.c] = [a, b, c].map(|line| line.map(turn));
-                self.assembled(patch, form)
+                self.assembled(kind, form)
             }
         }
     }
 
     /// The ends of the step; what is the only time of coplanarity is the first contact.
-    pub fn assembled(&self, patch: Patch, form: Form) -> Query {
+    pub fn assembled(&self, kind: Kind, form: Form) -> Query {
         let Form { a, b, c, o, known } = form;
         let at = |u: i64| -> Points<f64> {
             let [a, b, c, o]: [V; 4] =
                 [a, b, c, o].map(|line| std::array::from_fn(|k| line[0][k] + u * line[1][k]));
             let minus = |v: V, w: V| std::array::from_fn(|k| v[k] - w[k]);
-            let points = match patch {
+            let points = match kind.patch() {
                 Patch::Triangle => [add(o, a), o, add(o, b), add(o, c)],
                 Patch::Parallelogram => [o, add(o, b), add(o, a), add(o, minus(a, c))],
             };
@@ -304,7 +306,7 @@ impl Batch {
             Known::At { .. } => Known::At { first: linear && self.min_distance == 0.0 },
             other => other,
         };
-        Query { patch, t0: at(-self.p), t1: at(self.q - self.p), known, form: Some(form) }
+        Query { kind, t0: at(-self.p), t1: at(self.q - self.p), known, form: Some(form) }
     }
 
     /// Whether a time is not after that of the contact: the product is rounded once, with its sign.
@@ -320,7 +322,8 @@ impl Batch {
 /// A query of floating-point numbers.
 fn given<R: ccd::Real>(q: tangential::Query<R>) -> Query {
     let (t0, t1) = (widen(&q.t0), widen(&q.t1));
-    Query { patch: q.patch, t0, t1, known: Known::Nothing, form: None }
+    let kind = if q.patch == Patch::Triangle { Kind::VertexFace } else { Kind::EdgeEdge };
+    Query { kind, t0, t1, known: Known::Nothing, form: None }
 }
 
 fn add(a: V, b: V) -> V {

@@ -10,25 +10,12 @@ use ccd_testkit::grazing::random::Random;
 
 impl State<'_> {
     /// A step, and that of a new session by brute force.
-    pub fn check(
-        &mut self,
-        random: &mut Random,
-        counts: &mut Counts,
-        text: &mut String,
-    ) -> Result<(), String> {
+    pub fn check(&mut self, random: &mut Random, counts: &mut Counts) -> Result<(), String> {
         let ends = self.ends();
         let window =
             [[0.0, 1.0], [0.0, 1.0], [0.1, 0.7], [0.25, 0.25], [0.5, 1.0]][random.below(5)];
         let (narrow, earliest) = (random.below(4) == 0, random.below(4) == 0);
         let options = self.session.options();
-        *text += &self.ends_text();
-        *text += &format!(
-            "let mut fresh = ccd::Session::new(scene.mesh.clone(), session.options().clone()\n\
-             .with_broad_phase(ccd::BroadPhaseMethod::BruteForce).with_threads(1)\n\
-             .with_scheduling(ccd::Scheduling::default()).with_pipeline(ccd::Pipeline::Features))\
-             .unwrap();\nfresh.set_filter(|_, a, b| {}).unwrap();\n",
-            filter_text(self.filter)
-        );
         let plain = options
             .clone()
             .with_broad_phase(BroadPhaseMethod::BruteForce)
@@ -42,12 +29,10 @@ impl State<'_> {
             .set_filter(move |_, a, b| n == 0 || (a + b) % n != 0)
             .map_err(|e| format!("a filter: {e}"))?;
         if narrow {
-            *text += "let [x0, x1] = [x0, x1].map(|x| x.iter().map(|p| p.map(|c| c as f32))\
-                      .collect::<Vec<_>>());\n";
             let ends = ends.map(|x| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>());
-            self.compare(&mut fresh, &ends, window, earliest, counts, text)
+            self.compare(&mut fresh, &ends, window, earliest, counts)
         } else {
-            self.compare(&mut fresh, &ends, window, earliest, counts, text)
+            self.compare(&mut fresh, &ends, window, earliest, counts)
         }
     }
 
@@ -58,7 +43,6 @@ impl State<'_> {
         window: [f64; 2],
         earliest: bool,
         counts: &mut Counts,
-        text: &mut String,
     ) -> Result<(), String> {
         let on_gpu = self.place.backend() == "gpu";
         let tolerance = self.session.options().tolerance;
@@ -69,11 +53,6 @@ impl State<'_> {
             let hits = all.contacts.iter().filter(|c| c.state == Certainty::Hit);
             let first = hits.map(|c| c.toi).reduce(f64::min);
             let found = self.session.earliest_toi(x0, x1).map_err(|e| format!("an error: {e}"))?;
-            *text += &format!(
-                "let toi = session.earliest_toi(&x0, &x1).unwrap();\n// Right is {:?} at most.\n\
-                 println!(\"{{toi:?}}\");\n",
-                first
-            );
             let late = first.is_some_and(|first| found.is_none_or(|t| t > first + slack));
             // Only one of a pair that is undecided may be earlier.
             let early = all.toi.zip(found).is_some_and(|(all, t)| t < all - slack);
@@ -81,10 +60,6 @@ impl State<'_> {
                 return Err(format!("earliest time {found:?}, of all contacts {:?}", all.toi));
             }
         }
-        *text += &format!(
-            "let found = session.step_window(&x0, &x1, {window:?}).unwrap().clone();\n\
-             let want = fresh.step_window(&x0, &x1, {window:?}).unwrap();\n"
-        );
         let found =
             self.session.step_window(x0, x1, window).map_err(|e| format!("an error: {e}"))?.clone();
         let want = fresh.step_window(x0, x1, window).map_err(|e| format!("a new session: {e}"))?;
@@ -93,31 +68,17 @@ impl State<'_> {
             self.session.options().pipeline,
             Pipeline::Triangles(TriangleOptions { cones: true, .. })
         );
-        *text += &if on_gpu {
-            format!(
-                "ccd_testkit::compare::agree_within(&want.contacts, &found.contacts, \
-                 {tolerance:?}).unwrap();\n"
-            )
-        } else {
-            "assert_eq!(found.contacts, want.contacts);\n".to_owned()
-        };
         same(&found, want, on_gpu.then_some(tolerance))?;
         // A device sweeps the boxes of a window itself, in `f32`, and those of a tiny scene in a
         // unit of its own: there it may take up other candidates.
         let other_boxes = on_gpu && (window != [0.0, 1.0] || self.unit < 1e-30);
         if !cones && !other_boxes {
-            *text += "assert_eq!(found.candidates, want.candidates);\n";
             if found.candidates != want.candidates {
                 return Err(format!("candidates {:?}, {:?}", found.candidates, want.candidates));
             }
         }
         Ok(())
     }
-}
-
-/// Rust of a filter.
-pub fn filter_text(n: u32) -> String {
-    if n == 0 { "a <= b || a > b".into() } else { format!("(a + b) % {n} != 0") }
 }
 
 /// The same contacts; of a GPU what both are certain of.

@@ -2,52 +2,51 @@
 //! that fail in between: after each change a session finds what a new one by brute force does.
 //!
 //! A change is made of a number of its own, so that changes may be left out without others
-//! becoming different ones.
+//! becoming different ones. What a number stands for is decided in `session_steps.rs`: a case in a
+//! file means the same for as long as the order of the draws stays.
 
 use super::session_steps::State;
-use super::{Counts, Found, Place, caught, fewest};
+use super::{Counts, Place, fewest};
+use crate::AttackKind;
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd_testkit::grazing::random::Random;
+use serde::{Deserialize, Serialize};
 
 /// Changes of a session, each with a step after it.
 const CHANGES: usize = 24;
 
-pub fn case(
-    place: &Place,
-    _number: u64,
-    mut random: Random,
-    counts: &mut Counts,
-) -> Result<(), Found> {
-    let first = random.bits();
-    let changes: Vec<u64> = (0..CHANGES).map(|_| random.bits()).collect();
-    let what = match run(place, first, &changes, counts) {
-        Ok(()) => return Ok(()),
-        Err((what, _)) => what,
-    };
-    let quiet = &mut Counts::default();
-    let changes =
-        fewest(&changes, |changes| run(place, first, changes, &mut Counts::default()).is_err());
-    let (what, body) = run(place, first, &changes, quiet).err().unwrap_or((what, String::new()));
-    Err(Found { what, code: place.code() + &body })
+/// Numbers: of what a session is made, and of its changes.
+#[derive(Clone, Serialize, Deserialize)]
+pub struct Case {
+    first: u64,
+    changes: Vec<u64>,
 }
 
-/// All changes one after the other; else what is wrong, and the calls until then.
-fn run(
-    place: &Place,
-    first: u64,
-    changes: &[u64],
-    counts: &mut Counts,
-) -> Result<(), (String, String)> {
-    let mut text = String::new();
-    // Those of a run that ended in the middle.
-    place.choice.device().map(|device| set_faults(device, Faults::default()));
-    let done = caught(|| {
-        let mut state = State::new(place, first, &mut text)?;
+impl super::Case for Case {
+    const KIND: AttackKind = AttackKind::Sessions;
+    const NAME: &str = "sessions";
+
+    fn make(_: &Place, _: u64, mut random: Random, _: &mut Counts) -> Self {
+        let first = random.bits();
+        Self { first, changes: (0..CHANGES).map(|_| random.bits()).collect() }
+    }
+
+    fn check(&self, place: &Place, counts: &mut Counts) -> Result<(), String> {
+        // Those of a run that ended in the middle.
+        place.choice.device().map(|device| set_faults(device, Faults::default()));
+        let mut state = State::new(place, self.first).map_err(|e| format!("an error: {e}"))?;
         counts.add("sessions", 1);
-        for change in changes {
-            state.change(&mut Random::new(*change), counts, &mut text)?;
+        for &change in &self.changes {
+            let random = &mut Random::new(change);
+            state.change(random, counts).map_err(|e| format!("an error: {e}"))?;
+            counts.add("steps", 1);
+            state.check(random, counts)?;
         }
         Ok(())
-    });
-    done.map_err(|what| (what, text))
+    }
+
+    fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
+        let of = |changes: &[u64]| Self { first: self.first, changes: changes.to_vec() };
+        of(&fewest(&self.changes, |changes| fails(&of(changes))))
+    }
 }

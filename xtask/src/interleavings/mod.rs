@@ -11,8 +11,7 @@ mod words;
 
 use ccd_core::scheduling::stealing::Workers;
 use kernels::{ENOUGH, Fault, Round, kernel};
-use models::Do::{Pop, Push};
-use models::{EXECUTIONS, Scene, Sound, Steals, deque, workers};
+use models::{EXECUTIONS, Ring, Steals, deque, workers};
 use printed::{Lazy, Task};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Command, Output, Stdio};
@@ -24,26 +23,42 @@ use std::time::{Duration, Instant};
 const LIMIT: Duration = Duration::from_secs(300);
 /// What the process of a model says when all executions were as they should be.
 const SOUND: &str = "every item once";
-
-/// What the checker must say of a model.
-#[derive(Clone, Copy, Debug)]
-enum Want {
-    /// Every item once, in every execution.
-    Sound,
-    /// In some execution, this.
-    Refuted(&'static str),
-}
+/// Preemptions of sound models unless all is asked for: each defect below is seen with fewer.
+const FEW: usize = 2;
 
 /// A model: what is run, within which bounds, and what must come of it.
 struct Model {
     name: &'static str,
     /// How often threads are interrupted at most; without a number, whenever it makes a difference.
     preemptions: Option<usize>,
-    want: Want,
+    /// What must happen in some execution; nothing: every item once, in every execution.
+    refuted: Option<&'static str>,
     run: fn(),
 }
 
-const TWICE: Want = Want::Refuted("was taken 2 times");
+const ALL: Option<usize> = None;
+
+const fn sound(name: &'static str, preemptions: Option<usize>, run: fn()) -> Model {
+    Model { name, preemptions, refuted: None, run }
+}
+
+const fn refuted(
+    name: &'static str,
+    preemptions: Option<usize>,
+    what: &'static str,
+    run: fn(),
+) -> Model {
+    Model { name, preemptions, refuted: Some(what), run }
+}
+
+impl Model {
+    fn bound(&self, whole: bool) -> Option<usize> {
+        match (self.refuted, whole) {
+            (None, false) => Some(self.preemptions.map_or(FEW, |n| n.min(FEW))),
+            _ => self.preemptions,
+        }
+    }
+}
 
 /// Two workers of a kernel that look around twice before they retire, or once if all are idle.
 const ROUND: Round =
@@ -54,185 +69,59 @@ const fn of(n: u32) -> Workers {
     Workers { n, batches: 2, batch: 1 }
 }
 
+/// What takes longest comes first. Of a deque: its ring; what its owner does, which is to push a
+/// batch of so many items or, 0, to pop one; and its thieves.
 const MODELS: &[Model] = &[
-    // What takes longest comes first. Whole workers, until all have retired.
-    Model {
-        name: "three-workers-task",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || workers(of(3), Steals::Task, 2),
-    },
-    Model {
-        name: "three-workers-lazy",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || workers(of(3), Steals::Lazily(2), 2),
-    },
+    // Whole workers, until all have retired.
+    sound("three-workers-task", Some(3), || workers(of(3), Steals::Task, 2)),
+    sound("three-workers-lazy", Some(3), || workers(of(3), Steals::Lazily(2), 2)),
     // One deque: an owner and two thieves.
-    Model {
-        name: "two-thieves",
-        preemptions: None,
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1)];
-            deque(Sound::<2, 1>, Scene { owner, thieves: &[(1, 1), (1, 1)] });
-        },
-    },
-    Model {
-        name: "ranges",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1), Push(1), Pop, Push(1)];
-            deque(Sound::<2, 1>, Scene { owner, thieves: &[(1, 2), (1, 2)] });
-        },
-    },
-    Model {
-        name: "batches",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(2), Push(1), Pop, Push(2)];
-            deque(Sound::<4, 2>, Scene { owner, thieves: &[(1, 1), (1, 2)] });
-        },
-    },
+    sound("two-thieves", ALL, || deque(Ring::of(2, 1), &[1, 1], &[(1, 1), (1, 1)])),
+    sound("ranges", Some(3), || deque(Ring::of(2, 1), &[1, 1, 1, 0, 1], &[(1, 2), (1, 2)])),
+    sound("batches", Some(3), || deque(Ring::of(4, 2), &[2, 1, 0, 2], &[(1, 1), (1, 2)])),
     // The word of the ends takes the same values again and again.
-    Model {
-        name: "old-values",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Pop, Push(1), Pop, Push(1), Pop, Push(1)];
-            deque(Sound::<2, 1>, Scene { owner, thieves: &[(1, 1), (1, 1)] });
-        },
-    },
+    sound("old-values", Some(3), || {
+        deque(Ring::of(2, 1), &[1, 0, 1, 0, 1, 0, 1], &[(1, 1), (1, 1)])
+    }),
     // The ring is written over again, while a thief reads.
-    Model {
-        name: "ring",
-        preemptions: None,
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1), Push(1)];
-            deque(Sound::<2, 1>, Scene { owner, thieves: &[(2, 1)] });
-        },
-    },
-    Model {
-        name: "longer-ring",
-        preemptions: Some(5),
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1), Push(1), Push(1), Push(1)];
-            deque(Sound::<2, 1>, Scene { owner, thieves: &[(3, 1)] });
-        },
-    },
-    Model {
-        name: "workers-task",
-        preemptions: None,
-        want: Want::Sound,
-        run: || workers(of(2), Steals::Task, 2),
-    },
-    Model {
-        name: "workers-lazy",
-        preemptions: None,
-        want: Want::Sound,
-        run: || workers(of(2), Steals::Lazily(2), 2),
-    },
+    sound("ring", ALL, || deque(Ring::of(2, 1), &[1, 1, 1], &[(2, 1)])),
+    sound("longer-ring", Some(5), || deque(Ring::of(2, 1), &[1, 1, 1, 1, 1], &[(3, 1)])),
+    sound("workers-task", ALL, || workers(of(2), Steals::Task, 2)),
+    sound("workers-lazy", ALL, || workers(of(2), Steals::Lazily(2), 2)),
     // What kernels do: `try_pop`, retirement when all are idle, the drain, tasks (`most` 0).
-    Model { name: "kernel-task", preemptions: Some(2), want: Want::Sound, run: || kernel(ROUND) },
-    Model {
-        name: "kernel-lazy",
-        preemptions: Some(2),
-        want: Want::Sound,
-        run: || kernel(Round { most: 2, ..ROUND }),
-    },
-    Model {
-        name: "kernel-task-drains",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || kernel(Round { turns: 3, ..ROUND }),
-    },
-    Model {
-        name: "kernel-lazy-drains",
-        preemptions: Some(3),
-        want: Want::Sound,
-        run: || kernel(Round { turns: 3, most: 2, ..ROUND }),
-    },
+    sound("kernel-task", Some(2), || kernel(ROUND)),
+    sound("kernel-lazy", Some(2), || kernel(Round { most: 2, ..ROUND })),
+    sound("kernel-task-drains", Some(3), || kernel(Round { turns: 3, ..ROUND })),
+    sound("kernel-lazy-drains", Some(3), || kernel(Round { turns: 3, most: 2, ..ROUND })),
     // As printed; the same scenes of what is sound.
-    Model {
-        name: "printed-3.13",
-        preemptions: None,
-        want: TWICE,
-        run: || deque(Lazy, Scene { owner: &[Push(3)], thieves: &[(1, 1)] }),
-    },
-    Model {
-        name: "in-place-of-3.13",
-        preemptions: None,
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1), Push(1)];
-            deque(Sound::<4, 1>, Scene { owner, thieves: &[(1, 1)] });
-        },
-    },
-    Model {
-        name: "printed-3.6-acquire-release",
-        preemptions: None,
-        want: TWICE,
-        run: || deque(Task::<false>, Scene { owner: &[Push(2)], thieves: &[(2, 1)] }),
-    },
-    Model {
-        name: "printed-3.6-sequential",
-        preemptions: None,
-        want: Want::Sound,
-        run: || deque(Task::<true>, Scene { owner: &[Push(2)], thieves: &[(2, 1)] }),
-    },
-    Model {
-        name: "in-place-of-3.6",
-        preemptions: None,
-        want: Want::Sound,
-        run: || {
-            let owner = &[Push(1), Push(1)];
-            deque(Sound::<4, 1>, Scene { owner, thieves: &[(2, 1)] });
-        },
-    },
+    refuted("printed-3.13", ALL, "was taken 2 times", || deque(Lazy, &[3], &[(1, 1)])),
+    sound("in-place-of-3.13", ALL, || deque(Ring::of(4, 1), &[1, 1, 1], &[(1, 1)])),
+    refuted("printed-3.6-acquire-release", ALL, "was taken 2 times", || {
+        deque(Task { sequential: false }, &[2], &[(2, 1)])
+    }),
+    sound("printed-3.6-sequential", ALL, || deque(Task { sequential: true }, &[2], &[(2, 1)])),
+    sound("in-place-of-3.6", ALL, || deque(Ring::of(4, 1), &[1, 1], &[(2, 1)])),
     // The sound one without what makes it so.
-    Model {
-        name: "given-back-early",
-        preemptions: None,
-        want: Want::Refuted("was taken"),
-        run: || {
-            let owner = &[Push(1), Push(1), Push(1), Push(1)];
-            deque(models::Fault::<true>, Scene { owner, thieves: &[(1, 1)] });
-        },
-    },
-    Model {
-        name: "published-without-release",
-        preemptions: None,
-        want: Want::Refuted("was lost"),
-        run: || deque(models::Fault::<false>, Scene { owner: &[Push(1)], thieves: &[(1, 1)] }),
-    },
+    refuted("given-back-early", ALL, "was taken", || {
+        deque(Ring { early: true, ..Ring::of(2, 1) }, &[1, 1, 1, 1], &[(1, 1)])
+    }),
+    refuted("published-without-release", ALL, "was lost", || {
+        deque(Ring { weak: true, ..Ring::of(2, 1) }, &[1], &[(1, 1)])
+    }),
     // Kernels without what makes them so.
-    Model {
-        name: "kernel-drains-unseen",
-        preemptions: Some(3),
-        want: Want::Refuted("taken twice or lost"),
-        run: || kernel(Round { turns: 3, fault: Some(Fault::DrainsUnseen), ..ROUND }),
-    },
-    Model {
-        name: "kernel-stays-idle",
-        preemptions: Some(3),
-        want: Want::Refuted("who retired had work"),
-        run: || kernel(Round { most: 2, fault: Some(Fault::StaysIdle), ..ROUND }),
-    },
-    Model {
-        name: "kernel-behind-hands",
-        preemptions: Some(3),
-        want: Want::Refuted("taken twice or lost"),
-        run: || kernel(Round { patience: 1, fault: Some(Fault::BehindHands), ..ROUND }),
-    },
+    refuted("kernel-drains-unseen", Some(3), "taken twice or lost", || {
+        kernel(Round { turns: 3, fault: Some(Fault::DrainsUnseen), ..ROUND })
+    }),
+    refuted("kernel-stays-idle", Some(3), "who retired had work", || {
+        kernel(Round { most: 2, fault: Some(Fault::StaysIdle), ..ROUND })
+    }),
+    refuted("kernel-behind-hands", Some(3), "taken twice or lost", || {
+        kernel(Round { patience: 1, fault: Some(Fault::BehindHands), ..ROUND })
+    }),
 ];
 
 /// Runs all models whose name contains `name`; an error if one does not answer as it must.
-pub fn run(name: &str) -> Result<(), String> {
+pub fn run(name: &str, whole: bool) -> Result<(), String> {
     let chosen: Vec<&Model> = MODELS.iter().filter(|m| m.name.contains(name)).collect();
     if chosen.is_empty() {
         return Err(format!("no model has a name that contains `{name}`"));
@@ -243,7 +132,7 @@ pub fn run(name: &str) -> Result<(), String> {
         for _ in 0..2 {
             scope.spawn(|| {
                 while let Some(model) = chosen.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if let Err(e) = judge(model, start) {
+                    if let Err(e) = judge(model, whole, start) {
                         problems.lock().expect("no panic").push(format!("{}: {e}", model.name));
                     }
                 }
@@ -257,26 +146,27 @@ pub fn run(name: &str) -> Result<(), String> {
 }
 
 /// Runs one model in a process and compares its answer.
-fn judge(model: &Model, start: Instant) -> Result<(), String> {
+fn judge(model: &Model, whole: bool, start: Instant) -> Result<(), String> {
     let began = Instant::now();
-    let output = process(model, start)?;
+    let output = process(model, whole, start)?;
     let text = String::from_utf8_lossy(&output.stdout);
     let executions = text.lines().find_map(|l| l.strip_prefix("executions: ")).unwrap_or("none");
-    let preemptions = model.preemptions.map_or("all".into(), |n| n.to_string());
+    let preemptions = model.bound(whole).map_or("all".into(), |n| n.to_string());
     let time = began.elapsed().as_secs_f64();
     let sound = output.status.success() && text.contains(SOUND);
     let line = |answer: &str| {
         println!("{:28} {preemptions:>11} {executions:>10} {time:>6.1} s  {answer}", model.name);
     };
-    match model.want {
-        Want::Sound if sound => line(SOUND),
-        Want::Refuted(what) if !sound && text.contains(what) => {
+    match model.refuted {
+        None if sound => line(SOUND),
+        Some(what) if !sound && text.contains(what) => {
             let story: Vec<&str> = text.lines().skip(1).collect();
             line(&format!("refuted, as it must be:\n    {}", story.join("\n    ")));
         }
         want => {
             return Err(format!(
-                "wanted {want:?}\n{text}\n{}",
+                "wanted {}\n{text}\n{}",
+                want.unwrap_or(SOUND),
                 String::from_utf8_lossy(&output.stderr)
             ));
         }
@@ -284,10 +174,11 @@ fn judge(model: &Model, start: Instant) -> Result<(), String> {
     Ok(())
 }
 
-fn process(model: &Model, start: Instant) -> Result<Output, String> {
+fn process(model: &Model, whole: bool, start: Instant) -> Result<Output, String> {
     let exe = std::env::current_exe().map_err(|e| e.to_string())?;
     let mut child = Command::new(exe)
         .args(["loom", "--here", model.name])
+        .args(whole.then_some("--whole"))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -304,10 +195,10 @@ fn process(model: &Model, start: Instant) -> Result<Output, String> {
 }
 
 /// Runs one model in this process; says what it came to.
-pub fn here(name: &str) -> Result<(), String> {
+pub fn here(name: &str, whole: bool) -> Result<(), String> {
     let model = MODELS.iter().find(|m| m.name == name).ok_or("no such model")?;
     let mut builder = loom::model::Builder::new();
-    builder.preemption_bound = model.preemptions;
+    builder.preemption_bound = model.bound(whole);
     builder.max_branches = 100_000;
     // Either would end a check before all is seen, and say nothing.
     (builder.max_permutations, builder.max_duration) = (None, None);

@@ -11,9 +11,11 @@ pub static EXECUTIONS: AtomicUsize = AtomicUsize::new(0);
 
 /// A deque, as an owner and thieves use it; what they take are items that they have read.
 pub trait Scheme: Copy + Send + Sync + 'static {
-    const WORDS: usize;
+    fn words(self) -> usize;
     /// Whether additions neither acquire nor release.
-    const WEAK: bool = false;
+    fn is_weak(self) -> bool {
+        false
+    }
     /// What a word is called in a story.
     fn name(i: usize) -> &'static str;
     /// Whether there was room for a batch.
@@ -24,20 +26,35 @@ pub trait Scheme: Copy + Send + Sync + 'static {
     fn steal(self, words: &Traced, most: u32) -> Vec<Item>;
 }
 
-/// The deque of `ccd-core`, with room for so many batches of so many items.
+/// The deque of `ccd-core`, or the same with a defect.
 #[derive(Clone, Copy)]
-pub struct Sound<const BATCHES: u32, const BATCH: u32>;
+pub struct Ring {
+    pub deque: Deque,
+    /// Thieves give a range back before they have read it.
+    pub early: bool,
+    /// Additions neither acquire nor release.
+    pub weak: bool,
+}
 
-impl<const BATCHES: u32, const BATCH: u32> Sound<BATCHES, BATCH> {
-    const DEQUE: Deque = Deque { base: 0, batches: BATCHES, batch: BATCH };
+impl Ring {
+    /// With room for so many batches of so many items.
+    pub fn of(batches: u32, batch: u32) -> Self {
+        Self { deque: Deque { base: 0, batches, batch }, early: false, weak: false }
+    }
 }
 
 pub fn read(deque: Deque, words: &Traced, slot: u32) -> Vec<Item> {
     (0..deque.items(words, slot)).map(|i| deque.read(words, slot, i)).collect()
 }
 
-impl<const BATCHES: u32, const BATCH: u32> Scheme for Sound<BATCHES, BATCH> {
-    const WORDS: usize = Deque::words(BATCHES, BATCH);
+impl Scheme for Ring {
+    fn words(self) -> usize {
+        Deque::words(self.deque.batches, self.deque.batch)
+    }
+
+    fn is_weak(self) -> bool {
+        self.weak
+    }
 
     fn name(i: usize) -> &'static str {
         match i {
@@ -49,70 +66,23 @@ impl<const BATCHES: u32, const BATCH: u32> Scheme for Sound<BATCHES, BATCH> {
     }
 
     fn push(self, words: &Traced, items: &[Item]) -> bool {
-        Self::DEQUE.push(words, items).is_ok()
+        self.deque.push(words, items).is_ok()
     }
 
     fn pop(self, words: &Traced) -> Vec<Item> {
-        Self::DEQUE.pop(words).map_or(Vec::new(), |slot| read(Self::DEQUE, words, slot))
+        self.deque.pop(words).map_or(Vec::new(), |slot| read(self.deque, words, slot))
     }
 
     fn steal(self, words: &Traced, most: u32) -> Vec<Item> {
-        let deque = Self::DEQUE;
+        let deque = self.deque;
         let Steal::Stolen(range) = deque.steal(words, most) else { return Vec::new() };
+        let give_back = |now: bool| now.then(|| deque.give_back(words, range.n));
+        give_back(self.early);
         let slots = (0..range.n).map(|i| deque.slot_of(range, i));
         let items = slots.flat_map(|slot| read(deque, words, slot)).collect();
-        deque.give_back(words, range.n);
+        give_back(!self.early);
         items
     }
-}
-
-/// The same with a fault: thieves give a range back before they have read it, or additions neither
-/// acquire nor release.
-#[derive(Clone, Copy)]
-pub struct Fault<const EARLY: bool>;
-
-impl<const EARLY: bool> Scheme for Fault<EARLY> {
-    const WORDS: usize = Sound::<2, 1>::WORDS;
-    const WEAK: bool = !EARLY;
-
-    fn name(i: usize) -> &'static str {
-        Sound::<2, 1>::name(i)
-    }
-
-    fn push(self, words: &Traced, items: &[Item]) -> bool {
-        Sound::<2, 1>.push(words, items)
-    }
-
-    fn pop(self, words: &Traced) -> Vec<Item> {
-        Sound::<2, 1>.pop(words)
-    }
-
-    fn steal(self, words: &Traced, most: u32) -> Vec<Item> {
-        if !EARLY {
-            return Sound::<2, 1>.steal(words, most);
-        }
-        let deque = Sound::<2, 1>::DEQUE;
-        let Steal::Stolen(range) = deque.steal(words, most) else { return Vec::new() };
-        deque.give_back(words, range.n);
-        (0..range.n).flat_map(|i| read(deque, words, deque.slot_of(range, i))).collect()
-    }
-}
-
-/// What an owner does.
-#[derive(Clone, Copy, Debug)]
-pub enum Do {
-    /// Pushes a batch of so many items.
-    Push(u32),
-    /// Pops a batch.
-    Pop,
-}
-
-/// What an owner does before it empties its deque, and how often each thief tries to take at most
-/// how many batches.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene {
-    pub owner: &'static [Do],
-    pub thieves: &'static [(u32, u32)],
 }
 
 /// Item `i`: its words say so, and belong together.
@@ -125,11 +95,12 @@ fn number(item: Item) -> usize {
     item[0] as usize - 1
 }
 
-/// One execution.
-pub fn deque<S: Scheme>(scheme: S, scene: Scene) {
+/// One execution. `owner`: what it does before it empties its deque, which is to push a batch of so
+/// many items or, 0, to pop one; `thieves`: how often each tries to take at most how many batches.
+pub fn deque<S: Scheme>(scheme: S, owner: &[u32], thieves: &[(u32, u32)]) {
     EXECUTIONS.fetch_add(1, Ordering::Relaxed);
     words::begin();
-    let shared = Traced::new(S::WORDS, S::name, S::WEAK);
+    let shared = Traced::new(scheme.words(), S::name, scheme.is_weak());
     let spawn = |(&(attempts, most), who): (&(u32, u32), &'static str)| {
         let words = shared.of(who);
         loom::thread::spawn(move || {
@@ -141,24 +112,21 @@ pub fn deque<S: Scheme>(scheme: S, scene: Scene) {
             taken.collect::<Vec<Item>>()
         })
     };
-    let thieves: Vec<_> = scene.thieves.iter().zip(["thief", "thief 2"]).map(spawn).collect();
+    let thieves: Vec<_> = thieves.iter().zip(["thief", "thief 2"]).map(spawn).collect();
     let words = shared;
     let (mut taken, mut pushed) = (Vec::new(), 0);
-    for &what in scene.owner {
-        match what {
-            Do::Push(n) => {
-                let items: Vec<Item> = (pushed..pushed + n).map(item).collect();
-                pushed += n;
-                if !scheme.push(&words, &items) {
-                    words.say("full");
-                    taken.extend(items);
-                }
-            }
-            Do::Pop => {
-                let popped = scheme.pop(&words);
-                tell(&words, &popped);
-                taken.extend(popped);
-            }
+    for &n in owner {
+        if n == 0 {
+            let popped = scheme.pop(&words);
+            tell(&words, &popped);
+            taken.extend(popped);
+            continue;
+        }
+        let items: Vec<Item> = (pushed..pushed + n).map(item).collect();
+        pushed += n;
+        if !scheme.push(&words, &items) {
+            words.say("full");
+            taken.extend(items);
         }
     }
     loop {

@@ -30,7 +30,9 @@ fn get(words: &Traced, i: u32) -> Item {
 pub struct Lazy;
 
 impl Scheme for Lazy {
-    const WORDS: usize = ITEMS + 2 * ROOM;
+    fn words(self) -> usize {
+        ITEMS + 2 * ROOM
+    }
 
     fn name(i: usize) -> &'static str {
         ["top", "bottom", ""][i.min(2)]
@@ -83,23 +85,27 @@ impl Scheme for Lazy {
 }
 
 /// Algorithm 3.6: `bot` in one word, `age`, which is `top` and a tag, in another; with a fence
-/// wherever all threads must see one order, or, not `SEQUENTIAL`, with acquire and release alone.
+/// wherever all threads must see one order, or, not `sequential`, with acquire and release alone.
 #[derive(Clone, Copy)]
-pub struct Task<const SEQUENTIAL: bool>;
+pub struct Task {
+    pub sequential: bool,
+}
 
 /// The tag of `age`, above `top`.
 const TAG: u32 = 1 << 16;
 
-impl<const SEQUENTIAL: bool> Task<SEQUENTIAL> {
+impl Task {
     fn fence(self, words: &Traced) {
-        if SEQUENTIAL {
+        if self.sequential {
             words.fence();
         }
     }
 }
 
-impl<const SEQUENTIAL: bool> Scheme for Task<SEQUENTIAL> {
-    const WORDS: usize = ITEMS + 2 * ROOM;
+impl Scheme for Task {
+    fn words(self) -> usize {
+        ITEMS + 2 * ROOM
+    }
 
     fn name(i: usize) -> &'static str {
         ["age", "bot", ""][i.min(2)]

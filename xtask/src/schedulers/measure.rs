@@ -2,20 +2,12 @@
 //! busy for a while is so for all of them.
 
 use super::scenes::{Counts, Scene};
-use crate::algorithms::measure::median;
+use crate::measure::{Place, median};
 use ccd::{
     BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Report, Scheduling, Session,
     Traversal, TreeOptions, Volume, gpu,
 };
 use std::time::{Duration, Instant};
-
-/// Where sessions run.
-pub enum Place {
-    /// So many threads.
-    Cpu { threads: usize },
-    /// The first GPU that there is.
-    Gpu { device: gpu::Device, name: String },
-}
 
 /// What is descended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,50 +51,28 @@ pub struct Measured {
 /// Milliseconds of a step, and how busy workers were.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Shares {
-    /// Boxes, and trees refitted or built.
-    pub refit: f64,
-    /// Fronts tested and kept.
-    pub front: f64,
-    /// Pairs of nodes expanded.
-    pub traversal: f64,
-    /// What schedulers do themselves, and waiting.
-    pub balancing: f64,
-    /// What takes pairs of leaves: triangles expanded to features, features filtered and decided.
-    pub intersection: f64,
+    /// By [`PARTS`].
+    pub parts: [f64; 5],
     /// Of the workers' time while pairs are shared out, the part in which they have some: on a GPU
     /// of the turns of all their threads; unknown where that is not counted.
     pub utilisation: Option<f64>,
 }
 
+/// Boxes, and trees refitted or built; fronts tested and kept; pairs of nodes expanded; what
+/// schedulers do themselves, and waiting; what takes pairs of leaves: triangles expanded to
+/// features, features filtered and decided.
+pub const PARTS: [&str; 5] = ["refit", "front", "traversal", "balancing", "intersection"];
+
 impl Shares {
-    pub fn parts(&self) -> [f64; 5] {
-        [self.refit, self.front, self.traversal, self.balancing, self.intersection]
-    }
-
-    pub fn total(&self) -> f64 {
-        self.parts().iter().sum()
-    }
-
-    fn plus(self, other: Self) -> Self {
-        let sum = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a + b);
+    /// The mean of some.
+    fn mean(all: &[Self]) -> Self {
+        let n = all.len().max(1) as f64;
+        let utilisation: Option<f64> = all.iter().map(|shares| shares.utilisation).sum();
         Self {
-            refit: self.refit + other.refit,
-            front: self.front + other.front,
-            traversal: self.traversal + other.traversal,
-            balancing: self.balancing + other.balancing,
-            intersection: self.intersection + other.intersection,
-            utilisation: sum(self.utilisation, other.utilisation),
-        }
-    }
-
-    fn times(self, k: f64) -> Self {
-        Self {
-            refit: self.refit * k,
-            front: self.front * k,
-            traversal: self.traversal * k,
-            balancing: self.balancing * k,
-            intersection: self.intersection * k,
-            utilisation: self.utilisation.map(|u| u * k),
+            parts: std::array::from_fn(|k| {
+                all.iter().map(|shares| shares.parts[k]).sum::<f64>() / n
+            }),
+            utilisation: utilisation.map(|sum| sum / n),
         }
     }
 }
@@ -126,37 +96,6 @@ impl Measured {
     /// Most memory that fronts took, in MiB.
     pub fn front_mib(&self) -> f64 {
         self.fronts.iter().map(|f| f.bytes).max().unwrap_or(0) as f64 / (1 << 20) as f64
-    }
-}
-
-impl Place {
-    /// The GPU, if there is one.
-    pub fn gpu() -> Option<Self> {
-        match gpu::Device::open(&gpu::DeviceOptions::default()) {
-            Ok(device) => {
-                let name = device.info().adapter.name.clone();
-                Some(Self::Gpu { device, name })
-            }
-            Err(why) => {
-                println!("without a GPU: {why}");
-                None
-            }
-        }
-    }
-
-    pub fn backend(&self) -> &'static str {
-        match self {
-            Self::Cpu { .. } => "cpu",
-            Self::Gpu { .. } => "gpu",
-        }
-    }
-
-    pub fn name(&self) -> String {
-        match self {
-            Self::Cpu { threads: 1 } => "1 thread".into(),
-            Self::Cpu { threads } => format!("{threads} threads"),
-            Self::Gpu { name, .. } => name.clone(),
-        }
     }
 }
 
@@ -261,11 +200,7 @@ fn of_cpu(session: &Session) -> Shares {
     let traversal = times.total - refit - front - balancing - intersection;
     let (all, waits) = (n * descents.shared_out, descents.scheduling + descents.waiting);
     Shares {
-        refit,
-        front,
-        traversal: traversal.max(0.0),
-        balancing,
-        intersection,
+        parts: [refit, front, traversal.max(0.0), balancing, intersection],
         utilisation: (all > 0.0).then(|| 1.0 - waits / all),
     }
 }
@@ -275,17 +210,15 @@ fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
     let mut shares = Shares::default();
     for &(name, ms) in session.stages() {
         let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        *if has(&["front"]) {
-            &mut shares.front
-        } else if has(&["balanc"]) {
-            &mut shares.balancing
-        } else if has(&["pairs", "work"]) {
-            &mut shares.traversal
-        } else if has(&["filter", "decide", "expand", "neighbours", "list", "contacts"]) {
-            &mut shares.intersection
-        } else {
-            &mut shares.refit
-        } += ms;
+        let intersects = ["filter", "decide", "expand", "neighbours", "list", "contacts"];
+        let part = match () {
+            () if has(&["front"]) => 1,
+            () if has(&["balanc"]) => 3,
+            () if has(&["pairs", "work"]) => 2,
+            () if has(&intersects) => 4,
+            () => 0,
+        };
+        shares.parts[part] += ms;
     }
     shares.utilisation = utilisation(session)?;
     Ok(shares)
@@ -326,7 +259,7 @@ pub fn measure(
     for scheduling in all {
         let runner = Runner::new(place, scene, options(scheduling));
         let runner = runner.map_err(|e| failed(scheduling, e))?;
-        runners.push(runner.map(|runner| (runner, Measured::default())));
+        runners.push(runner.map(|runner| (runner, Measured::default(), Vec::new())));
     }
     let n_steps = scene.frames.len() - 1;
     let (mut start, mut n_timed, mut n_watched) = (Instant::now(), 0, 0);
@@ -346,7 +279,7 @@ pub fn measure(
             start = Instant::now();
         }
         for (runner, scheduling) in runners.iter_mut().zip(all) {
-            let Some((runner, measured)) = runner else { continue };
+            let Some((runner, measured, shares)) = runner else { continue };
             let why = |e| failed(scheduling, e);
             if i == 0 {
                 runner.begin().map_err(why)?;
@@ -364,10 +297,7 @@ pub fn measure(
                 measured.n_rebuilt += report.rebuilt as usize;
                 measured.steps.push(runner.ms());
             } else if !warm {
-                let parts = runner.shares().map_err(why)?;
-                let none = Shares { utilisation: Some(0.0), ..Shares::default() };
-                let before = if n_watched == 0 { none } else { measured.shares };
-                measured.shares = before.plus(parts);
+                shares.push(runner.shares().map_err(why)?);
             }
         }
         n_timed += is_timed as usize;
@@ -376,8 +306,8 @@ pub fn measure(
             break;
         }
     }
-    let done = |(_, measured): (Runner, Measured)| Measured {
-        shares: measured.shares.times(1.0 / n_watched.max(1) as f64),
+    let done = |(_, measured, shares): (Runner, Measured, Vec<Shares>)| Measured {
+        shares: Shares::mean(&shares),
         ..measured
     };
     Ok(runners.into_iter().map(|runner| runner.map(done)).collect())

@@ -12,9 +12,10 @@ mod scenes;
 mod tables;
 
 use crate::SchedulersOptions;
-use crate::algorithms::replaced;
+use crate::markdown::rewrite;
+use crate::measure::Place;
 use ccd::{Pipeline, Scheduling, Volume};
-use measure::{Effort, Measured, Place, Structure, WARM, WATCHED, measure};
+use measure::{Effort, Measured, Structure, WARM, WATCHED, measure};
 use scenes::Scene;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -22,8 +23,6 @@ use std::time::{Duration, Instant};
 /// Measures all and rewrites the tables of SCHEDULING.md.
 pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
     let folder = root.join(&options.folder);
-    let path = folder.join("SCHEDULING.md");
-    let mut text = std::fs::read_to_string(&path).map_err(|e| format!("{path:?}: {e}"))?;
     let plots = folder.join("scheduling");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
     let start = Instant::now();
@@ -68,12 +67,8 @@ pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
         let table = rules::table(threads, &wanted, options.quick, &plots)?;
         sections.push(("rules", table));
     }
-    for (name, table) in sections {
-        text = replaced(&text, name, &table)?;
-    }
-    std::fs::write(&path, text).map_err(|e| format!("{path:?}: {e}"))?;
-    println!("written {} after {:.0} s", path.display(), start.elapsed().as_secs_f64());
-    Ok(())
+    println!("all after {:.0} s", start.elapsed().as_secs_f64());
+    rewrite(&folder.join("SCHEDULING.md"), &sections)
 }
 
 /// A scheduler, or what the method does by itself.

@@ -1,9 +1,10 @@
 //! When a front is given up: settings beside each other, over more steps.
 
-use super::measure::{Effort, Measured, Place, Structure, WARM, WATCHED, measure};
-use super::plot;
+use super::measure::{Effort, Measured, Structure, WARM, WATCHED, measure};
 use super::scenes;
-use crate::algorithms::digits;
+use crate::markdown::{Table, digits};
+use crate::measure::Place;
+use crate::plot;
 use ccd::{Front, FrontOptions, Scheduler, Scheduling, Volume};
 use std::fmt::Write;
 use std::path::Path;
@@ -54,14 +55,13 @@ pub fn table(
         for scene in &all {
             columns.push(measure(&place, scene, structure, &choices, effort)?);
         }
-        let heads: String = all.iter().map(|scene| format!(" {} |", scene.name)).collect();
-        let _ =
-            writeln!(text, "| {} |{heads}\n|---|{}", structure.name(), "---|".repeat(all.len()));
+        let heads = all.iter().map(|scene| scene.name.as_str());
+        let mut table = Table::new([structure.name()].into_iter().chain(heads));
         for (k, (name, _)) in settings.iter().enumerate() {
-            let cells: String = columns.iter().map(|column| cell(column[k].as_ref())).collect();
-            let _ = writeln!(text, "| {name} |{cells}");
+            let cells = columns.iter().map(|column| cell(column[k].as_ref()));
+            table.row([name.clone()].into_iter().chain(cells));
         }
-        text.push('\n');
+        let _ = writeln!(text, "{table}");
         if structure == structures[0] {
             text += &drawn(&all, &columns, &settings, plots)?;
         }
@@ -70,11 +70,11 @@ pub fn table(
 }
 
 fn cell(measured: Option<&Measured>) -> String {
-    let Some(m) = measured else { return " |".into() };
+    let Some(m) = measured else { return String::new() };
     let mean = m.steps.iter().sum::<f64>() / m.steps.len().max(1) as f64;
     match m.front_pairs() {
-        0.0 => format!(" {} |", digits(mean)),
-        pairs => format!(" {} ({}) |", digits(mean), digits(pairs / 1e3)),
+        0.0 => digits(mean),
+        pairs => format!("{} ({})", digits(mean), digits(pairs / 1e3)),
     }
 }
 
@@ -101,8 +101,7 @@ fn drawn(
         let pairs = m.fronts.iter().map(|front| front.pairs as f64 / 1e3).collect();
         lines.push((format!("{part} %").replace("kept %", "kept"), pairs));
     }
-    let path = plots.join("fronts.svg");
-    let title = format!("{}: thousand pairs of the front", all[at].name);
-    plot::lines(&path, &title, &lines).map_err(|e| format!("{}: {e}", path.display()))?;
+    let title = format!("{}: thousand pairs of the front over steps", all[at].name);
+    plot::lines(&plots.join("fronts.svg"), &title, lines)?;
     Ok("![Fronts over steps](scheduling/fronts.svg)\n\n".into())
 }

@@ -1,8 +1,9 @@
 //! What was measured, as tables.
 
-use super::measure::{Measured, Place, Structure};
+use super::measure::{Measured, PARTS, Structure};
 use super::{Group, Results};
-use crate::algorithms::digits;
+use crate::markdown::{Table, digits};
+use crate::measure::Place;
 use ccd::Volume;
 use std::fmt::Write;
 
@@ -11,16 +12,6 @@ const TREE: Structure = Structure::Tree(Volume::Aabb);
 /// The dissertation's own scheduler and the one it is compared with, as it has them.
 const LAZY: &str = "lazy-stealing, front";
 const BALANCED: &str = "balanced, front";
-
-/// A head of these columns.
-fn head<S: AsRef<str>>(columns: impl IntoIterator<Item = S>) -> String {
-    let (mut names, mut line) = (String::from("|"), String::from("|"));
-    for column in columns {
-        let _ = write!(names, " {} |", column.as_ref());
-        line += "---|";
-    }
-    format!("{names}\n{line}\n")
-}
 
 /// Three significant digits, down to the microsecond.
 fn ms(cell: Option<&Measured>) -> String {
@@ -39,32 +30,30 @@ fn given(x: Option<f64>) -> String {
 pub fn summary(all: &[Results], places: &[String]) -> String {
     let mut text = String::new();
     for (k, place) in places.iter().enumerate() {
-        let columns = ["", "lazy", "balanced", "default", "fastest", "which"];
-        let _ = write!(text, "{}\n\n{}", format_args!("ms a step, {place}:"), head(columns));
+        let mut table = Table::new(["", "lazy", "balanced", "default", "fastest", "which"]);
         for results in all {
-            let (name, best) = match results.best(k) {
-                Some((name, best)) => (name, digits(best.ms())),
-                None => continue,
-            };
+            let Some((name, best)) = results.best(k) else { continue };
             let cell = |name: &str| ms(results.cell(k, TREE, name));
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | {} | {best} | {name} |",
-                results.scene.name,
+            let (default, best) = (ms(results.default(k)), digits(best.ms()));
+            table.row([
+                results.scene.name.clone(),
                 cell(LAZY),
                 cell(BALANCED),
-                ms(results.default(k)),
-            );
+                default,
+                best,
+                name,
+            ]);
         }
-        text.push('\n');
+        let _ = writeln!(text, "ms a step, {place}:\n\n{table}");
     }
     let columns = ["", "lazy, GTS 450", "GT 520", "gProximity, GTS 450", "GT 520"];
-    let _ = write!(text, "The dissertation's, ms:\n\n{}", head(columns));
+    let mut table = Table::new(columns);
     for results in all {
         let Some(of) = results.scene.published else { continue };
         let [[a, b], [c, d]] = [of.lazy, of.gproximity].map(|two| two.map(given));
-        let _ = writeln!(text, "| {} | {a} | {b} | {c} | {d} |", results.scene.name);
+        table.row([results.scene.name.clone(), a, b, c, d]);
     }
+    let _ = write!(text, "The dissertation's, ms:\n\n{table}");
     text
 }
 
@@ -80,7 +69,7 @@ pub fn speedup(all: &[Results], places: &[Place]) -> String {
     };
     let title = format!("{} to {} threads", threads(&few), threads(&many));
     let columns = [&title, "lazy", "balanced", "default", "lazy, there", "gProximity, there"];
-    let mut text = head(columns);
+    let mut table = Table::new(columns);
     for results in all {
         let of = |few: Option<&Measured>, many: Option<&Measured>| {
             few.zip(many)
@@ -92,18 +81,16 @@ pub fn speedup(all: &[Results], places: &[Place]) -> String {
             _ => "-".into(),
         };
         let published = results.scene.published;
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} |",
-            results.scene.name,
+        table.row([
+            results.scene.name.clone(),
             cell(LAZY),
             cell(BALANCED),
             of(results.default(few), results.default(many)),
             there(published.map(|p| p.lazy)),
             there(published.map(|p| p.gproximity)),
-        );
+        ]);
     }
-    text
+    table.to_string()
 }
 
 /// Table 4.3: front nodes a step, by the first place.
@@ -111,28 +98,20 @@ pub fn fronts(all: &[Results]) -> String {
     let structures = Structure::ALL.map(|s| s.name().to_owned());
     let columns = [String::new()].into_iter().chain(structures);
     let rest = ["there", "MiB, tree", "steps that begin at it", "trees built"];
-    let mut text = head(columns.chain(rest.map(str::to_owned)));
+    let mut table = Table::new(columns.chain(rest.map(str::to_owned)));
     for results in all {
-        let _ = write!(text, "| {} |", results.scene.name);
         let cell = |structure| results.cell(0, structure, LAZY);
-        for structure in Structure::ALL {
-            let n = cell(structure).map(Measured::front_pairs);
-            let _ = write!(text, " {} |", n.map_or(String::new(), thousands));
-        }
-        let _ = write!(
-            text,
-            " {} |",
-            results.scene.published.map_or("-".into(), |p| thousands(p.front))
-        );
-        match cell(TREE) {
-            Some(m) => {
-                let (mib, n) = (digits(m.front_mib()), m.steps.len());
-                let _ = writeln!(text, " {mib} | {} of {n} | {} |", m.n_begun(), m.n_rebuilt);
-            }
-            None => text.push_str(" | | |\n"),
-        }
+        let pairs = |s| cell(s).map(Measured::front_pairs).map_or(String::new(), thousands);
+        let there = results.scene.published.map_or("-".into(), |p| thousands(p.front));
+        let of_tree = cell(TREE).map(|m| {
+            let begun = format!("{} of {}", m.n_begun(), m.steps.len());
+            [digits(m.front_mib()), begun, m.n_rebuilt.to_string()]
+        });
+        let name = [results.scene.name.clone()];
+        let fronts = Structure::ALL.map(pairs);
+        table.row([&name[..], &fronts, &[there], &of_tree.unwrap_or_default()].concat());
     }
-    text
+    table.to_string()
 }
 
 fn thousands(n: f64) -> String {
@@ -148,14 +127,13 @@ pub fn times(all: &[Results], places: &[String]) -> String {
             let short = places[group.place].replace(" threads", "").replace(" thread", "");
             format!("{} {}", group.structure.name(), if short.len() > 3 { "GPU" } else { &short })
         });
-        text += &head(std::iter::once("ms".to_owned()).chain(columns));
+        let mut table = Table::new(std::iter::once("ms".to_owned()).chain(columns));
         for name in names(&results.groups) {
-            let cells = results.groups.iter().map(|group| {
-                format!(" {} |", ms(results.cell(group.place, group.structure, name)))
-            });
-            let _ = writeln!(text, "| {name} |{}", cells.collect::<String>());
+            let cells = results.groups.iter();
+            let cells = cells.map(|group| ms(results.cell(group.place, group.structure, name)));
+            table.row([name.to_owned()].into_iter().chain(cells));
         }
-        text.push('\n');
+        let _ = writeln!(text, "{table}");
     }
     text
 }
@@ -176,20 +154,18 @@ pub fn shares(all: &[Results], places: &[(usize, &str)]) -> String {
     let mut text = String::new();
     for results in all.iter().filter(|results| results.scene.mesh.faces().len() > 4000) {
         for &(k, place) in places {
-            let _ = writeln!(text, "**{}**, {place}:\n", results.scene.name);
-            let columns =
-                ["%", "refit", "front", "traversal", "balancing", "intersection", "workers busy"];
-            text += &head(columns);
+            let columns = ["%"].into_iter().chain(PARTS).chain(["workers busy"]);
+            let mut table = Table::new(columns);
             for name in names(&results.groups).into_iter().filter(|name| name.ends_with(", front"))
             {
                 let Some(m) = results.cell(k, TREE, name) else { continue };
-                let percent = |x: f64| format!(" {:.0} |", 100.0 * x);
-                let total = m.shares.total().max(1e-9);
-                let cells: String = m.shares.parts().map(|x| percent(x / total)).concat();
-                let busy = m.shares.utilisation.map_or(" |".to_owned(), percent);
-                let _ = writeln!(text, "| {name} |{cells}{busy}");
+                let percent = |x: f64| format!("{:.0}", 100.0 * x);
+                let total = m.shares.parts.iter().sum::<f64>().max(1e-9);
+                let cells = m.shares.parts.map(|x| percent(x / total));
+                let busy = m.shares.utilisation.map_or(String::new(), percent);
+                table.row([&[name.to_owned()][..], &cells, &[busy]].concat());
             }
-            text.push('\n');
+            let _ = writeln!(text, "**{}**, {place}:\n\n{table}", results.scene.name);
         }
     }
     text

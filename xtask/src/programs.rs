@@ -1,7 +1,41 @@
-//! What a machine may lack: a check that needs it is skipped there, loudly and with the reason,
-//! never silently.
+//! Other programs that are run. What a machine may lack: a check that needs it is skipped there,
+//! loudly and with the reason, never silently.
 
+use std::path::Path;
 use std::process::Command;
+use std::sync::Mutex;
+use std::time::Instant;
+
+/// Commands that ran, and their seconds.
+pub static TIMES: Mutex<Vec<(String, f64)>> = Mutex::new(Vec::new());
+
+/// Runs a command in `root`, showing it; an error if it fails.
+pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
+    command_with(root, words, &[])
+}
+
+pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
+    let shown = words.join(" ");
+    println!("$ {shown}");
+    let begun = Instant::now();
+    let status = Command::new(words[0])
+        .args(&words[1..])
+        .envs(env.iter().copied())
+        .current_dir(root)
+        .status();
+    let seconds = begun.elapsed().as_secs_f64();
+    TIMES.lock().map_err(|e| e.to_string())?.push((shown.clone(), seconds));
+    match status {
+        Ok(s) if s.success() => Ok(()),
+        Ok(s) => Err(format!("`{shown}` failed: {s}")),
+        Err(e) => Err(format!("`{shown}`: {e}")),
+    }
+}
+
+/// Where cargo builds.
+pub fn target_folder(root: &Path) -> std::path::PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
+}
 
 /// Says that a check was skipped.
 pub fn skipped(why: &str) {

@@ -1,13 +1,36 @@
-//! Pixels that plots and legends are drawn on. The letters of a text are placed by fractions of a
-//! pixel, where the font wants them; plotters' own place each on a whole pixel and leave out the
-//! space before it.
+//! Pixels that plots and legends are drawn on, and the file that they become. The letters of a text
+//! are placed by fractions of a pixel, where the font wants them; plotters' own place each on a
+//! whole pixel and leave out the space before it.
 
+use super::{Failure, files, in_file};
 use ab_glyph::{Font, FontRef, ScaleFont, point};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
 use plotters::backend::BitMapBackend;
+use plotters::drawing::DrawingArea;
+use plotters::style::{FontStyle, register_font};
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
-    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+    BackendColor, BackendCoord, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
+use std::io::Write;
+use std::path::Path;
+
+/// The font travels with the program, none need be installed.
+const FONT: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
+
+pub type Area<'a> = DrawingArea<Pixels<'a>, plotters::coord::Shift>;
+pub type Failed = Box<dyn std::error::Error>;
+
+/// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
+pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
+    let mut png = Vec::new();
+    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
+        .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
+        .map_err(|e| in_file(path, e))?;
+    let mut to = files::create(path, "png")?;
+    to.write_all(&png).and_then(|()| to.done()).map_err(|e| files::failed(path, e))
+}
 
 /// Three bytes a pixel, row by row.
 pub struct Pixels<'a> {
@@ -15,12 +38,16 @@ pub struct Pixels<'a> {
     font: FontRef<'static>,
 }
 
-type Failed<'a> = DrawingErrorKind<<BitMapBackend<'a> as DrawingBackend>::ErrorType>;
+type Error<'a> = <BitMapBackend<'a> as DrawingBackend>::ErrorType;
+type Done<'a> = Result<(), DrawingErrorKind<Error<'a>>>;
 
 impl<'a> Pixels<'a> {
     /// Draws on pixels of a picture of a size.
-    pub fn of(pixels: &'a mut [u8], size: (u32, u32)) -> Result<Self, ab_glyph::InvalidFont> {
-        let font = FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT)?;
+    pub fn of(pixels: &'a mut [u8], size: (u32, u32)) -> Result<Self, Failed> {
+        // So that plotters knows how large a text is.
+        register_font("sans-serif", FontStyle::Normal, FONT)
+            .map_err(|_| "the font cannot be read")?;
+        let font = FontRef::try_from_slice(FONT)?;
         Ok(Self { to: BitMapBackend::with_buffer(pixels, size), font })
     }
 
@@ -47,41 +74,22 @@ impl<'a> Pixels<'a> {
 }
 
 impl<'a> DrawingBackend for Pixels<'a> {
-    type ErrorType = <BitMapBackend<'a> as DrawingBackend>::ErrorType;
+    type ErrorType = Error<'a>;
 
     fn get_size(&self) -> (u32, u32) {
         self.to.get_size()
     }
 
-    fn ensure_prepared(&mut self) -> Result<(), Failed<'a>> {
+    fn ensure_prepared(&mut self) -> Done<'a> {
         self.to.ensure_prepared()
     }
 
-    fn present(&mut self) -> Result<(), Failed<'a>> {
+    fn present(&mut self) -> Done<'a> {
         self.to.present()
     }
 
-    fn draw_pixel(&mut self, at: BackendCoord, colour: BackendColor) -> Result<(), Failed<'a>> {
+    fn draw_pixel(&mut self, at: BackendCoord, colour: BackendColor) -> Done<'a> {
         self.to.draw_pixel(at, colour)
-    }
-
-    fn draw_line<S: BackendStyle>(
-        &mut self,
-        from: BackendCoord,
-        to: BackendCoord,
-        style: &S,
-    ) -> Result<(), Failed<'a>> {
-        self.to.draw_line(from, to, style)
-    }
-
-    fn draw_rect<S: BackendStyle>(
-        &mut self,
-        corner: BackendCoord,
-        other: BackendCoord,
-        style: &S,
-        fill: bool,
-    ) -> Result<(), Failed<'a>> {
-        self.to.draw_rect(corner, other, style, fill)
     }
 
     fn draw_text<S: BackendTextStyle>(
@@ -89,7 +97,7 @@ impl<'a> DrawingBackend for Pixels<'a> {
         text: &str,
         style: &S,
         (x, y): BackendCoord,
-    ) -> Result<(), Failed<'a>> {
+    ) -> Done<'a> {
         let boxed = |e| DrawingErrorKind::FontError(Box::new(e));
         let (min, max) = style.layout_box(text).map_err(boxed)?;
         let (width, height) = (max.0 - min.0, max.1 - min.1);

@@ -1,0 +1,67 @@
+//! What all reports measure with: places, times, medians.
+
+use ccd::gpu::{Device, DeviceOptions};
+use std::time::{Duration, Instant};
+
+/// Where something runs.
+pub enum Place {
+    /// So many threads.
+    Cpu { threads: usize },
+    /// The first GPU that there is.
+    Gpu { device: Box<Device>, name: String },
+}
+
+impl Place {
+    /// The GPU, if there is one.
+    pub fn gpu() -> Option<Self> {
+        match Device::open(&DeviceOptions::default()) {
+            Ok(device) => {
+                let name = device.info().adapter.name.clone();
+                Some(Self::Gpu { device: Box::new(device), name })
+            }
+            Err(why) => {
+                println!("without a GPU: {why}");
+                None
+            }
+        }
+    }
+
+    pub fn backend(&self) -> &'static str {
+        if matches!(self, Self::Cpu { .. }) { "cpu" } else { "gpu" }
+    }
+
+    pub fn name(&self) -> String {
+        match self {
+            Self::Cpu { threads: 1 } => "1 thread".into(),
+            Self::Cpu { threads } => format!("{threads} threads"),
+            Self::Gpu { name, .. } => name.clone(),
+        }
+    }
+}
+
+/// The middle one; 0 of none.
+pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_unstable_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// What `work` returns, and its milliseconds by the clock.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let done = work();
+    (start.elapsed().as_secs_f64() * 1e3, done)
+}
+
+/// Works before a measurement: a device that was idle needs about this long to reach its clock
+/// again.
+const WARM_UP: Duration = Duration::from_millis(300);
+
+/// What `run` returns `runs` times after it has warmed up.
+pub fn warm<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
+    let start = Instant::now();
+    while start.elapsed() < WARM_UP {
+        run()?;
+    }
+    (0..runs).map(|_| run()).collect()
+}
