@@ -1,6 +1,7 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
+#[cfg(feature = "catalogue")]
 use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
@@ -200,12 +201,16 @@ impl Engine {
         self.threads.count()
     }
 
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     /// From now on, whether the clock is asked where the time of descents goes, which costs time
     /// itself: two looks for every list of pairs that is expanded.
     pub fn set_timed(&mut self, timed: bool) {
         self.method.set_timed(timed);
     }
 
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     /// Where it went since [`Engine::set_timed`]: if a scheduler was chosen, by
     /// [`Options::scheduling`](ccd_core::model::options::Options::scheduling), that is not the
     /// default's.

@@ -2,8 +2,6 @@
 //! stays, buffers above all; each function makes all that can fail before it changes anything.
 
 use super::{Engine, memory};
-#[cfg(feature = "catalogue")]
-use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::step::codimensional::Codimensional;
 use crate::step::selection::Selection;
@@ -89,21 +87,5 @@ impl Engine {
         (self.workers, self.order) = Default::default();
         (self.listers, self.runs) = Default::default();
         self.state.report.contacts = Vec::new();
-    }
-
-    #[cfg(feature = "catalogue")]
-    #[doc(hidden)]
-    /// From now on, whether the clock is asked where the time of descents goes, which costs time
-    /// itself: two looks for every list of pairs that is expanded.
-    pub fn set_timed(&mut self, timed: bool) {
-        self.method.set_timed(timed);
-    }
-
-    #[cfg(feature = "catalogue")]
-    #[doc(hidden)]
-    /// Where it went since [`Engine::set_timed`]: if a scheduler was chosen, by
-    /// [`Options::scheduling`], that is not the default's.
-    pub fn descent_times(&self) -> Option<DescentTimes> {
-        self.method.descent_times()
     }
 }
