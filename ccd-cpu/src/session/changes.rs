@@ -202,18 +202,18 @@ impl Session {
         self.report.contacts = Vec::new();
     }
 
-    #[cfg(feature = "catalogue")]
-    #[doc(hidden)]
     /// From now on, whether the clock is asked where the time of descents goes, which costs time
     /// itself: two looks for every list of pairs that is expanded.
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     pub fn set_timed(&mut self, timed: bool) {
         self.method.set_timed(timed);
     }
 
-    #[cfg(feature = "catalogue")]
-    #[doc(hidden)]
     /// Where it went since [`Session::set_timed`]: if a scheduler was chosen, by
     /// [`Options::scheduling`], that is not the default's.
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
     pub fn descent_times(&self) -> Option<DescentTimes> {
         self.method.descent_times()
     }
