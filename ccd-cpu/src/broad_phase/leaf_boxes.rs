@@ -145,7 +145,7 @@ impl LeafBoxes {
     /// The ids of block `b`; lanes past the end repeat the last id.
     #[inline(always)]
     pub fn ids(&self, b: usize) -> &[u32; WIDTH] {
-        &self.order.as_chunks().0[b]
+        self.order.as_chunks().0.get(b).unwrap_or(&[0; WIDTH])
     }
 
     /// Takes boxes, in an order that the source chooses, and has it build what it needs.

@@ -69,8 +69,8 @@ impl Scene<'_> {
 
 /// The rule of candidates for a row, after boxes, common vertices and bodies.
 impl Scene<'_> {
-    /// The lanes of `mask` whose boxes in `b` overlap that of lane `lane` of `a` in the precision of
-    /// the input.
+    /// The lanes of `mask` whose boxes in `b` overlap that of lane `lane` of `a` in the precision
+    /// of the input.
     #[inline(always)]
     pub fn confirmed<S: RowSimd, const N: usize, const M: usize>(
         &self,
@@ -200,7 +200,8 @@ impl Take for Lister {
     fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
-/// Features of `N` vertices against features of `M`: vertices against faces, or edges against edges.
+/// Features of `N` vertices against features of `M`: vertices against faces, or edges against
+/// edges.
 pub struct FeaturePairs<'a, W, const N: usize, const M: usize> {
     pub scene: &'a Scene<'a>,
     pub a: &'a Leaves<N>,
@@ -208,7 +209,7 @@ pub struct FeaturePairs<'a, W, const N: usize, const M: usize> {
     pub worker: PhantomData<fn(W)>,
 }
 
-/// What pairs of a feature of `n` vertices and another are: of two edges, or of a vertex and a face.
+/// The kind of pairs of a feature of `n` vertices and another.
 const fn kind_of(n: usize) -> Kind {
     if n == 2 { Kind::EdgeEdge } else { Kind::VertexFace }
 }

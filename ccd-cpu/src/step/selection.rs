@@ -62,8 +62,8 @@ impl Selection {
         self.filter.is_some() || self.rules.as_ref().is_some_and(Rules::excludes_features)
     }
 
-    /// The lanes of `mask` in which feature `id` with that of `ids` is wanted; with `id`: whether it is
-    /// that of a face.
+    /// The lanes of `mask` in which feature `id` with that of `ids` is wanted; with `id`: whether
+    /// it is that of a face.
     #[inline(never)]
     pub fn of_features(
         &self,
