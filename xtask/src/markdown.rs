@@ -1,6 +1,7 @@
 //! Reports as Markdown: tables, and paragraphs wrapped at the width that `tidy` allows.
 
 use crate::tidy::MAX_COLUMNS_MARKDOWN;
+#[cfg(feature = "report")]
 use std::path::Path;
 
 /// Wraps every line that is neither a row of a table nor a heading; no word is divided.
@@ -73,6 +74,7 @@ pub fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
 }
 
 /// Writes a file of docs whose tables are made anew and whose text stays as it is.
+#[cfg(feature = "report")]
 pub fn rewrite(path: &Path, tables: &[(&str, String)]) -> Result<(), String> {
     let failed = |e: std::io::Error| format!("{}: {e}", path.display());
     let text = std::fs::read_to_string(path).map_err(failed)?;
