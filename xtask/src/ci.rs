@@ -9,7 +9,7 @@ const BARE_METAL: &str = "thumbv7em-none-eabihf";
 /// What this crate is built with for one task each, and by default without: clippy sees all of it.
 const XTASK_FEATURES: [&str; 5] = ["report", "attack", "shaders", "loom", "soak"];
 
-/// Runs the gate, or `whole`: that without what it leaves out, and with the searches that take long.
+/// Runs the gate, or `whole`: that with nothing left out, and the searches that take long.
 /// Prints at the end how long each command took.
 pub fn run(root: &Path, whole: bool) -> Result<(), String> {
     let result = gate(root).and_then(|()| if whole { long(root) } else { Ok(()) });

@@ -1,9 +1,9 @@
 //! `cargo xtask python`: the module of ccd-python as a user meets it: tests against ipctk, stubs
 //! against the module, the example.
 //!
-//! The tests of the workspace have compiled the module already (`ccd-python/tests/module.rs`); it is
-//! put beside the Python sources in a folder below target. `--wheel` builds, installs and tests a
-//! wheel with maturin instead, which compiles much again. Packages are the versions of
+//! The tests of the workspace have compiled the module already (`ccd-python/tests/module.rs`): it
+//! is put beside the Python sources in a folder below target. `--wheel` builds, installs and tests
+//! a wheel with maturin instead, which compiles much again. Packages are the versions of
 //! `ccd-python/requirements.txt`.
 
 use crate::programs::{command, command_with, output, skipped, target_folder};

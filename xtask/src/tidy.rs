@@ -53,35 +53,6 @@ const ROOMS: [&str; 4] = [
 ];
 /// What begins the line that says why a file has none of its name beside it.
 const TWIN: &str = "//! Twin:";
-/// Files and folders of these rooms that do not say it yet.
-const OPEN_TWINS: [&str; 25] = [
-    "ccd-cpu/src/broad_phase/brute_force.rs",
-    "ccd-cpu/src/broad_phase/descend.rs",
-    "ccd-cpu/src/broad_phase/descent_times.rs",
-    "ccd-cpu/src/broad_phase/leaf_boxes.rs",
-    "ccd-cpu/src/broad_phase/morton_order.rs",
-    "ccd-cpu/src/broad_phase/pair_list.rs",
-    "ccd-cpu/src/broad_phase/scheduler/",
-    "ccd-cpu/src/broad_phase/tasks.rs",
-    "ccd-cpu/src/broad_phase/tree/builder/ploc_search.rs",
-    "ccd-cpu/src/broad_phase/tree/shared_words.rs",
-    "ccd-cpu/src/broad_phase/tree/statistics.rs",
-    "ccd-cpu/src/broad_phase/tree/traversal/",
-    "ccd-gpu/src/broad_phase/block_descent.rs",
-    "ccd-gpu/src/broad_phase/block_levels.rs",
-    "ccd-gpu/src/broad_phase/scheduler/",
-    "ccd-gpu/src/broad_phase/upload.rs",
-    "ccd-gpu/src/broad_phase/worker_counts.rs",
-    "ccd-shaders/src/broad_phase/binary_pair_tree.rs",
-    "ccd-shaders/src/broad_phase/block_pair_tree.rs",
-    "ccd-shaders/src/broad_phase/bounds.rs",
-    "ccd-shaders/src/broad_phase/listed.rs",
-    "ccd-shaders/src/broad_phase/oriented_pairs.rs",
-    "ccd-shaders/src/broad_phase/pair_stealing.rs",
-    "ccd-shaders/src/broad_phase/stolen_batches.rs",
-    "ccd-shaders/src/broad_phase/worker.rs",
-];
-
 pub fn run(root: &Path) -> Result<(), String> {
     let mut problems = Vec::new();
     let mut files = Vec::new();
@@ -99,7 +70,7 @@ pub fn run(root: &Path) -> Result<(), String> {
         sources.push((name, text));
     }
     problems.extend(crate::circles::check(&sources));
-    problems.extend(check_twins(&sources, &OPEN_TWINS));
+    problems.extend(check_twins(&sources));
     let text = std::fs::read_to_string(root.join(REFERENCES));
     let text = text.map_err(|e| format!("{REFERENCES}: {e}"))?;
     problems.extend(check_references(&cited, &text));
@@ -113,7 +84,7 @@ pub fn run(root: &Path) -> Result<(), String> {
 
 /// Files of these rooms whose name no other room has and whose head does not say why, in a line
 /// that begins with [`TWIN`]; that of a folder's `mod.rs` holds for all files of the folder.
-fn check_twins(files: &[(String, String)], open: &[&str]) -> Vec<String> {
+fn check_twins(files: &[(String, String)]) -> Vec<String> {
     let in_rooms = files.iter().filter_map(|(name, text)| {
         let room = ROOMS.iter().find(|room| name.starts_with(**room))?;
         let own = name.strip_suffix("/mod.rs").or(name.strip_suffix(".rs"))?.rsplit('/').next()?;
@@ -129,11 +100,8 @@ fn check_twins(files: &[(String, String)], open: &[&str]) -> Vec<String> {
         let has_twin = all.iter().any(|other| other.1 == *own && other.0 != *room);
         *room != ROOMS[0] && !own.ends_with("tests") && !has_twin && !says_why(name)
     });
-    let lonely: Vec<&str> = lonely.map(|file| file.2).collect();
-    let new = lonely.iter().filter(|name| !open.iter().any(|known| name.starts_with(known)));
-    let new = new.map(|name| format!("{name}: no other room has this name, and no `{TWIN} ..`"));
-    let gone = open.iter().filter(|known| !lonely.iter().any(|name| name.starts_with(**known)));
-    new.chain(gone.map(|known| format!("{known}: says why or has a twin; not open"))).collect()
+    let told = |name: &str| format!("{name}: no other room has this name, and no `{TWIN} ..`");
+    lonely.map(|file| told(file.2)).collect()
 }
 
 /// Keys that a text cites: words in brackets that begin with a name and end with a year, as in
@@ -265,14 +233,12 @@ mod tests {
         let file = |at: usize, name: &str, text: &str| {
             (format!("{}{name}", ROOMS[at]), format!("//! A.\n{text}"))
         };
-        let check = |files: &[(String, String)], open: &[&str]| check_twins(files, open).len();
+        let check = |files: &[(String, String)]| check_twins(files).len();
         let lonely = file(1, "tree/half.rs", "");
-        assert_eq!(check(&[lonely.clone()], &[]), 1);
-        assert_eq!(check(&[lonely.clone()], &[ROOMS[1]]), 0);
-        assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")], &[]), 0);
-        assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")], &[ROOMS[1]]), 1);
-        assert_eq!(check(&[lonely, file(1, "tree/mod.rs", "//! Twin: none.\n")], &[]), 0);
-        assert_eq!(check(&[file(3, "a.rs", "//! Twin: none.\n"), file(0, "b.rs", "")], &[]), 0);
+        assert_eq!(check(&[lonely.clone()]), 1);
+        assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")]), 0);
+        assert_eq!(check(&[lonely, file(1, "tree/mod.rs", "//! Twin: none.\n")]), 0);
+        assert_eq!(check(&[file(3, "a.rs", "//! Twin: none.\n"), file(0, "b.rs", "")]), 0);
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Where the nodes of block trees are: every level of every set in one buffer, padded so that a
 //! workgroup never meets two sets.
+//!
+//! Twin: on a CPU `tasks.rs`, which goes depth first.
 
 use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH, sets};
 use ccd_core::layout::MAX_LEVELS;

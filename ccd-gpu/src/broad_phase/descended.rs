@@ -1,5 +1,7 @@
 //! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
 //! what kernels are told, and the kernels.
+//!
+//! Twin: on a CPU `descend.rs`, and for blocks `block_descent.rs`.
 
 use crate::bind::{BlockWorkers, PairWorkers, ResumeBlockFront, ResumeFront};
 use crate::growable_list::List;

@@ -1,4 +1,6 @@
 //! Boxes on their way to the device: checked and copied by all threads of the host.
+//!
+//! Twin: none; a CPU reads boxes where they are.
 
 use crate::device::Device;
 use crate::error::Error as DeviceError;

@@ -1,4 +1,6 @@
 //! What workers counted in a search: how busy their threads were.
+//!
+//! Twin: none; a CPU takes the time of descents instead (`descent_times.rs`).
 
 use crate::device::Device;
 use crate::error::Error;

@@ -1,5 +1,7 @@
 //! From pairs of blocks to candidates, or to candidates that pass the filters: pairs of boxes as in
 //! `block_pairs`, then one hit a thread.
+//!
+//! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
 use super::block_pairs::{HITS, KEPT, SHARE, clear, gather, reserve, rounds, team_pair, test};
 use crate::entry::kernel;

@@ -1,4 +1,6 @@
 //! Bounds of all boxes, and the keys by which boxes are sorted.
+//!
+//! Twin: on a CPU `morton_order.rs`, which bounds boxes as it codes them.
 
 use crate::entry::kernel;
 use crate::records::BoxWords;

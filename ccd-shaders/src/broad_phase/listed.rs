@@ -1,5 +1,7 @@
 //! From pairs of ids, which any source lists, to candidates and to candidates that pass the
 //! filters: one pair a thread, appended by the workgroup.
+//!
+//! Twin: of ccd-cpu `step/candidates.rs`, for pairs that another kernel has listed.
 
 use crate::entry::kernel;
 use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};

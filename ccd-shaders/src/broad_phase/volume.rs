@@ -1,4 +1,6 @@
 //! What tells nodes of binary trees apart whose boxes overlap: nothing, or oriented boxes.
+//!
+//! Twin: on a CPU `tree/traversal/`, whose traversals take the volume.
 
 use crate::records::{NodeWords, ObbWords};
 use ccd_core::Aabb;

@@ -1,6 +1,8 @@
 //! Schedulers of a device: which workgroup expands which pairs of nodes, of binary trees or of
 //! blocks, where nobody knows beforehand what is below one.
 //!
+//! Twin: on a CPU `scheduler/` has a file for each way to share out work.
+//!
 //! | scheduler | a pair that was found goes to | a worker without pairs |
 //! |---|---|---|
 //! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of that |

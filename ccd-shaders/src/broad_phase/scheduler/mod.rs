@@ -1,4 +1,6 @@
 //! Workers that descend pairs of nodes, of binary trees or of blocks, with stealing and without.
+//!
+//! Twin: on a CPU `scheduler/` has a file for each way to share out work.
 
 mod binary_pair_tree;
 mod block_pair_tree;
