@@ -9,7 +9,7 @@ use crate::device::Device;
 use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use ccd_core::model::method::{BroadPhaseMethod, TreeOptions};
 use ccd_core::model::scheduling::Scheduling;
 
 /// Refuses a choice that this backend does not have.
