@@ -1,16 +1,16 @@
 //! The device: opening it, its buffers, and what happens when it fails.
 
 mod compilation;
+mod memory;
 
 pub use compilation::Compilation;
 
 use crate::adapter::{self, DeviceOptions, Info, Path};
-use crate::error::Error;
-use crate::harness::Faults;
+use crate::error::{Error, Faults};
 use crate::kernel_cache::Cache;
-use crate::memory::Memory;
 use crate::pipeline::{Checked, Pipeline};
 use ccd_core::kernel::TABLE;
+use memory::Memory;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 

@@ -103,3 +103,31 @@ impl Error {
         true
     }
 }
+
+/// What tests let go wrong on a device from now on, in all its sessions.
+#[derive(Clone, Debug, Default)]
+pub struct Faults {
+    /// Calls of the driver that succeed before: buffers, kernels, frames, results.
+    pub skip: u32,
+    /// Calls after them that fail.
+    pub n: u32,
+    /// How they fail; `None`: they do not.
+    pub error: Option<Error>,
+    /// Of sessions that are made from now on, a search begins with two workers that take one turn
+    /// in one round, so that pairs are left.
+    pub short_rounds: bool,
+}
+
+impl Faults {
+    /// The fault of the next call, if it has one.
+    pub(crate) fn next(&mut self) -> Option<Error> {
+        let error = self.error.clone()?;
+        if self.skip > 0 {
+            self.skip -= 1;
+            return None;
+        }
+        let fails = self.n > 0;
+        self.n -= fails as u32;
+        fails.then_some(error)
+    }
+}

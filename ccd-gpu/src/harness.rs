@@ -1,6 +1,8 @@
 //! For tests and benches: one kernel by itself, on buffers of the caller's; a device that fails;
 //! devices whose kernels check their indices.
 
+pub use crate::error::Faults;
+
 use crate::adapter::DeviceOptions;
 use crate::bind::Bind;
 use crate::device::Device;
@@ -12,34 +14,6 @@ use ccd_core::kernel::TABLE;
 use ccd_core::layout::Params;
 use std::path::Path;
 use wgpu::BufferUsages as U;
-
-/// What goes wrong on a device from now on, in all its sessions.
-#[derive(Clone, Debug, Default)]
-pub struct Faults {
-    /// Calls of the driver that succeed before: buffers, kernels, frames, results.
-    pub skip: u32,
-    /// Calls after them that fail.
-    pub n: u32,
-    /// How they fail; `None`: they do not.
-    pub error: Option<Error>,
-    /// Of sessions that are made from now on, a search begins with two workers that take one turn
-    /// in one round, so that pairs are left.
-    pub short_rounds: bool,
-}
-
-impl Faults {
-    /// The fault of the next call, if it has one.
-    pub(crate) fn next(&mut self) -> Option<Error> {
-        let error = self.error.clone()?;
-        if self.skip > 0 {
-            self.skip -= 1;
-            return None;
-        }
-        let fails = self.n > 0;
-        self.n -= fails as u32;
-        fails.then_some(error)
-    }
-}
 
 /// Lets a device fail; returns what is left of the faults that it had.
 pub fn set_faults(device: &Device, faults: Faults) -> Faults {

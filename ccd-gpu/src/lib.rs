@@ -40,7 +40,6 @@ mod flushing;
 mod growable_list;
 pub mod harness;
 mod kernel_cache;
-mod memory;
 mod pipeline;
 mod readback;
 mod recorder;

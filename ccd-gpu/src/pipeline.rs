@@ -1,7 +1,6 @@
 //! Compiled kernels: from a row of the kernel table and its module to a pipeline.
 
 use crate::adapter::Path;
-use crate::device::Device;
 use crate::shaders::module;
 use ccd_core::kernel::{Access, Id};
 use std::iter::once;
@@ -104,31 +103,6 @@ impl Pipeline {
         });
         Self { pipeline, layout }
     }
-}
-
-/// The bindings of a kernel: of what it is told, `bytes` at the offset of a dispatch, and its
-/// buffers.
-pub fn bind_group(
-    device: &Device,
-    id: Id,
-    (params, bytes): (&wgpu::Buffer, u64),
-    buffers: &[wgpu::Buffer],
-) -> wgpu::BindGroup {
-    let size = wgpu::BufferSize::new(bytes);
-    let params = wgpu::BufferBinding { buffer: params, offset: 0, size };
-    let takes_params = id.row().params.is_some();
-    let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
-    let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
-    let resources = resources.chain(device.checked().map(|checked| checked.word(id)));
-    let entries: Vec<_> = (0..)
-        .zip(resources)
-        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-        .collect();
-    device.wgpu().create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some(id.row().name),
-        layout: &device.pipeline(id).layout,
-        entries: &entries,
-    })
 }
 
 /// A cache of compiled kernels with what a driver gave before, or an empty one.

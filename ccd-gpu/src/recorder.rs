@@ -5,7 +5,6 @@
 use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
-use crate::pipeline;
 use crate::readback::{Part, Reading, map};
 use ccd_core::kernel::Id;
 use ccd_core::layout::Params;
@@ -122,7 +121,7 @@ impl Bench {
         let group = |command: &Command| {
             let Command::Run { id, buffers, .. } = command else { return None };
             let entry = groups.entry((*id, buffers.clone()));
-            let new = || pipeline::bind_group(device, *id, (params, PARAMS_STRIDE), buffers);
+            let new = || bind_group(device, *id, params, buffers);
             Some(entry.or_insert_with(new).clone())
         };
         let made = device.guarded("bindings", 0, || commands.iter().filter_map(group).collect());
@@ -337,4 +336,28 @@ pub fn submit(
         device.queue().submit([encoder.finish()]);
         Ok(stages)
     })?
+}
+
+/// The bindings of a kernel: of what it is told, at the offset of a dispatch, and its buffers.
+fn bind_group(
+    device: &Device,
+    id: Id,
+    params: &wgpu::Buffer,
+    buffers: &[wgpu::Buffer],
+) -> wgpu::BindGroup {
+    let size = wgpu::BufferSize::new(PARAMS_STRIDE);
+    let params = wgpu::BufferBinding { buffer: params, offset: 0, size };
+    let takes_params = id.row().params.is_some();
+    let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
+    let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
+    let resources = resources.chain(device.checked().map(|checked| checked.word(id)));
+    let entries: Vec<_> = (0..)
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+        .collect();
+    device.wgpu().create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(id.row().name),
+        layout: &device.pipeline(id).layout,
+        entries: &entries,
+    })
 }

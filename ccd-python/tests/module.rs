@@ -6,7 +6,7 @@ use std::path::Path;
 #[test]
 fn an_interpreter_finds_the_module() {
     let program = std::env::current_exe().expect("a path");
-    let folder = program.ancestors().nth(2).expect("target/release");
+    let folder = program.parent().expect("target/release/deps");
     let file = format!("{}_native{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let path = folder.join(file);
     assert!(exports(&path, b"PyInit__native"), "{}", path.display());

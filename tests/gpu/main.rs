@@ -159,8 +159,13 @@ fn main() {
         ("layouts_in_spirv", scalars::check_decorations),
         ("manifest_is_the_table", scalars::check_manifest),
     ];
-    let run = |check: fn()| move || Ok::<_, Failed>(check());
-    trials.extend(anywhere.map(|(name, check)| Trial::test(name, run(check))));
+    let trial = |(name, check): (&str, fn())| {
+        Trial::test(name, move || {
+            check();
+            Ok(())
+        })
+    };
+    trials.extend(anywhere.map(trial));
     let device = devices.as_ref().map(|_| ()).map_err(Clone::clone);
     trials.push(Trial::ignorable_test("example_engine", move || match device {
         Ok(()) => engine::main().map(|()| Completion::Completed).map_err(Failed::from),

@@ -145,7 +145,7 @@ fn check_rules(device: &Device) {
     }
     // Names of bodies that differ in their highest bit alone.
     let (step, _) = soup(0);
-    let name = |v: u32| v / 3 % 4 | (v / 3 % 2) << 31;
+    let name = |v: u32| (v / 3 % 4) | ((v / 3 % 2) << 31);
     let names: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(name).collect();
     check_step(device, &step, Options::default().with_bodies(Bodies::new(&names, &[], false)));
 }

@@ -55,7 +55,7 @@ fn assemble(root: &Path) -> Result<PathBuf, String> {
     let library =
         format!("{}_native{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let name = if cfg!(windows) { "_native.pyd" } else { "_native.abi3.so" };
-    copy(target.join("release").join(library), name)?;
+    copy(target.join("release/deps").join(library), name)?;
     Ok(site)
 }
 

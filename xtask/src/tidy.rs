@@ -235,7 +235,7 @@ mod tests {
         };
         let check = |files: &[(String, String)]| check_twins(files).len();
         let lonely = file(1, "tree/half.rs", "");
-        assert_eq!(check(&[lonely.clone()]), 1);
+        assert_eq!(check(std::slice::from_ref(&lonely)), 1);
         assert_eq!(check(&[lonely.clone(), file(2, "half.rs", "")]), 0);
         assert_eq!(check(&[lonely, file(1, "tree/mod.rs", "//! Twin: none.\n")]), 0);
         assert_eq!(check(&[file(3, "a.rs", "//! Twin: none.\n"), file(0, "b.rs", "")]), 0);

@@ -1,7 +1,6 @@
 //! Axis-aligned boxes, closed overlap, and the one place where numbers are rounded outward.
 
 use crate::math::real::{Num, Real};
-use crate::model::precision::Record;
 use bytemuck::{Pod, Zeroable};
 
 /// A closed axis-aligned box; `min > max` in any axis means empty.
@@ -41,14 +40,6 @@ const _: () = {
 };
 
 const _: () = assert!(size_of::<Aabb<f32>>() == 24 && size_of::<Aabb<f64>>() == 48);
-
-/// Boxes, `Aabb<T>`.
-#[derive(Clone, Copy, Debug)]
-pub struct Boxes;
-
-impl Record for Boxes {
-    type Of<T: 'static> = Aabb<T>;
-}
 
 impl<N: Num> Aabb<N> {
     /// Where an axis separates the closed boxes: the contrary of an overlap. A bound that is NaN

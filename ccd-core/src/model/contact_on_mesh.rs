@@ -3,7 +3,7 @@
 use crate::layout::Pair;
 use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
-use crate::model::precision::{Coordinate, Given, Points, Precision};
+use crate::model::precision::{Coordinate, Given, Precision};
 use crate::narrow_phase::contact_geometry::{ContactGeometry, contact_geometry};
 use crate::narrow_phase::decide::gather;
 
@@ -61,7 +61,7 @@ impl Contact {
         x0: &[[T; 3]],
         x1: &[[T; 3]],
     ) -> ContactGeometry {
-        geometry(self, mesh, T::slices::<Points, 2>([x0, x1]))
+        geometry(self, mesh, T::erase::<Given>([x0, x1]))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Slices in either precision: where generic calls end, so that what is behind them is compiled
 //! once, by the crate that has it, and not by every crate that calls it.
 
+use crate::math::aabb::Aabb;
 use crate::math::real::Real;
-use crate::model::positions::{Ends, PositionView};
 
 /// Something in one of the two precisions.
 ///
@@ -20,26 +20,28 @@ pub enum Precision<F, D> {
     F64(D),
 }
 
-/// A record of coordinates, whatever their type: `[T; 3]`, a box of `T`.
-pub trait Record {
-    /// The record of coordinates `T`.
-    type Of<T: 'static>: 'static;
+/// Something in either precision, and what it is where the precision is known.
+pub trait Erased {
+    /// What it is with coordinates `T`.
+    type Of<T: 'static>;
 }
 
-/// Points, `[T; 3]`.
-#[derive(Clone, Copy, Debug)]
-pub struct Points;
+/// `N` slices of points, all in one precision.
+pub type Points<'a, const N: usize> = Precision<[&'a [[f32; 3]]; N], [&'a [[f64; 3]]; N]>;
 
-impl Record for Points {
-    type Of<T: 'static> = [T; 3];
+impl<'a, const N: usize> Erased for Points<'a, N> {
+    type Of<T: 'static> = [&'a [[T; 3]]; N];
 }
 
-/// `N` slices of one kind of record, all in one precision.
-pub type Slices<'a, R, const N: usize> =
-    Precision<[&'a [<R as Record>::Of<f32>]; N], [&'a [<R as Record>::Of<f64>]; N]>;
+/// `N` slices of boxes, all in one precision.
+pub type Boxes<'a, const N: usize> = Precision<[&'a [Aabb<f32>]; N], [&'a [Aabb<f64>]; N]>;
+
+impl<'a, const N: usize> Erased for Boxes<'a, N> {
+    type Of<T: 'static> = [&'a [Aabb<T>]; N];
+}
 
 /// Positions at both ends of a step, as given.
-pub type Given<'a> = Slices<'a, Points, 2>;
+pub type Given<'a> = Points<'a, 2>;
 
 mod sealed {
     /// `f32` and `f64` alone.
@@ -58,14 +60,9 @@ mod sealed {
 /// assert_eq!(n_vertices(&[[0.0f32; 3]; 2]) + n_vertices(&[[0.0f64; 3]]), 3);
 /// ```
 pub trait Coordinate: Real + sealed::Sealed {
-    /// Slices of records of such numbers, as what they are: a public function that is generic calls
-    /// one that is not.
+    /// The same without its type: a public function that is generic calls one that is not.
     #[doc(hidden)]
-    fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N>;
-
-    /// The same for positions at both ends of a step.
-    #[doc(hidden)]
-    fn ends(of: [PositionView<'_, Self>; 2]) -> Ends<'_>;
+    fn erase<E: Erased>(of: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>>;
 }
 
 macro_rules! coordinate {
@@ -74,14 +71,7 @@ macro_rules! coordinate {
 
         impl Coordinate for $t {
             #[inline]
-            fn slices<'a, R: Record, const N: usize>(
-                of: [&'a [R::Of<Self>]; N],
-            ) -> Slices<'a, R, N> {
-                $precision(of)
-            }
-
-            #[inline]
-            fn ends(of: [PositionView<'_, Self>; 2]) -> Ends<'_> {
+            fn erase<E: Erased>(of: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>> {
                 $precision(of)
             }
         }

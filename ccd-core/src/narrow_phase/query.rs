@@ -4,6 +4,8 @@
 //! Contact is closed: touching counts, also at `t = 0` and `t = 1`. With a minimum distance
 //! `d > 0`, contact means a distance of at most `d`.
 
+pub use crate::narrow_phase::search::{LEAST_TOLERANCE, TOI_TOLERANCE, Verdict};
+
 use crate::math::real::Real;
 use crate::narrow_phase::approach::{Approach, Departure};
 use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, stuck_at, within};
@@ -12,51 +14,6 @@ use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::cubic_roots::Cubic;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
-
-/// How early a certain time of impact may be, in units of the step, unless a search says another
-/// tolerance.
-pub const TOI_TOLERANCE: f64 = 1e-6;
-/// The least tolerance that a search may ask for.
-pub const LEAST_TOLERANCE: f64 = 1e-12;
-
-/// The answer of a query.
-///
-/// ```
-/// use ccd_core::Verdict;
-///
-/// // What a conservative caller may advance to.
-/// assert_eq!(Verdict::Undecided { toi: 0.25 }.toi(), Some(0.25));
-/// assert_eq!(Verdict::<f64>::Miss.toi(), None);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(u32)]
-pub enum Verdict<R> {
-    /// Certainly no contact during the step.
-    Miss,
-    /// Certainly contact; `toi` is not later than the first contact and at most the tolerance
-    /// earlier: [`TOI_TOLERANCE`] by default.
-    Hit {
-        /// Time of impact in `[0, 1]`.
-        toi: R,
-    },
-    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no
-    /// contact before `toi`.
-    Undecided {
-        /// The time until which the step is certainly free, in `[0, 1]`.
-        toi: R,
-    },
-}
-
-impl<R: Real> Verdict<R> {
-    /// The time that a conservative caller may advance to: `None` for a miss.
-    #[inline]
-    pub fn toi(&self) -> Option<R> {
-        match *self {
-            Verdict::Miss => None,
-            Verdict::Hit { toi } | Verdict::Undecided { toi } => Some(toi),
-        }
-    }
-}
 
 /// A vertex-face query: `v f0 f1 f2` at both ends of the step.
 ///

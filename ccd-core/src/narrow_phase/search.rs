@@ -1,9 +1,15 @@
 //! What a query looks for besides a contact of two features: the distance that counts, the times,
-//! how exact a time of impact must be, and whether a contact at the start may be left.
+//! how exact a time of impact must be, and whether a contact at the start may be left; and what it
+//! finds.
 
 use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
-use crate::narrow_phase::query::{TOI_TOLERANCE, Verdict};
+
+/// How early a certain time of impact may be, in units of the step, unless a search says another
+/// tolerance.
+pub const TOI_TOLERANCE: f64 = 1e-6;
+/// The least tolerance that a search may ask for.
+pub const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// What a query looks for.
 ///
@@ -41,6 +47,45 @@ impl<R: Real> Search<R> {
         let (from, until) = (R::splat(0.0), R::splat(1.0));
         let tolerance = R::from_f64(TOI_TOLERANCE);
         Self { min_distance, tolerance, from, until, leaves: false }
+    }
+}
+
+/// The answer of a query.
+///
+/// ```
+/// use ccd_core::Verdict;
+///
+/// // What a conservative caller may advance to.
+/// assert_eq!(Verdict::Undecided { toi: 0.25 }.toi(), Some(0.25));
+/// assert_eq!(Verdict::<f64>::Miss.toi(), None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u32)]
+pub enum Verdict<R> {
+    /// Certainly no contact during the step.
+    Miss,
+    /// Certainly contact; `toi` is not later than the first contact and at most the tolerance
+    /// earlier: [`TOI_TOLERANCE`] by default.
+    Hit {
+        /// Time of impact in `[0, 1]`.
+        toi: R,
+    },
+    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no
+    /// contact before `toi`.
+    Undecided {
+        /// The time until which the step is certainly free, in `[0, 1]`.
+        toi: R,
+    },
+}
+
+impl<R: Real> Verdict<R> {
+    /// The time that a conservative caller may advance to: `None` for a miss.
+    #[inline]
+    pub fn toi(&self) -> Option<R> {
+        match *self {
+            Verdict::Miss => None,
+            Verdict::Hit { toi } | Verdict::Undecided { toi } => Some(toi),
+        }
     }
 }
 

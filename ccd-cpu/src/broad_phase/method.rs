@@ -22,6 +22,7 @@ use ccd_core::model::tree_statistics::TreeStatistics;
 
 /// One of the sources of pairs that this backend has.
 #[derive(Debug)]
+#[allow(clippy::large_enum_variant, reason = "a session has one, mostly the largest")]
 pub enum Method {
     /// The default, which is compiled into every sink.
     Blocks(BlockSource),

@@ -55,10 +55,9 @@ use crate::clock::{Instant, milliseconds};
 use crate::simd::{RowSimd, WIDTH};
 use crate::stop::Stop;
 use crate::threads::Threads;
-use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
-use ccd_core::model::precision::{Precision, Slices};
+use ccd_core::model::precision::{Boxes, Precision};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
 use ccd_core::model::tree_statistics::TreeStatistics;
@@ -175,7 +174,7 @@ impl BroadPhase {
     /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
     /// limits.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        self.search::<true>(T::slices::<Boxes, 2>([boxes; 2]))?;
+        self.search::<true>(T::erase::<Boxes<2>>([boxes; 2]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -189,7 +188,7 @@ impl BroadPhase {
         a: &[Aabb<T>],
         b: &[Aabb<T>],
     ) -> Result<Pairs<'_>, Error> {
-        self.search::<false>(T::slices::<Boxes, 2>([a, b]))?;
+        self.search::<false>(T::erase::<Boxes<2>>([a, b]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
@@ -220,7 +219,7 @@ impl BroadPhase {
 
     /// Of two sets, or within one that is given twice.
     #[inline(never)]
-    fn search<const WITHIN: bool>(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
+    fn search<const WITHIN: bool>(&mut self, boxes: Boxes<2>) -> Result<(), Error> {
         let start = Instant::now();
         let Self { threads, method, a, b, workers, runs, times } = self;
         let exact = match boxes {

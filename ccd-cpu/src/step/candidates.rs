@@ -2,6 +2,8 @@
 //! go, pairs of bodies that nobody wants, and pairs that overlap only because boxes were rounded.
 //! What is left are candidates; whoever takes them does the rest.
 
+pub use ccd_core::model::precision::Given;
+
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::PairSink;
@@ -14,16 +16,13 @@ use ccd_core::broad_phase::swept_box;
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::precision::{Points, Precision, Slices};
+use ccd_core::model::precision::Precision;
 use ccd_core::model::quantization::margin;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
-
-/// Positions at both ends of a step, as given.
-pub type Given<'a> = Slices<'a, Points, 2>;
 
 /// What all workers of a step read.
 pub struct Scene<'a> {

@@ -9,38 +9,37 @@ use crate::device::Device;
 use crate::error::Error;
 use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use ccd_core::model::method::{BroadPhaseMethod, TreeOptions};
 use ccd_core::model::scheduling::Scheduling;
 
 /// Refuses a choice that this backend does not have.
 pub fn check(choice: BroadPhaseMethod) -> Result<(), Error> {
     choice.check()?;
-    match choice.lacking("gpu") {
-        Some(name) => Err(ccd_core::Error::Method { name, backend: "gpu" }.into()),
-        None if is_default(choice) => Ok(()),
-        None => check_catalogue(choice.row().name),
+    if let Some(name) = choice.lacking("gpu") {
+        return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
     }
-}
-
-/// Whether a method needs no feature: blocks, and trees by LBVH that each box queries.
-fn is_default(choice: BroadPhaseMethod) -> bool {
-    match choice {
-        BroadPhaseMethod::Blocks => true,
+    check_compiled(match choice {
         BroadPhaseMethod::Tree(TreeOptions { builder, volume, traversal, .. }) => {
-            let is_cut = matches!(traversal, Traversal::Cut { .. });
-            builder == Builder::Lbvh && volume == Volume::Aabb && !is_cut
+            added(builder).or(added(volume)).or(added(traversal))
         }
-        _ => false,
-    }
+        _ => added(choice),
+    })
 }
 
-/// Refuses a choice outside of the default ones where no others are compiled in.
-fn check_catalogue(name: &str) -> Result<(), Error> {
-    if cfg!(feature = "catalogue") {
-        return Ok(());
+/// The name of a choice that only the feature `catalogue` has.
+fn added<T: Catalogued>(choice: T) -> Option<&'static str> {
+    let name = choice.row().name;
+    (!T::ALWAYS.contains(&name)).then_some(name)
+}
+
+/// Refuses what only the feature `catalogue` has, in a build without it.
+fn check_compiled(added: Option<&'static str>) -> Result<(), Error> {
+    match added {
+        Some(name) if !cfg!(feature = "catalogue") => {
+            Err(ccd_core::Error::NotCompiled { name, backend: "gpu" }.into())
+        }
+        _ => Ok(()),
     }
-    let why = format!("`{name}`, so chosen, is not compiled in: feature `catalogue` of ccd-gpu");
-    Err(Error::Unavailable { why })
 }
 
 /// Refuses a way to share out pairs of nodes that the method or this backend does not have.
@@ -52,7 +51,8 @@ pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<
     if let Some(name) = choice.lacking("gpu") {
         return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
     }
-    if is_by_levels(choice) { Ok(()) } else { check_catalogue("scheduling") }
+    let name = choice.scheduler.map_or("front", |scheduler| scheduler.row().name);
+    check_compiled((!is_by_levels(choice)).then_some(name))
 }
 
 /// The source of a choice, with room for sets of so many boxes.

@@ -120,7 +120,7 @@ impl Positions {
                     (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64,
                 )?;
             for (x, at) in [(x0, 0), (x1, bytes)] {
-                match T::slices::<Points, 1>([x]) {
+                match T::erase::<Points<1>>([x]) {
                     Precision::F64([x]) => {
                         device.write(wide, &self.wide, at, bytemuck::cast_slice(x))?;
                     }

@@ -26,7 +26,7 @@ pub use gathered::Gathered;
 pub use posed::{Matrix, Posed};
 pub use strided::Strided;
 
-use crate::model::precision::{Coordinate, Precision};
+use crate::model::precision::{Coordinate, Erased, Precision};
 
 /// Something that has positions, one a vertex: what `step` and its like take for either end.
 ///
@@ -89,6 +89,10 @@ pub(crate) enum Form<'a, T> {
 /// ```
 pub type Ends<'a> = Precision<[PositionView<'a, f32>; 2], [PositionView<'a, f64>; 2]>;
 
+impl<'a> Erased for Ends<'a> {
+    type Of<T: 'static> = [PositionView<'a, T>; 2];
+}
+
 /// Both ends, without their types: where a generic call ends.
 #[inline]
 pub fn ends<'a, A, B>(x0: &'a A, x1: &'a B) -> Ends<'a>
@@ -96,7 +100,7 @@ where
     A: AsPositions + ?Sized,
     B: AsPositions<Scalar = A::Scalar> + ?Sized,
 {
-    A::Scalar::ends([x0.as_positions(), x1.as_positions()])
+    A::Scalar::erase::<Ends>([x0.as_positions(), x1.as_positions()])
 }
 
 impl<'a, T: Coordinate> PositionView<'a, T> {

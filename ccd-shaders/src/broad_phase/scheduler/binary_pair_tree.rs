@@ -1,7 +1,8 @@
 //! Pairs of nodes of binary trees: a thread expands one into at most four.
 
 use super::pair_tree::{APART, LEAF, PairTree};
-use super::worker::{Child, Round, Shared, Stack, claim, put_away};
+use super::shared::{Round, Shared, Stack};
+use super::worker::{Child, claim, put_away};
 use crate::broad_phase::pair_descent::fate;
 use crate::broad_phase::volume::{Volume, internal};
 use ccd_core::broad_phase::pair_descent::{NodePair, expand};

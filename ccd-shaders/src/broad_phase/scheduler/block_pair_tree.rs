@@ -6,7 +6,8 @@
 //! as bits, so that it finds up to 32 children and claims places for all of them by one addition.
 
 use super::pair_tree::{APART, INNER, LEAF, PairTree};
-use super::worker::{COLUMNS, Child, ENDED, LEAVES, NODES, Round, Shared, Stack, put_away};
+use super::shared::{COLUMNS, ENDED, LEAVES, NODES, Round, Shared, Stack};
+use super::worker::{Child, put_away};
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{add_shared, barrier, get, or_shared, set};
 use ccd_core::Aabb;

@@ -5,7 +5,7 @@
 //! nothing else of them. What one is, which children of it meet, and how many threads expand one,
 //! is said by a type, because shaders have neither closures nor structures that hold views.
 
-use super::worker::{Round, Shared, Stack};
+use super::shared::{Round, Shared, Stack};
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::layout::{NodeDescent, Pair, Params};
 

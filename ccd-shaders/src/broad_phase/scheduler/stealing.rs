@@ -12,14 +12,16 @@
 //! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
 
 use super::pair_tree::PairTree;
+use super::shared::{
+    EXPANDED, FROM_STACK, FROM_TASKS, NEXT, Round, SPILL_BASE, Shared, Stack, TOP, TURNS,
+};
 use super::stolen_batches::{
     Batch, FRUITLESS, FULL, HAND, N_TAKEN, NO_SLOT, POPPED, SEEKS, SOURCE, STOLEN, TO_PUSH,
     copy_batch, count_batches, found_work, give_back, look, look_at_hands, pop, reach_out,
     read_batch, reserve_slot, take_from_hand, words_of,
 };
 use super::worker::{
-    ENDS, EXPANDED, FROM_STACK, FROM_TASKS, NEXT, Round, SPILL_BASE, STOPS, Shared, Stack, TOP,
-    TURNS, WORKS, leave_rest, make_room, make_room_for_rest, spill, take, write_task,
+    ENDS, STOPS, WORKS, leave_rest, make_room, make_room_for_rest, spill, take, write_task,
 };
 use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, set};
 use ccd_core::broad_phase::pair_workers::{counts, thieves, victim};

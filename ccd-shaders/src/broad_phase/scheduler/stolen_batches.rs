@@ -5,7 +5,8 @@
 //! two functions here do, in the order in which a turn calls them, stands a barrier of buffers.
 
 use super::pair_tree::PairTree;
-use super::worker::{ENDS, FROM_STACK, FROM_TASKS, Round, STOPS, Shared, Stack, TOP, WORKS, plan};
+use super::shared::{FROM_STACK, FROM_TASKS, Round, Shared, Stack, TOP};
+use super::worker::{ENDS, STOPS, WORKS, plan};
 use crate::workgroup::{DeviceWords, add, get, load, lower_shared, set};
 use ccd_core::broad_phase::pair_descent::NodePair;
 use ccd_core::broad_phase::pair_workers::{deques, idle, stolen, thieves};

@@ -1,49 +1,18 @@
-//! What the threads of a worker share, and the parts of its turn; see
-//! `ccd_core::broad_phase::pair_workers`. A scheduler of its own has another [`plan`].
+//! The parts of a worker's turn; see `ccd_core::broad_phase::pair_workers`. A scheduler of its own
+//! has another [`plan`].
 
 use super::pair_tree::{INNER, LEAF, PairTree};
+use super::shared::{
+    BELOW, ENDED, ENDED_BASE, EXPANDED, FIRST, FROM_STACK, FROM_TASKS, LEAVES, LEAVES_BASE, NEXT,
+    NODES, REST, REST_BASE, Round, SPILL_BASE, STRIDE, Shared, Stack, TO_STACK, TOP, TURNS,
+};
 use crate::broad_phase::pair_descent::{count_front, reserve, write_front};
 use crate::workgroup::{add, add_shared, count, get, load, raise, read_pair, set, write_pair};
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::broad_phase::pair_workers::{
     LEFT, QUANTUM, STACK, THREADS, idle, is_over, listed, piece, share, taken,
 };
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Dispatch, NodeDescent, Pair};
-
-/// Pairs in the memory of a worker.
-pub(super) type Stack = [u32; 2 * STACK as usize];
-/// What its threads say to each other.
-pub(super) type Shared = [u32; 22];
-
-/// Words that the threads of a worker share: pairs on its stack; of those, how many are expanded in
-/// this turn, and how many tasks are; the first of these, and from each to the next.
-pub(super) const TOP: u32 = 0;
-pub(super) const FROM_STACK: u32 = 1;
-pub(super) const FROM_TASKS: u32 = 2;
-pub(super) const FIRST: u32 = 3;
-pub(super) const STRIDE: u32 = 4;
-/// Tasks of its own part that it has taken; or, of the counter, 1 if there are no more.
-pub(super) const NEXT: u32 = 5;
-/// Of what was found in this turn, how many: pairs of inner nodes, of leaves, of the front.
-pub(super) const NODES: u32 = 6;
-pub(super) const LEAVES: u32 = 7;
-pub(super) const ENDED: u32 = 8;
-/// Where they go: the first place on the stack, how many have room there, then on the lists.
-pub(super) const BELOW: u32 = 9;
-pub(super) const TO_STACK: u32 = 10;
-pub(super) const SPILL_BASE: u32 = 11;
-pub(super) const LEAVES_BASE: u32 = 12;
-pub(super) const ENDED_BASE: u32 = 13;
-/// Tasks of its part that a worker leaves, and where they go behind its stack: a word of its own,
-/// because others may still read where the last turn's went.
-pub(super) const REST: u32 = 14;
-pub(super) const REST_BASE: u32 = 17;
-/// Turns of the worker so far, and pairs that it expanded.
-pub(super) const TURNS: u32 = 15;
-pub(super) const EXPANDED: u32 = 16;
-/// Of blocks, a word each team of threads: which columns there are.
-pub(super) const COLUMNS: u32 = 18;
+use ccd_core::layout::{NodeDescent, Pair};
 
 /// What a worker does next.
 pub(super) const WORKS: u32 = 0;
@@ -51,38 +20,6 @@ pub(super) const WORKS: u32 = 0;
 pub(super) const ENDS: u32 = 1;
 /// It leaves what it has to the next round.
 pub(super) const STOPS: u32 = 2;
-
-/// A round, as each worker sees it.
-#[derive(Clone, Copy)]
-pub(super) struct Round {
-    pub me: u32,
-    /// Of the number of workers, the power of two.
-    pub workers: u32,
-    pub number: u32,
-    pub tasks: u32,
-    /// First entry of its tasks, and of those of the next, in the list.
-    pub input: u32,
-    pub output: u32,
-    /// Entries that the list of results has room for.
-    pub room_pairs: u32,
-}
-
-impl Round {
-    #[inline(always)]
-    pub(super) fn new(own: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
-        let (number, room) = (dispatch.first, own.room_nodes);
-        let is_odd = number % 2;
-        Self {
-            me,
-            workers: own.workers,
-            number,
-            tasks: at(control, listed(number)).min(room),
-            input: is_odd * room,
-            output: (1 - is_odd) * room,
-            room_pairs: dispatch.room_out,
-        }
-    }
-}
 
 /// The first thread says what its worker does in this turn, by what is on the stack and what tasks
 /// there are: returns whether it works at all.

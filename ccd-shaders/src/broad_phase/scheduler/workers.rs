@@ -9,12 +9,15 @@
 use super::binary_pair_tree::BinaryTrees;
 use super::block_pair_tree::BlockTrees;
 use super::pair_tree::{INNER, PairTree};
+use super::shared::{
+    ENDED, ENDED_BASE, EXPANDED, LEAVES, LEAVES_BASE, NEXT, NODES, Round, SPILL_BASE, Shared,
+    Stack, TOP, TURNS,
+};
 use super::stealing::steal;
 use super::stolen_batches::Batch;
 use super::worker::{
-    Child, ENDED, ENDED_BASE, EXPANDED, LEAVES, LEAVES_BASE, NEXT, NODES, Round, SPILL_BASE,
-    Shared, Stack, TOP, TURNS, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan,
-    put_ended, take, write_task,
+    Child, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan, put_ended, take,
+    write_task,
 };
 use crate::broad_phase::pair_descent::{count_front, reserve};
 use crate::broad_phase::volume::{Boxes, Oriented};

@@ -1,7 +1,7 @@
 //! Bytes of buffers that a session may hold on its device: counted where buffers are created, and
 //! where lists are replaced by longer ones.
 
-use crate::device::Device;
+use super::Device;
 use crate::error::Error;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
