@@ -30,7 +30,8 @@ fn main() {
             Err(why) => Ok(Completion::ignored_with(why)),
         }));
     };
-    let of_scenes: [(&str, fn(&Path, &Scene)); 5] = [
+    type OfScene = (&'static str, fn(&Path, &Scene));
+    let of_scenes: [OfScene; 5] = [
         ("sizes", check_sizes),
         ("broad_phase", check_broad_phase),
         ("step", check_step),

@@ -28,8 +28,11 @@ fn debris() -> Frames {
     Frames { mesh, x: (40..100).map(|i| frame(i).positions).collect() }
 }
 
-/// Names, whether they need the data, and frames.
-pub const SEQUENCES: [(&str, bool, fn() -> Frames); 6] = [
+/// A name, whether it needs the data, and frames.
+type Named = (&'static str, bool, fn() -> Frames);
+
+/// The sequences.
+pub const SEQUENCES: [Named; 6] = [
     ("interpenetrating 64", false, || generated(&interpenetrating(64), 12)),
     ("interpenetrating 1024", false, || generated(&interpenetrating(1024), 12)),
     ("funnel", false, || generated(&funnel(32), 20)),

@@ -4,8 +4,8 @@
 //! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A
 //! workgroup takes a pair of nodes, keeps of either side the children that reach into the other's
 //! box, and tests those against each other. No stack, no order between workgroups, and reads of
-//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in
-//! ARCHITECTURE.md).
+//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see
+//! docs/GPU-STEP.md).
 
 use crate::kernel::memory::Stored;
 use crate::layout::{Blocks, MAX_LEVELS};
