@@ -134,158 +134,158 @@ var<storage> input: type_11;
 var<storage, read_write> output: type_45;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_181_: bool;
-    var phi_182_: bool;
-    var phi_186_: array<u32, 2>;
+    var phi_179_: bool;
+    var phi_180_: bool;
+    var phi_184_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_182_ = true;
+        phi_180_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_181_ = (param[0] > param_1[0]);
+            phi_179_ = (param[0] > param_1[0]);
         } else {
-            phi_181_ = false;
+            phi_179_ = false;
         }
-        let _e14 = phi_181_;
-        phi_182_ = _e14;
+        let _e14 = phi_179_;
+        phi_180_ = _e14;
     }
-    let _e16 = phi_182_;
+    let _e16 = phi_180_;
     if _e16 {
-        phi_186_ = param_1;
+        phi_184_ = param_1;
     } else {
-        phi_186_ = param;
+        phi_184_ = param;
     }
-    let _e18 = phi_186_;
+    let _e18 = phi_184_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_205_: bool;
-    var phi_206_: bool;
-    var phi_210_: array<u32, 2>;
+    var phi_203_: bool;
+    var phi_204_: bool;
+    var phi_208_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_206_ = true;
+        phi_204_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_205_ = (param_3[0] > param_2[0]);
+            phi_203_ = (param_3[0] > param_2[0]);
         } else {
-            phi_205_ = false;
+            phi_203_ = false;
         }
-        let _e14 = phi_205_;
-        phi_206_ = _e14;
+        let _e14 = phi_203_;
+        phi_204_ = _e14;
     }
-    let _e16 = phi_206_;
+    let _e16 = phi_204_;
     if _e16 {
-        phi_210_ = param_3;
+        phi_208_ = param_3;
     } else {
-        phi_210_ = param_2;
+        phi_208_ = param_2;
     }
-    let _e18 = phi_210_;
+    let _e18 = phi_208_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_229_: bool;
-    var phi_230_: bool;
-    var phi_234_: array<u32, 2>;
+    var phi_227_: bool;
+    var phi_228_: bool;
+    var phi_232_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_230_ = true;
+        phi_228_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_229_ = (param_4[0] > param_5[0]);
+            phi_227_ = (param_4[0] > param_5[0]);
         } else {
-            phi_229_ = false;
+            phi_227_ = false;
         }
-        let _e14 = phi_229_;
-        phi_230_ = _e14;
+        let _e14 = phi_227_;
+        phi_228_ = _e14;
     }
-    let _e16 = phi_230_;
+    let _e16 = phi_228_;
     if _e16 {
-        phi_234_ = param_5;
+        phi_232_ = param_5;
     } else {
-        phi_234_ = param_4;
+        phi_232_ = param_4;
     }
-    let _e18 = phi_234_;
+    let _e18 = phi_232_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_253_: bool;
-    var phi_254_: bool;
-    var phi_258_: array<u32, 2>;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_256_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_254_ = true;
+        phi_252_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_253_ = (param_7[0] > param_6[0]);
+            phi_251_ = (param_7[0] > param_6[0]);
         } else {
-            phi_253_ = false;
+            phi_251_ = false;
         }
-        let _e14 = phi_253_;
-        phi_254_ = _e14;
+        let _e14 = phi_251_;
+        phi_252_ = _e14;
     }
-    let _e16 = phi_254_;
+    let _e16 = phi_252_;
     if _e16 {
-        phi_258_ = param_7;
+        phi_256_ = param_7;
     } else {
-        phi_258_ = param_6;
+        phi_256_ = param_6;
     }
-    let _e18 = phi_258_;
+    let _e18 = phi_256_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_277_: bool;
-    var phi_278_: bool;
-    var phi_282_: array<u32, 2>;
+    var phi_275_: bool;
+    var phi_276_: bool;
+    var phi_280_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_278_ = true;
+        phi_276_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_277_ = (param_8[0] > param_9[0]);
+            phi_275_ = (param_8[0] > param_9[0]);
         } else {
-            phi_277_ = false;
+            phi_275_ = false;
         }
-        let _e14 = phi_277_;
-        phi_278_ = _e14;
+        let _e14 = phi_275_;
+        phi_276_ = _e14;
     }
-    let _e16 = phi_278_;
+    let _e16 = phi_276_;
     if _e16 {
-        phi_282_ = param_9;
+        phi_280_ = param_9;
     } else {
-        phi_282_ = param_8;
+        phi_280_ = param_8;
     }
-    let _e18 = phi_282_;
+    let _e18 = phi_280_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_306_: array<u32, 2>;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_304_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_302_ = true;
+        phi_300_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_301_ = (param_11[0] > param_10[0]);
+            phi_299_ = (param_11[0] > param_10[0]);
         } else {
-            phi_301_ = false;
+            phi_299_ = false;
         }
-        let _e14 = phi_301_;
-        phi_302_ = _e14;
+        let _e14 = phi_299_;
+        phi_300_ = _e14;
     }
-    let _e16 = phi_302_;
+    let _e16 = phi_300_;
     if _e16 {
-        phi_306_ = param_11;
+        phi_304_ = param_11;
     } else {
-        phi_306_ = param_10;
+        phi_304_ = param_10;
     }
-    let _e18 = phi_306_;
+    let _e18 = phi_304_;
     return _e18;
 }
 
@@ -293,567 +293,564 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_41;
     var local_1: type_41;
     var local_2: type_41;
-    var phi_353_: u32;
-    var phi_394_: u32;
-    var phi_395_: u32;
-    var phi_403_: u32;
-    var phi_419_: u32;
-    var phi_440_: u32;
-    var phi_441_: u32;
-    var phi_444_: type_9;
-    var phi_445_: type_9;
-    var phi_468_: type_9;
-    var phi_509_: u32;
-    var phi_510_: u32;
-    var phi_518_: u32;
-    var phi_530_: u32;
-    var phi_615_: array<u32, 2>;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_824_: type_33;
-    var phi_837_: type_9;
-    var phi_840_: u32;
-    var phi_838_: type_9;
-    var phi_863_: type_9;
+    var phi_351_: u32;
+    var phi_392_: u32;
+    var phi_393_: u32;
+    var phi_401_: u32;
+    var phi_417_: u32;
+    var phi_438_: u32;
+    var phi_439_: u32;
+    var phi_442_: type_9;
+    var phi_443_: type_9;
+    var phi_466_: type_9;
+    var phi_507_: u32;
+    var phi_508_: u32;
+    var phi_516_: u32;
+    var phi_528_: u32;
+    var phi_613_: array<u32, 2>;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: type_33;
+    var phi_835_: type_9;
+    var phi_838_: u32;
+    var phi_836_: type_9;
+    var phi_861_: type_9;
+    var phi_927_: bool;
+    var phi_928_: bool;
     var phi_929_: bool;
-    var phi_930_: bool;
-    var phi_931_: bool;
-    var phi_935_: bool;
-    var phi_936_: bool;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_978_: u32;
-    var phi_979_: u32;
-    var phi_841_: u32;
+    var phi_933_: bool;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_839_: u32;
+    var phi_956_: type_9;
+    var phi_959_: u32;
+    var phi_957_: type_9;
     var phi_982_: type_9;
-    var phi_985_: u32;
-    var phi_983_: type_9;
-    var phi_1008_: type_9;
-    var phi_1128_: bool;
-    var phi_1134_: bool;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1193_: bool;
-    var phi_1309_: bool;
-    var phi_1310_: bool;
-    var phi_1347_: u32;
-    var phi_1348_: u32;
-    var phi_1353_: type_15;
-    var phi_1356_: u32;
-    var phi_1358_: u32;
-    var phi_1379_: bool;
-    var phi_1385_: type_16;
-    var phi_1354_: type_15;
-    var phi_1399_: type_16;
-    var phi_1467_: bool;
-    var phi_1468_: bool;
-    var phi_1469_: bool;
-    var phi_1470_: bool;
-    var phi_1474_: bool;
-    var phi_1475_: bool;
-    var phi_1480_: u32;
-    var phi_1481_: u32;
-    var phi_1482_: u32;
-    var phi_1483_: u32;
-    var phi_1484_: bool;
-    var phi_1357_: u32;
-    var phi_1359_: u32;
-    var phi_1485_: bool;
+    var phi_1102_: bool;
+    var phi_1108_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1167_: bool;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1321_: u32;
+    var phi_1322_: u32;
+    var phi_1327_: type_15;
+    var phi_1330_: u32;
+    var phi_1332_: u32;
+    var phi_1353_: bool;
+    var phi_1359_: type_16;
+    var phi_1328_: type_15;
+    var phi_1373_: type_16;
+    var phi_1441_: bool;
+    var phi_1442_: bool;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1448_: bool;
+    var phi_1449_: bool;
+    var phi_1454_: u32;
+    var phi_1455_: u32;
+    var phi_1456_: u32;
+    var phi_1457_: u32;
+    var phi_1458_: bool;
+    var phi_1331_: u32;
+    var phi_1333_: u32;
+    var phi_1459_: bool;
     var local_3: u32;
     var local_4: u32;
+    var phi_1507_: bool;
+    var phi_1508_: bool;
+    var phi_1509_: bool;
+    var phi_1510_: bool;
+    var phi_1514_: bool;
+    var phi_1515_: bool;
+    var phi_1519_: bool;
+    var phi_1523_: bool;
+    var phi_1524_: bool;
+    var phi_1528_: bool;
+    var phi_1529_: bool;
     var phi_1533_: bool;
     var phi_1534_: bool;
-    var phi_1535_: bool;
-    var phi_1536_: bool;
-    var phi_1540_: bool;
-    var phi_1541_: bool;
-    var phi_1545_: bool;
-    var phi_1549_: bool;
-    var phi_1550_: bool;
-    var phi_1554_: bool;
-    var phi_1555_: bool;
-    var phi_1559_: bool;
-    var phi_1560_: bool;
-    var phi_1684_: bool;
-    var phi_1685_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1873_: bool;
-    var phi_1874_: bool;
-    var phi_1967_: bool;
-    var phi_1968_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2157_: bool;
-    var phi_2158_: bool;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
-    var phi_2168_: bool;
-    var phi_2169_: bool;
-    var phi_2170_: bool;
-    var phi_2171_: bool;
-    var phi_2172_: bool;
-    var phi_2176_: bool;
-    var phi_2192_: type_9;
-    var phi_2238_: u32;
-    var phi_2239_: bool;
-    var phi_986_: u32;
-    var phi_2240_: bool;
-    var phi_2247_: u32;
-    var phi_2250_: type_9;
-    var phi_2251_: type_9;
-    var phi_2274_: type_9;
-    var phi_2402_: bool;
-    var phi_2408_: bool;
-    var phi_2414_: bool;
-    var phi_2415_: bool;
-    var phi_2459_: bool;
-    var phi_2460_: bool;
-    var phi_2467_: bool;
-    var phi_2583_: bool;
-    var phi_2584_: bool;
-    var phi_2621_: u32;
-    var phi_2622_: u32;
-    var phi_2627_: type_15;
-    var phi_2630_: u32;
-    var phi_2632_: u32;
-    var phi_2653_: bool;
-    var phi_2659_: type_16;
-    var phi_2628_: type_15;
-    var phi_2673_: type_16;
-    var phi_2741_: bool;
-    var phi_2742_: bool;
-    var phi_2743_: bool;
-    var phi_2744_: bool;
-    var phi_2748_: bool;
-    var phi_2749_: bool;
-    var phi_2754_: u32;
-    var phi_2755_: u32;
-    var phi_2756_: u32;
-    var phi_2757_: u32;
-    var phi_2758_: bool;
-    var phi_2631_: u32;
-    var phi_2633_: u32;
-    var phi_2759_: bool;
+    var phi_1658_: bool;
+    var phi_1659_: bool;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1847_: bool;
+    var phi_1848_: bool;
+    var phi_1941_: bool;
+    var phi_1942_: bool;
+    var phi_2037_: bool;
+    var phi_2038_: bool;
+    var phi_2131_: bool;
+    var phi_2132_: bool;
+    var phi_2136_: bool;
+    var phi_2137_: bool;
+    var phi_2138_: bool;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
+    var phi_2144_: bool;
+    var phi_2145_: bool;
+    var phi_2146_: bool;
+    var phi_2150_: bool;
+    var phi_2166_: type_9;
+    var phi_2212_: u32;
+    var phi_2213_: bool;
+    var phi_960_: u32;
+    var phi_2214_: bool;
+    var phi_2221_: u32;
+    var phi_2224_: type_9;
+    var phi_2225_: type_9;
+    var phi_2248_: type_9;
+    var phi_2376_: bool;
+    var phi_2382_: bool;
+    var phi_2388_: bool;
+    var phi_2389_: bool;
+    var phi_2433_: bool;
+    var phi_2434_: bool;
+    var phi_2441_: bool;
+    var phi_2557_: bool;
+    var phi_2558_: bool;
+    var phi_2595_: u32;
+    var phi_2596_: u32;
+    var phi_2601_: type_15;
+    var phi_2604_: u32;
+    var phi_2606_: u32;
+    var phi_2627_: bool;
+    var phi_2633_: type_16;
+    var phi_2602_: type_15;
+    var phi_2647_: type_16;
+    var phi_2715_: bool;
+    var phi_2716_: bool;
+    var phi_2717_: bool;
+    var phi_2718_: bool;
+    var phi_2722_: bool;
+    var phi_2723_: bool;
+    var phi_2728_: u32;
+    var phi_2729_: u32;
+    var phi_2730_: u32;
+    var phi_2731_: u32;
+    var phi_2732_: bool;
+    var phi_2605_: u32;
+    var phi_2607_: u32;
+    var phi_2733_: bool;
     var local_5: u32;
     var local_6: u32;
+    var phi_2781_: bool;
+    var phi_2782_: bool;
+    var phi_2783_: bool;
+    var phi_2784_: bool;
+    var phi_2788_: bool;
+    var phi_2789_: bool;
+    var phi_2793_: bool;
+    var phi_2797_: bool;
+    var phi_2798_: bool;
+    var phi_2802_: bool;
+    var phi_2803_: bool;
     var phi_2807_: bool;
     var phi_2808_: bool;
-    var phi_2809_: bool;
-    var phi_2810_: bool;
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2819_: bool;
-    var phi_2823_: bool;
-    var phi_2824_: bool;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2833_: bool;
-    var phi_2834_: bool;
-    var phi_2958_: bool;
-    var phi_2959_: bool;
-    var phi_3052_: bool;
-    var phi_3053_: bool;
-    var phi_3147_: bool;
-    var phi_3148_: bool;
-    var phi_3241_: bool;
-    var phi_3242_: bool;
-    var phi_3337_: bool;
-    var phi_3338_: bool;
-    var phi_3431_: bool;
-    var phi_3432_: bool;
-    var phi_3436_: bool;
-    var phi_3437_: bool;
-    var phi_3438_: bool;
-    var phi_3442_: bool;
-    var phi_3443_: bool;
-    var phi_3444_: bool;
-    var phi_3445_: bool;
-    var phi_3446_: bool;
-    var phi_3450_: bool;
-    var phi_3467_: array<u32, 3>;
-    var phi_3468_: array<u32, 3>;
-    var phi_3891_: f32;
-    var phi_3898_: f32;
-    var phi_3903_: f32;
-    var phi_3910_: f32;
-    var phi_3915_: f32;
-    var phi_3928_: f32;
-    var phi_3935_: f32;
-    var phi_3940_: f32;
-    var phi_3947_: f32;
-    var phi_3952_: f32;
-    var phi_3957_: f32;
-    var phi_3974_: f32;
-    var phi_3981_: f32;
+    var phi_2932_: bool;
+    var phi_2933_: bool;
+    var phi_3026_: bool;
+    var phi_3027_: bool;
+    var phi_3121_: bool;
+    var phi_3122_: bool;
+    var phi_3215_: bool;
+    var phi_3216_: bool;
+    var phi_3311_: bool;
+    var phi_3312_: bool;
+    var phi_3405_: bool;
+    var phi_3406_: bool;
+    var phi_3410_: bool;
+    var phi_3411_: bool;
+    var phi_3412_: bool;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3418_: bool;
+    var phi_3419_: bool;
+    var phi_3420_: bool;
+    var phi_3424_: bool;
+    var phi_3441_: array<u32, 3>;
+    var phi_3442_: array<u32, 3>;
+    var phi_3865_: f32;
+    var phi_3872_: f32;
+    var phi_3877_: f32;
+    var phi_3884_: f32;
+    var phi_3889_: f32;
+    var phi_3902_: f32;
+    var phi_3909_: f32;
+    var phi_3914_: f32;
+    var phi_3921_: f32;
+    var phi_3926_: f32;
+    var phi_3931_: f32;
+    var phi_3948_: f32;
+    var phi_3955_: f32;
+    var phi_3960_: f32;
+    var phi_3967_: f32;
+    var phi_3972_: f32;
     var phi_3986_: f32;
     var phi_3993_: f32;
     var phi_3998_: f32;
-    var phi_4012_: f32;
-    var phi_4019_: f32;
-    var phi_4024_: f32;
-    var phi_4031_: f32;
-    var phi_4036_: f32;
-    var phi_4041_: f32;
-    var phi_4058_: f32;
-    var phi_4065_: f32;
+    var phi_4005_: f32;
+    var phi_4010_: f32;
+    var phi_4015_: f32;
+    var phi_4032_: f32;
+    var phi_4039_: f32;
+    var phi_4044_: f32;
+    var phi_4051_: f32;
+    var phi_4056_: f32;
     var phi_4070_: f32;
     var phi_4077_: f32;
     var phi_4082_: f32;
-    var phi_4096_: f32;
-    var phi_4103_: f32;
-    var phi_4108_: f32;
-    var phi_4115_: f32;
-    var phi_4120_: f32;
-    var phi_4125_: f32;
+    var phi_4089_: f32;
+    var phi_4094_: f32;
+    var phi_4099_: f32;
+    var phi_4130_: f32;
+    var phi_4136_: f32;
+    var phi_4143_: f32;
+    var phi_4150_: f32;
     var phi_4156_: f32;
-    var phi_4162_: f32;
+    var phi_4163_: f32;
     var phi_4169_: f32;
-    var phi_4176_: f32;
-    var phi_4182_: f32;
-    var phi_4189_: f32;
+    var phi_4175_: f32;
+    var phi_4181_: f32;
+    var phi_4188_: f32;
     var phi_4195_: f32;
-    var phi_4201_: f32;
-    var phi_4207_: f32;
-    var phi_4214_: f32;
-    var phi_4221_: f32;
-    var phi_4245_: f32;
-    var phi_4250_: f32;
-    var phi_4255_: f32;
-    var phi_4260_: f32;
-    var phi_4265_: f32;
-    var phi_4270_: f32;
-    var phi_4280_: f32;
-    var phi_4483_: f32;
-    var phi_4490_: f32;
-    var phi_4495_: f32;
-    var phi_4502_: f32;
-    var phi_4507_: f32;
-    var phi_4520_: f32;
-    var phi_4527_: f32;
-    var phi_4532_: f32;
-    var phi_4539_: f32;
-    var phi_4544_: f32;
-    var phi_4549_: f32;
-    var phi_4566_: f32;
-    var phi_4573_: f32;
+    var phi_4219_: f32;
+    var phi_4224_: f32;
+    var phi_4229_: f32;
+    var phi_4234_: f32;
+    var phi_4239_: f32;
+    var phi_4244_: f32;
+    var phi_4254_: f32;
+    var phi_4457_: f32;
+    var phi_4464_: f32;
+    var phi_4469_: f32;
+    var phi_4476_: f32;
+    var phi_4481_: f32;
+    var phi_4494_: f32;
+    var phi_4501_: f32;
+    var phi_4506_: f32;
+    var phi_4513_: f32;
+    var phi_4518_: f32;
+    var phi_4523_: f32;
+    var phi_4540_: f32;
+    var phi_4547_: f32;
+    var phi_4552_: f32;
+    var phi_4559_: f32;
+    var phi_4564_: f32;
     var phi_4578_: f32;
     var phi_4585_: f32;
     var phi_4590_: f32;
-    var phi_4604_: f32;
-    var phi_4611_: f32;
-    var phi_4616_: f32;
-    var phi_4623_: f32;
-    var phi_4628_: f32;
-    var phi_4633_: f32;
-    var phi_4650_: f32;
-    var phi_4657_: f32;
+    var phi_4597_: f32;
+    var phi_4602_: f32;
+    var phi_4607_: f32;
+    var phi_4624_: f32;
+    var phi_4631_: f32;
+    var phi_4636_: f32;
+    var phi_4643_: f32;
+    var phi_4648_: f32;
     var phi_4662_: f32;
     var phi_4669_: f32;
     var phi_4674_: f32;
-    var phi_4688_: f32;
-    var phi_4695_: f32;
-    var phi_4700_: f32;
-    var phi_4707_: f32;
-    var phi_4712_: f32;
-    var phi_4717_: f32;
-    var phi_4796_: f32;
-    var phi_4801_: f32;
-    var phi_4806_: f32;
-    var phi_4811_: f32;
-    var phi_4816_: f32;
-    var phi_4821_: f32;
-    var phi_4826_: f32;
-    var phi_4831_: f32;
-    var phi_4836_: f32;
+    var phi_4681_: f32;
+    var phi_4686_: f32;
+    var phi_4691_: f32;
+    var phi_4770_: f32;
+    var phi_4775_: f32;
+    var phi_4780_: f32;
+    var phi_4785_: f32;
+    var phi_4790_: f32;
+    var phi_4795_: f32;
+    var phi_4800_: f32;
+    var phi_4805_: f32;
+    var phi_4810_: f32;
+    var phi_4815_: f32;
+    var phi_4820_: f32;
+    var phi_4825_: f32;
+    var phi_4830_: f32;
+    var phi_4835_: f32;
     var phi_4841_: f32;
-    var phi_4846_: f32;
-    var phi_4851_: f32;
-    var phi_4856_: f32;
-    var phi_4861_: f32;
-    var phi_4867_: f32;
-    var phi_4873_: f32;
-    var phi_4880_: f32;
-    var phi_4891_: f32;
-    var phi_4962_: f32;
-    var phi_4967_: f32;
-    var phi_4972_: f32;
-    var phi_4977_: f32;
-    var phi_4982_: f32;
-    var phi_4987_: f32;
-    var phi_4992_: f32;
-    var phi_4997_: f32;
-    var phi_5002_: f32;
+    var phi_4847_: f32;
+    var phi_4854_: f32;
+    var phi_4865_: f32;
+    var phi_4936_: f32;
+    var phi_4941_: f32;
+    var phi_4946_: f32;
+    var phi_4951_: f32;
+    var phi_4956_: f32;
+    var phi_4961_: f32;
+    var phi_4966_: f32;
+    var phi_4971_: f32;
+    var phi_4976_: f32;
+    var phi_4981_: f32;
+    var phi_4986_: f32;
+    var phi_4991_: f32;
+    var phi_4996_: f32;
+    var phi_5001_: f32;
     var phi_5007_: f32;
-    var phi_5012_: f32;
-    var phi_5017_: f32;
-    var phi_5022_: f32;
-    var phi_5027_: f32;
-    var phi_5033_: f32;
-    var phi_5039_: f32;
-    var phi_5046_: f32;
-    var phi_5057_: f32;
-    var phi_5067_: f32;
-    var phi_5249_: bool;
-    var phi_5701_: f32;
-    var phi_5708_: f32;
-    var phi_5713_: f32;
-    var phi_5720_: f32;
-    var phi_5725_: f32;
-    var phi_5738_: f32;
-    var phi_5745_: f32;
-    var phi_5750_: f32;
-    var phi_5757_: f32;
-    var phi_5762_: f32;
-    var phi_5767_: f32;
-    var phi_5784_: f32;
-    var phi_5791_: f32;
+    var phi_5013_: f32;
+    var phi_5020_: f32;
+    var phi_5031_: f32;
+    var phi_5041_: f32;
+    var phi_5223_: bool;
+    var phi_5675_: f32;
+    var phi_5682_: f32;
+    var phi_5687_: f32;
+    var phi_5694_: f32;
+    var phi_5699_: f32;
+    var phi_5712_: f32;
+    var phi_5719_: f32;
+    var phi_5724_: f32;
+    var phi_5731_: f32;
+    var phi_5736_: f32;
+    var phi_5741_: f32;
+    var phi_5758_: f32;
+    var phi_5765_: f32;
+    var phi_5770_: f32;
+    var phi_5777_: f32;
+    var phi_5782_: f32;
     var phi_5796_: f32;
     var phi_5803_: f32;
     var phi_5808_: f32;
-    var phi_5822_: f32;
-    var phi_5829_: f32;
-    var phi_5834_: f32;
-    var phi_5841_: f32;
-    var phi_5846_: f32;
-    var phi_5851_: f32;
-    var phi_5868_: f32;
-    var phi_5875_: f32;
+    var phi_5815_: f32;
+    var phi_5820_: f32;
+    var phi_5825_: f32;
+    var phi_5842_: f32;
+    var phi_5849_: f32;
+    var phi_5854_: f32;
+    var phi_5861_: f32;
+    var phi_5866_: f32;
     var phi_5880_: f32;
     var phi_5887_: f32;
     var phi_5892_: f32;
-    var phi_5906_: f32;
-    var phi_5913_: f32;
-    var phi_5918_: f32;
-    var phi_5925_: f32;
-    var phi_5930_: f32;
-    var phi_5935_: f32;
+    var phi_5899_: f32;
+    var phi_5904_: f32;
+    var phi_5909_: f32;
+    var phi_5940_: f32;
+    var phi_5946_: f32;
+    var phi_5953_: f32;
+    var phi_5960_: f32;
     var phi_5966_: f32;
-    var phi_5972_: f32;
+    var phi_5973_: f32;
     var phi_5979_: f32;
-    var phi_5986_: f32;
-    var phi_5992_: f32;
-    var phi_5999_: f32;
+    var phi_5985_: f32;
+    var phi_5991_: f32;
+    var phi_5998_: f32;
     var phi_6005_: f32;
-    var phi_6011_: f32;
-    var phi_6017_: f32;
-    var phi_6024_: f32;
-    var phi_6031_: f32;
-    var phi_6055_: f32;
-    var phi_6060_: f32;
-    var phi_6065_: f32;
-    var phi_6070_: f32;
-    var phi_6075_: f32;
-    var phi_6080_: f32;
-    var phi_6090_: f32;
-    var phi_6293_: f32;
-    var phi_6300_: f32;
-    var phi_6305_: f32;
-    var phi_6312_: f32;
-    var phi_6317_: f32;
-    var phi_6330_: f32;
-    var phi_6337_: f32;
-    var phi_6342_: f32;
-    var phi_6349_: f32;
-    var phi_6354_: f32;
-    var phi_6359_: f32;
-    var phi_6376_: f32;
-    var phi_6383_: f32;
+    var phi_6029_: f32;
+    var phi_6034_: f32;
+    var phi_6039_: f32;
+    var phi_6044_: f32;
+    var phi_6049_: f32;
+    var phi_6054_: f32;
+    var phi_6064_: f32;
+    var phi_6267_: f32;
+    var phi_6274_: f32;
+    var phi_6279_: f32;
+    var phi_6286_: f32;
+    var phi_6291_: f32;
+    var phi_6304_: f32;
+    var phi_6311_: f32;
+    var phi_6316_: f32;
+    var phi_6323_: f32;
+    var phi_6328_: f32;
+    var phi_6333_: f32;
+    var phi_6350_: f32;
+    var phi_6357_: f32;
+    var phi_6362_: f32;
+    var phi_6369_: f32;
+    var phi_6374_: f32;
     var phi_6388_: f32;
     var phi_6395_: f32;
     var phi_6400_: f32;
-    var phi_6414_: f32;
-    var phi_6421_: f32;
-    var phi_6426_: f32;
-    var phi_6433_: f32;
-    var phi_6438_: f32;
-    var phi_6443_: f32;
-    var phi_6460_: f32;
-    var phi_6467_: f32;
+    var phi_6407_: f32;
+    var phi_6412_: f32;
+    var phi_6417_: f32;
+    var phi_6434_: f32;
+    var phi_6441_: f32;
+    var phi_6446_: f32;
+    var phi_6453_: f32;
+    var phi_6458_: f32;
     var phi_6472_: f32;
     var phi_6479_: f32;
     var phi_6484_: f32;
-    var phi_6498_: f32;
-    var phi_6505_: f32;
-    var phi_6510_: f32;
-    var phi_6517_: f32;
-    var phi_6522_: f32;
-    var phi_6527_: f32;
-    var phi_6606_: f32;
-    var phi_6611_: f32;
-    var phi_6616_: f32;
-    var phi_6621_: f32;
-    var phi_6626_: f32;
-    var phi_6631_: f32;
-    var phi_6636_: f32;
-    var phi_6641_: f32;
-    var phi_6646_: f32;
+    var phi_6491_: f32;
+    var phi_6496_: f32;
+    var phi_6501_: f32;
+    var phi_6580_: f32;
+    var phi_6585_: f32;
+    var phi_6590_: f32;
+    var phi_6595_: f32;
+    var phi_6600_: f32;
+    var phi_6605_: f32;
+    var phi_6610_: f32;
+    var phi_6615_: f32;
+    var phi_6620_: f32;
+    var phi_6625_: f32;
+    var phi_6630_: f32;
+    var phi_6635_: f32;
+    var phi_6640_: f32;
+    var phi_6645_: f32;
     var phi_6651_: f32;
-    var phi_6656_: f32;
-    var phi_6661_: f32;
-    var phi_6666_: f32;
-    var phi_6671_: f32;
-    var phi_6677_: f32;
-    var phi_6683_: f32;
-    var phi_6690_: f32;
-    var phi_6701_: f32;
-    var phi_6772_: f32;
-    var phi_6777_: f32;
-    var phi_6782_: f32;
-    var phi_6787_: f32;
-    var phi_6792_: f32;
-    var phi_6797_: f32;
-    var phi_6802_: f32;
-    var phi_6807_: f32;
-    var phi_6812_: f32;
+    var phi_6657_: f32;
+    var phi_6664_: f32;
+    var phi_6675_: f32;
+    var phi_6746_: f32;
+    var phi_6751_: f32;
+    var phi_6756_: f32;
+    var phi_6761_: f32;
+    var phi_6766_: f32;
+    var phi_6771_: f32;
+    var phi_6776_: f32;
+    var phi_6781_: f32;
+    var phi_6786_: f32;
+    var phi_6791_: f32;
+    var phi_6796_: f32;
+    var phi_6801_: f32;
+    var phi_6806_: f32;
+    var phi_6811_: f32;
     var phi_6817_: f32;
-    var phi_6822_: f32;
-    var phi_6827_: f32;
-    var phi_6832_: f32;
-    var phi_6837_: f32;
-    var phi_6843_: f32;
-    var phi_6849_: f32;
-    var phi_6856_: f32;
-    var phi_6867_: f32;
-    var phi_6877_: f32;
-    var phi_7059_: bool;
-    var phi_7304_: f32;
-    var phi_7311_: f32;
-    var phi_7316_: f32;
-    var phi_7323_: f32;
-    var phi_7328_: f32;
-    var phi_7341_: f32;
-    var phi_7348_: f32;
-    var phi_7353_: f32;
-    var phi_7360_: f32;
-    var phi_7365_: f32;
-    var phi_7370_: f32;
-    var phi_7387_: f32;
-    var phi_7394_: f32;
+    var phi_6823_: f32;
+    var phi_6830_: f32;
+    var phi_6841_: f32;
+    var phi_6851_: f32;
+    var phi_7033_: bool;
+    var phi_7278_: f32;
+    var phi_7285_: f32;
+    var phi_7290_: f32;
+    var phi_7297_: f32;
+    var phi_7302_: f32;
+    var phi_7315_: f32;
+    var phi_7322_: f32;
+    var phi_7327_: f32;
+    var phi_7334_: f32;
+    var phi_7339_: f32;
+    var phi_7344_: f32;
+    var phi_7361_: f32;
+    var phi_7368_: f32;
+    var phi_7373_: f32;
+    var phi_7380_: f32;
+    var phi_7385_: f32;
     var phi_7399_: f32;
     var phi_7406_: f32;
     var phi_7411_: f32;
-    var phi_7425_: f32;
-    var phi_7432_: f32;
-    var phi_7437_: f32;
-    var phi_7444_: f32;
-    var phi_7449_: f32;
-    var phi_7454_: f32;
-    var phi_7471_: f32;
-    var phi_7478_: f32;
+    var phi_7418_: f32;
+    var phi_7423_: f32;
+    var phi_7428_: f32;
+    var phi_7445_: f32;
+    var phi_7452_: f32;
+    var phi_7457_: f32;
+    var phi_7464_: f32;
+    var phi_7469_: f32;
     var phi_7483_: f32;
     var phi_7490_: f32;
     var phi_7495_: f32;
-    var phi_7509_: f32;
-    var phi_7516_: f32;
-    var phi_7521_: f32;
-    var phi_7528_: f32;
-    var phi_7533_: f32;
-    var phi_7538_: f32;
+    var phi_7502_: f32;
+    var phi_7507_: f32;
+    var phi_7512_: f32;
+    var phi_7543_: f32;
+    var phi_7549_: f32;
+    var phi_7556_: f32;
+    var phi_7563_: f32;
     var phi_7569_: f32;
-    var phi_7575_: f32;
+    var phi_7576_: f32;
     var phi_7582_: f32;
-    var phi_7589_: f32;
-    var phi_7595_: f32;
-    var phi_7602_: f32;
+    var phi_7588_: f32;
+    var phi_7594_: f32;
+    var phi_7601_: f32;
     var phi_7608_: f32;
-    var phi_7614_: f32;
-    var phi_7620_: f32;
-    var phi_7627_: f32;
-    var phi_7634_: f32;
-    var phi_7658_: f32;
-    var phi_7663_: f32;
-    var phi_7668_: f32;
-    var phi_7673_: f32;
-    var phi_7678_: f32;
-    var phi_7683_: f32;
-    var phi_7693_: f32;
-    var phi_7896_: f32;
-    var phi_7903_: f32;
-    var phi_7908_: f32;
-    var phi_7915_: f32;
-    var phi_7920_: f32;
-    var phi_7933_: f32;
-    var phi_7940_: f32;
-    var phi_7945_: f32;
-    var phi_7952_: f32;
-    var phi_7957_: f32;
-    var phi_7962_: f32;
-    var phi_7979_: f32;
-    var phi_7986_: f32;
+    var phi_7632_: f32;
+    var phi_7637_: f32;
+    var phi_7642_: f32;
+    var phi_7647_: f32;
+    var phi_7652_: f32;
+    var phi_7657_: f32;
+    var phi_7667_: f32;
+    var phi_7870_: f32;
+    var phi_7877_: f32;
+    var phi_7882_: f32;
+    var phi_7889_: f32;
+    var phi_7894_: f32;
+    var phi_7907_: f32;
+    var phi_7914_: f32;
+    var phi_7919_: f32;
+    var phi_7926_: f32;
+    var phi_7931_: f32;
+    var phi_7936_: f32;
+    var phi_7953_: f32;
+    var phi_7960_: f32;
+    var phi_7965_: f32;
+    var phi_7972_: f32;
+    var phi_7977_: f32;
     var phi_7991_: f32;
     var phi_7998_: f32;
     var phi_8003_: f32;
-    var phi_8017_: f32;
-    var phi_8024_: f32;
-    var phi_8029_: f32;
-    var phi_8036_: f32;
-    var phi_8041_: f32;
-    var phi_8046_: f32;
-    var phi_8063_: f32;
-    var phi_8070_: f32;
+    var phi_8010_: f32;
+    var phi_8015_: f32;
+    var phi_8020_: f32;
+    var phi_8037_: f32;
+    var phi_8044_: f32;
+    var phi_8049_: f32;
+    var phi_8056_: f32;
+    var phi_8061_: f32;
     var phi_8075_: f32;
     var phi_8082_: f32;
     var phi_8087_: f32;
-    var phi_8101_: f32;
-    var phi_8108_: f32;
-    var phi_8113_: f32;
-    var phi_8120_: f32;
-    var phi_8125_: f32;
-    var phi_8130_: f32;
-    var phi_8209_: f32;
-    var phi_8214_: f32;
-    var phi_8219_: f32;
-    var phi_8224_: f32;
-    var phi_8229_: f32;
-    var phi_8234_: f32;
-    var phi_8239_: f32;
-    var phi_8244_: f32;
-    var phi_8249_: f32;
+    var phi_8094_: f32;
+    var phi_8099_: f32;
+    var phi_8104_: f32;
+    var phi_8183_: f32;
+    var phi_8188_: f32;
+    var phi_8193_: f32;
+    var phi_8198_: f32;
+    var phi_8203_: f32;
+    var phi_8208_: f32;
+    var phi_8213_: f32;
+    var phi_8218_: f32;
+    var phi_8223_: f32;
+    var phi_8228_: f32;
+    var phi_8233_: f32;
+    var phi_8238_: f32;
+    var phi_8243_: f32;
+    var phi_8248_: f32;
     var phi_8254_: f32;
-    var phi_8259_: f32;
-    var phi_8264_: f32;
-    var phi_8269_: f32;
-    var phi_8274_: f32;
-    var phi_8280_: f32;
-    var phi_8286_: f32;
-    var phi_8293_: f32;
-    var phi_8304_: f32;
-    var phi_8375_: f32;
-    var phi_8380_: f32;
-    var phi_8385_: f32;
-    var phi_8390_: f32;
-    var phi_8395_: f32;
-    var phi_8400_: f32;
-    var phi_8405_: f32;
-    var phi_8410_: f32;
-    var phi_8415_: f32;
+    var phi_8260_: f32;
+    var phi_8267_: f32;
+    var phi_8278_: f32;
+    var phi_8349_: f32;
+    var phi_8354_: f32;
+    var phi_8359_: f32;
+    var phi_8364_: f32;
+    var phi_8369_: f32;
+    var phi_8374_: f32;
+    var phi_8379_: f32;
+    var phi_8384_: f32;
+    var phi_8389_: f32;
+    var phi_8394_: f32;
+    var phi_8399_: f32;
+    var phi_8404_: f32;
+    var phi_8409_: f32;
+    var phi_8414_: f32;
     var phi_8420_: f32;
-    var phi_8425_: f32;
-    var phi_8430_: f32;
-    var phi_8435_: f32;
-    var phi_8440_: f32;
-    var phi_8446_: f32;
-    var phi_8452_: f32;
-    var phi_8459_: f32;
-    var phi_8470_: f32;
-    var phi_8480_: f32;
-    var phi_8662_: bool;
-    var phi_8664_: bool;
-    var phi_8666_: bool;
-    var phi_8677_: bool;
-    var phi_8678_: bool;
-    var phi_8728_: type_9;
-    var phi_8729_: type_9;
-    var phi_8752_: type_9;
-    var phi_8775_: u32;
-    var phi_8830_: type_9;
-    var phi_8849_: bool;
-    var phi_8850_: bool;
+    var phi_8426_: f32;
+    var phi_8433_: f32;
+    var phi_8444_: f32;
+    var phi_8454_: f32;
+    var phi_8636_: bool;
+    var phi_8638_: bool;
+    var phi_8640_: bool;
+    var phi_8651_: bool;
+    var phi_8652_: bool;
+    var phi_8702_: type_9;
+    var phi_8703_: type_9;
+    var phi_8726_: type_9;
+    var phi_8749_: u32;
+    var phi_8804_: type_9;
+    var phi_8823_: bool;
+    var phi_8824_: bool;
     var local_7: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -862,4026 +859,4007 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e71 = id_2;
-    let _e72 = n_2;
-    let _e73 = lane_2;
-    let _e86 = ((_e71.y * _e72.x) + _e71.x);
-    let _e89 = (_e72.x * _e72.y);
-    let _e92 = params.member.member_1.member_2;
-    let _e94 = input.member[0u];
-    if (_e92 < _e94) {
-        phi_353_ = _e92;
+    let _e69 = id_2;
+    let _e70 = n_2;
+    let _e71 = lane_2;
+    let _e84 = ((_e69.y * _e70.x) + _e69.x);
+    let _e87 = (_e70.x * _e70.y);
+    let _e90 = params.member.member_1.member_2;
+    let _e92 = input.member[0u];
+    if (_e90 < _e92) {
+        phi_351_ = _e90;
     } else {
-        phi_353_ = _e94;
+        phi_351_ = _e92;
     }
-    let _e97 = phi_353_;
-    let _e98 = (_e73 / 32u);
-    let _e99 = (_e73 % 32u);
-    let _e102 = params.member.member_1.member_1;
-    if (_e97 > _e102) {
-        let _e106 = params.member.member_1.member_1;
-        let _e107 = (_e97 - _e106);
-        let _e110 = params.member.member_2.member_3;
-        if (_e110 == 0u) {
+    let _e95 = phi_351_;
+    let _e96 = (_e71 / 32u);
+    let _e97 = (_e71 % 32u);
+    let _e100 = params.member.member_1.member_1;
+    if (_e95 > _e100) {
+        let _e104 = params.member.member_1.member_1;
+        let _e105 = (_e95 - _e104);
+        let _e108 = params.member.member_2.member_3;
+        if (_e108 == 0u) {
             return;
         }
-        let _e112 = (_e107 / _e110);
-        if (_e110 == 0u) {
+        let _e110 = (_e105 / _e108);
+        if (_e108 == 0u) {
             return;
         }
-        if ((_e107 % _e110) > 0u) {
-            phi_394_ = (_e112 + 1u);
+        if ((_e105 % _e108) > 0u) {
+            phi_392_ = (_e110 + 1u);
         } else {
-            phi_394_ = _e112;
+            phi_392_ = _e110;
         }
-        let _e118 = phi_394_;
-        phi_395_ = _e118;
+        let _e116 = phi_392_;
+        phi_393_ = _e116;
     } else {
-        phi_395_ = 0u;
+        phi_393_ = 0u;
     }
-    let _e120 = phi_395_;
-    let _e123 = params.member.member_2.member_4;
-    if (_e123 < _e120) {
-        phi_403_ = _e123;
+    let _e118 = phi_393_;
+    let _e121 = params.member.member_2.member_4;
+    if (_e121 < _e118) {
+        phi_401_ = _e121;
     } else {
-        phi_403_ = _e120;
+        phi_401_ = _e118;
     }
-    let _e126 = phi_403_;
-    let _e127 = (_e126 / 4u);
-    if ((_e126 % 4u) > 0u) {
-        phi_419_ = (_e127 + 1u);
+    let _e124 = phi_401_;
+    let _e125 = (_e124 / 4u);
+    if ((_e124 % 4u) > 0u) {
+        phi_417_ = (_e125 + 1u);
     } else {
-        phi_419_ = _e127;
+        phi_417_ = _e125;
     }
-    let _e132 = phi_419_;
-    if (_e132 > _e86) {
-        let _e134 = (_e132 - _e86);
-        if (_e89 == 0u) {
+    let _e130 = phi_417_;
+    if (_e130 > _e84) {
+        let _e132 = (_e130 - _e84);
+        if (_e87 == 0u) {
             return;
         }
-        let _e136 = (_e134 / _e89);
-        if (_e89 == 0u) {
+        let _e134 = (_e132 / _e87);
+        if (_e87 == 0u) {
             return;
         }
-        if ((_e134 % _e89) > 0u) {
-            phi_440_ = (_e136 + 1u);
+        if ((_e132 % _e87) > 0u) {
+            phi_438_ = (_e134 + 1u);
         } else {
-            phi_440_ = _e136;
+            phi_438_ = _e134;
         }
-        let _e142 = phi_440_;
-        phi_441_ = _e142;
+        let _e140 = phi_438_;
+        phi_439_ = _e140;
     } else {
-        phi_441_ = 0u;
+        phi_439_ = 0u;
     }
-    let _e144 = phi_441_;
-    phi_444_ = type_9(0u, _e144);
+    let _e142 = phi_439_;
+    phi_442_ = type_9(0u, _e142);
     loop {
-        let _e147 = phi_444_;
-        if (_e147.member < _e147.member_1) {
-            phi_445_ = type_9((_e147.member + 1u), _e147.member_1);
-            phi_468_ = type_9(1u, _e147.member);
+        let _e145 = phi_442_;
+        if (_e145.member < _e145.member_1) {
+            phi_443_ = type_9((_e145.member + 1u), _e145.member_1);
+            phi_466_ = type_9(1u, _e145.member);
         } else {
-            phi_445_ = _e147;
-            phi_468_ = type_9(0u, type_9().member_1);
+            phi_443_ = _e145;
+            phi_466_ = type_9(0u, type_9().member_1);
         }
-        let _e159 = phi_445_;
-        let _e161 = phi_468_;
-        let _e165 = (bitcast<i32>(_e161.member) != 0i);
-        if _e165 {
-            let _e169 = (((_e86 + (_e161.member_1 * _e89)) * 4u) + _e98);
-            let _e172 = params.member.member_1.member_1;
-            if (_e97 > _e172) {
-                let _e176 = params.member.member_1.member_1;
-                let _e177 = (_e97 - _e176);
-                let _e180 = params.member.member_2.member_3;
-                if (_e180 == 0u) {
+        let _e157 = phi_443_;
+        let _e159 = phi_466_;
+        let _e163 = (bitcast<i32>(_e159.member) != 0i);
+        if _e163 {
+            let _e167 = (((_e84 + (_e159.member_1 * _e87)) * 4u) + _e96);
+            let _e170 = params.member.member_1.member_1;
+            if (_e95 > _e170) {
+                let _e174 = params.member.member_1.member_1;
+                let _e175 = (_e95 - _e174);
+                let _e178 = params.member.member_2.member_3;
+                if (_e178 == 0u) {
                     return;
                 }
-                let _e182 = (_e177 / _e180);
-                if (_e180 == 0u) {
+                let _e180 = (_e175 / _e178);
+                if (_e178 == 0u) {
                     return;
                 }
-                if ((_e177 % _e180) > 0u) {
-                    phi_509_ = (_e182 + 1u);
+                if ((_e175 % _e178) > 0u) {
+                    phi_507_ = (_e180 + 1u);
                 } else {
-                    phi_509_ = _e182;
+                    phi_507_ = _e180;
                 }
-                let _e188 = phi_509_;
-                phi_510_ = _e188;
+                let _e186 = phi_507_;
+                phi_508_ = _e186;
             } else {
-                phi_510_ = 0u;
+                phi_508_ = 0u;
             }
-            let _e190 = phi_510_;
-            let _e193 = params.member.member_2.member_4;
-            if (_e193 < _e190) {
-                phi_518_ = _e193;
+            let _e188 = phi_508_;
+            let _e191 = params.member.member_2.member_4;
+            if (_e191 < _e188) {
+                phi_516_ = _e191;
             } else {
-                phi_518_ = _e190;
+                phi_516_ = _e188;
             }
-            let _e196 = phi_518_;
-            let _e197 = (_e169 < _e196);
-            let _e200 = params.member.member_1.member_1;
-            if _e197 {
-                let _e203 = params.member.member_2.member_3;
-                phi_530_ = (_e169 * _e203);
+            let _e194 = phi_516_;
+            let _e195 = (_e167 < _e194);
+            let _e198 = params.member.member_1.member_1;
+            if _e195 {
+                let _e201 = params.member.member_2.member_3;
+                phi_528_ = (_e167 * _e201);
             } else {
-                phi_530_ = 0u;
+                phi_528_ = 0u;
             }
-            let _e206 = phi_530_;
-            let _e208 = (2u * (_e200 + _e206));
-            let _e211 = input.member[(4u + _e208)];
-            let _e214 = input.member[(_e208 + 5u)];
-            if (_e73 < 8u) {
-                atomicStore((&counters[_e73]), 0u);
+            let _e204 = phi_528_;
+            let _e206 = (2u * (_e198 + _e204));
+            let _e209 = input.member[(4u + _e206)];
+            let _e212 = input.member[(_e206 + 5u)];
+            if (_e71 < 8u) {
+                atomicStore((&counters[_e71]), 0u);
             }
             workgroupBarrier();
-            let _e222 = params.member.member_2.member[0u][1u];
-            let _e223 = (_e222 + (_e211 * 32u));
-            let _e229 = params.member.member_2.member[0u][1u];
-            let _e230 = (_e229 + (_e214 * 32u));
-            if (_e99 == 0u) {
-                firsts[(2u * _e98)] = _e223;
-                firsts[((2u * _e98) + 1u)] = _e230;
+            let _e220 = params.member.member_2.member[0u][1u];
+            let _e221 = (_e220 + (_e209 * 32u));
+            let _e227 = params.member.member_2.member[0u][1u];
+            let _e228 = (_e227 + (_e212 * 32u));
+            if (_e97 == 0u) {
+                firsts[(2u * _e96)] = _e221;
+                firsts[((2u * _e96) + 1u)] = _e228;
             }
-            let _e239 = params.member.member_2.member_1;
-            if (_e239 == 0u) {
-                phi_615_ = array<u32, 2>(0u, 2u);
+            let _e237 = params.member.member_2.member_1;
+            if (_e237 == 0u) {
+                phi_613_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_615_ = array<u32, 2>(1u, 1u);
+                phi_613_ = array<u32, 2>(1u, 1u);
             }
-            let _e242 = phi_615_;
-            let _e245 = (_e73 / 32u);
-            let _e246 = (_e73 % 32u);
-            let _e250 = params.member.member_2.member_2;
-            let _e254 = params.member.member_2.member[_e250][_e242[0]];
-            let _e257 = nodes.member[(_e254 + _e211)];
-            let _e273 = params.member.member_2.member_2;
-            let _e277 = params.member.member_2.member[_e273][_e242[1]];
-            let _e280 = nodes.member[(_e277 + _e214)];
-            let _e296 = params.member.member_2.member_2;
-            let _e303 = params.member.member_2.member[(_e296 - 1u)][_e242[0]];
-            let _e306 = nodes.member[(_e303 + ((_e211 * 32u) + _e246))];
-            let _e325 = params.member.member_2.member_2;
-            let _e332 = params.member.member_2.member[(_e325 - 1u)][_e242[1]];
-            let _e335 = nodes.member[(_e332 + ((_e214 * 32u) + _e246))];
-            if _e197 {
-                if ((((((_e335.member.x <= _e257.member_1.y) && (_e257.member.x <= _e335.member_1.y)) && (_e335.member.y <= _e257.member_2.x)) && (_e257.member.y <= _e335.member_2.x)) && (_e335.member_1.x <= _e257.member_2.y)) && (_e257.member_1.x <= _e335.member_2.y)) {
-                    let _e361 = atomicAdd((&counters[_e245]), 1u);
-                    let _e362 = ((_e245 * 32u) + _e361);
-                    columns[_e362] = type_33(array<f32, 3>(_e335.member.x, _e335.member.y, _e335.member_1.x), array<f32, 3>(_e335.member_1.y, _e335.member_2.x, _e335.member_2.y));
-                    names[_e362] = _e246;
+            let _e240 = phi_613_;
+            let _e243 = (_e71 / 32u);
+            let _e244 = (_e71 % 32u);
+            let _e248 = params.member.member_2.member_2;
+            let _e252 = params.member.member_2.member[_e248][_e240[0]];
+            let _e255 = nodes.member[(_e252 + _e209)];
+            let _e271 = params.member.member_2.member_2;
+            let _e275 = params.member.member_2.member[_e271][_e240[1]];
+            let _e278 = nodes.member[(_e275 + _e212)];
+            let _e294 = params.member.member_2.member_2;
+            let _e301 = params.member.member_2.member[(_e294 - 1u)][_e240[0]];
+            let _e304 = nodes.member[(_e301 + ((_e209 * 32u) + _e244))];
+            let _e323 = params.member.member_2.member_2;
+            let _e330 = params.member.member_2.member[(_e323 - 1u)][_e240[1]];
+            let _e333 = nodes.member[(_e330 + ((_e212 * 32u) + _e244))];
+            if _e195 {
+                if ((((((_e333.member.x <= _e255.member_1.y) && (_e255.member.x <= _e333.member_1.y)) && (_e333.member.y <= _e255.member_2.x)) && (_e255.member.y <= _e333.member_2.x)) && (_e333.member_1.x <= _e255.member_2.y)) && (_e255.member_1.x <= _e333.member_2.y)) {
+                    let _e359 = atomicAdd((&counters[_e243]), 1u);
+                    let _e360 = ((_e243 * 32u) + _e359);
+                    columns[_e360] = type_33(array<f32, 3>(_e333.member.x, _e333.member.y, _e333.member_1.x), array<f32, 3>(_e333.member_1.y, _e333.member_2.x, _e333.member_2.y));
+                    names[_e360] = _e244;
                 }
             }
             workgroupBarrier();
-            if _e197 {
-                if ((((((_e306.member.x <= _e280.member_1.y) && (_e280.member.x <= _e306.member_1.y)) && (_e306.member.y <= _e280.member_2.x)) && (_e280.member.y <= _e306.member_2.x)) && (_e306.member_1.x <= _e280.member_2.y)) && (_e280.member_1.x <= _e306.member_2.y)) {
-                    phi_819_ = false;
+            if _e195 {
+                if ((((((_e304.member.x <= _e278.member_1.y) && (_e278.member.x <= _e304.member_1.y)) && (_e304.member.y <= _e278.member_2.x)) && (_e278.member.y <= _e304.member_2.x)) && (_e304.member_1.x <= _e278.member_2.y)) && (_e278.member_1.x <= _e304.member_2.y)) {
+                    phi_817_ = false;
                 } else {
-                    phi_819_ = true;
+                    phi_817_ = true;
                 }
-                let _e380 = phi_819_;
-                phi_820_ = _e380;
+                let _e378 = phi_817_;
+                phi_818_ = _e378;
             } else {
-                phi_820_ = true;
+                phi_818_ = true;
             }
-            let _e382 = phi_820_;
-            if _e382 {
-                phi_824_ = type_33(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e380 = phi_818_;
+            if _e380 {
+                phi_822_ = type_33(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_824_ = type_33(array<f32, 3>(_e306.member.x, _e306.member.y, _e306.member_1.x), array<f32, 3>(_e306.member_1.y, _e306.member_2.x, _e306.member_2.y));
+                phi_822_ = type_33(array<f32, 3>(_e304.member.x, _e304.member.y, _e304.member_1.x), array<f32, 3>(_e304.member_1.y, _e304.member_2.x, _e304.member_2.y));
             }
-            let _e384 = phi_824_;
-            let _e386 = (_e73 / 32u);
-            let _e387 = (_e73 % 32u);
-            let _e389 = atomicLoad((&counters[_e386]));
-            phi_837_ = type_9(0u, _e389);
-            phi_840_ = 0u;
+            let _e382 = phi_822_;
+            let _e384 = (_e71 / 32u);
+            let _e385 = (_e71 % 32u);
+            let _e387 = atomicLoad((&counters[_e384]));
+            phi_835_ = type_9(0u, _e387);
+            phi_838_ = 0u;
             loop {
-                let _e392 = phi_837_;
-                let _e394 = phi_840_;
-                local_7 = _e394;
-                if (_e392.member < _e392.member_1) {
-                    phi_838_ = type_9((_e392.member + 1u), _e392.member_1);
-                    phi_863_ = type_9(1u, _e392.member);
+                let _e390 = phi_835_;
+                let _e392 = phi_838_;
+                local_7 = _e392;
+                if (_e390.member < _e390.member_1) {
+                    phi_836_ = type_9((_e390.member + 1u), _e390.member_1);
+                    phi_861_ = type_9(1u, _e390.member);
                 } else {
-                    phi_838_ = _e392;
-                    phi_863_ = type_9(0u, type_9().member_1);
+                    phi_836_ = _e390;
+                    phi_861_ = type_9(0u, type_9().member_1);
                 }
-                let _e406 = phi_838_;
-                let _e408 = phi_863_;
-                let _e412 = (bitcast<i32>(_e408.member) != 0i);
-                if _e412 {
-                    let _e416 = names[((_e386 * 32u) + _e408.member_1)];
-                    let _e420 = columns[((_e386 * 32u) + _e408.member_1)];
-                    if ((((((_e384.member[0] <= _e420.member_1[0]) && (_e420.member[0] <= _e384.member_1[0])) && (_e384.member[1] <= _e420.member_1[1])) && (_e420.member[1] <= _e384.member_1[1])) && (_e384.member[2] <= _e420.member_1[2])) && (_e420.member[2] <= _e384.member_1[2])) {
-                        if (_e211 == _e214) {
-                            let _e452 = (_e387 < _e416);
-                            if _e452 {
-                                phi_929_ = bool();
+                let _e404 = phi_836_;
+                let _e406 = phi_861_;
+                let _e410 = (bitcast<i32>(_e406.member) != 0i);
+                if _e410 {
+                    let _e414 = names[((_e384 * 32u) + _e406.member_1)];
+                    let _e418 = columns[((_e384 * 32u) + _e406.member_1)];
+                    if ((((((_e382.member[0] <= _e418.member_1[0]) && (_e418.member[0] <= _e382.member_1[0])) && (_e382.member[1] <= _e418.member_1[1])) && (_e418.member[1] <= _e382.member_1[1])) && (_e382.member[2] <= _e418.member_1[2])) && (_e418.member[2] <= _e382.member_1[2])) {
+                        if (_e209 == _e212) {
+                            let _e450 = (_e385 < _e414);
+                            if _e450 {
+                                phi_927_ = bool();
                             } else {
-                                phi_929_ = false;
+                                phi_927_ = false;
                             }
-                            let _e454 = phi_929_;
-                            phi_930_ = _e454;
-                            phi_931_ = _e452;
+                            let _e452 = phi_927_;
+                            phi_928_ = _e452;
+                            phi_929_ = _e450;
                         } else {
-                            phi_930_ = bool();
-                            phi_931_ = true;
+                            phi_928_ = bool();
+                            phi_929_ = true;
                         }
-                        let _e456 = phi_930_;
-                        let _e458 = phi_931_;
+                        let _e454 = phi_928_;
+                        let _e456 = phi_929_;
+                        if _e456 {
+                            phi_933_ = true;
+                        } else {
+                            phi_933_ = _e454;
+                        }
+                        let _e458 = phi_933_;
                         if _e458 {
-                            phi_935_ = true;
-                        } else {
-                            phi_935_ = _e456;
-                        }
-                        let _e460 = phi_935_;
-                        phi_936_ = _e460;
-                    } else {
-                        phi_936_ = false;
-                    }
-                    let _e462 = phi_936_;
-                    if false {
-                        if _e462 {
-                            let _e466 = firsts[((_e386 * 32u) + _e416)];
-                            if ((u32() >> bitcast<u32>(16i)) <= (_e466 & 65535u)) {
-                                phi_958_ = ((_e466 >> bitcast<u32>(16i)) <= (u32() & 65535u));
+                            let _e460 = atomicAdd((&counters[4u]), 1u);
+                            if (_e460 < 2048u) {
+                                hits[_e460] = (((_e384 << bitcast<u32>(10i)) | (_e385 << bitcast<u32>(5i))) | _e414);
+                                phi_951_ = _e392;
                             } else {
-                                phi_958_ = false;
+                                phi_951_ = (_e392 | (1u << bitcast<u32>((_e406.member_1 & 31u))));
                             }
-                            let _e476 = phi_958_;
-                            phi_959_ = _e476;
+                            let _e474 = phi_951_;
+                            phi_952_ = _e474;
                         } else {
-                            phi_959_ = false;
+                            phi_952_ = _e392;
                         }
-                        let _e478 = phi_959_;
-                        phi_960_ = _e478;
+                        let _e476 = phi_952_;
+                        phi_953_ = _e476;
                     } else {
-                        phi_960_ = _e462;
+                        phi_953_ = _e392;
                     }
-                    let _e480 = phi_960_;
-                    if _e480 {
-                        let _e482 = atomicAdd((&counters[4u]), 1u);
-                        if (_e482 < 2048u) {
-                            hits[_e482] = (((_e386 << bitcast<u32>(10i)) | (_e387 << bitcast<u32>(5i))) | _e416);
-                            phi_978_ = _e394;
-                        } else {
-                            phi_978_ = (_e394 | (1u << bitcast<u32>((_e408.member_1 & 31u))));
-                        }
-                        let _e496 = phi_978_;
-                        phi_979_ = _e496;
-                    } else {
-                        phi_979_ = _e394;
-                    }
-                    let _e498 = phi_979_;
-                    phi_841_ = _e498;
+                    let _e478 = phi_953_;
+                    phi_839_ = _e478;
                 } else {
-                    phi_841_ = u32();
+                    phi_839_ = u32();
                 }
-                let _e500 = phi_841_;
+                let _e480 = phi_839_;
                 continue;
                 continuing {
-                    phi_837_ = _e406;
-                    phi_840_ = _e500;
-                    break if !(_e412);
+                    phi_835_ = _e404;
+                    phi_838_ = _e480;
+                    break if !(_e410);
                 }
             }
-            phi_982_ = type_9(0u, 32u);
-            let _e5018 = local_7;
-            phi_985_ = _e5018;
+            phi_956_ = type_9(0u, 32u);
+            let _e4995 = local_7;
+            phi_959_ = _e4995;
             loop {
-                let _e503 = phi_982_;
-                let _e505 = phi_985_;
-                if (_e503.member < _e503.member_1) {
-                    phi_983_ = type_9((_e503.member + 1u), _e503.member_1);
-                    phi_1008_ = type_9(1u, _e503.member);
+                let _e483 = phi_956_;
+                let _e485 = phi_959_;
+                if (_e483.member < _e483.member_1) {
+                    phi_957_ = type_9((_e483.member + 1u), _e483.member_1);
+                    phi_982_ = type_9(1u, _e483.member);
                 } else {
-                    phi_983_ = _e503;
-                    phi_1008_ = type_9(0u, type_9().member_1);
+                    phi_957_ = _e483;
+                    phi_982_ = type_9(0u, type_9().member_1);
                 }
-                let _e517 = phi_983_;
-                let _e519 = phi_1008_;
-                if (bitcast<i32>(_e519.member) != 0i) {
-                    if (_e505 == 0u) {
-                        phi_2238_ = u32();
-                        phi_2239_ = false;
+                let _e497 = phi_957_;
+                let _e499 = phi_982_;
+                if (bitcast<i32>(_e499.member) != 0i) {
+                    if (_e485 == 0u) {
+                        phi_2212_ = u32();
+                        phi_2213_ = false;
                     } else {
-                        let _e530 = names[((_e98 * 32u) + select(firstTrailingBit(_e505), 32u, (_e505 == 0u)))];
-                        let _e533 = (_e223 + _e99);
-                        let _e534 = (_e230 + _e530);
-                        let _e536 = leaves.member[_e533];
-                        let _e538 = leaves.member[_e534];
-                        let _e540 = nodes.member[_e533];
-                        let _e554 = nodes.member[_e534];
-                        let _e569 = params.member.member.member_1;
-                        if ((_e569 & 1u) != 0u) {
-                            if (_e538.member[0] == _e536.member[0]) {
-                                phi_1128_ = true;
+                        let _e510 = names[((_e96 * 32u) + select(firstTrailingBit(_e485), 32u, (_e485 == 0u)))];
+                        let _e513 = (_e221 + _e97);
+                        let _e514 = (_e228 + _e510);
+                        let _e516 = leaves.member[_e513];
+                        let _e518 = leaves.member[_e514];
+                        let _e520 = nodes.member[_e513];
+                        let _e534 = nodes.member[_e514];
+                        let _e549 = params.member.member.member_1;
+                        if ((_e549 & 1u) != 0u) {
+                            if (_e518.member[0] == _e516.member[0]) {
+                                phi_1102_ = true;
                             } else {
-                                phi_1128_ = (_e538.member[0] == _e536.member[1]);
+                                phi_1102_ = (_e518.member[0] == _e516.member[1]);
                             }
-                            let _e583 = phi_1128_;
-                            if (_e538.member[1] == _e536.member[0]) {
-                                phi_1134_ = true;
+                            let _e563 = phi_1102_;
+                            if (_e518.member[1] == _e516.member[0]) {
+                                phi_1108_ = true;
                             } else {
-                                phi_1134_ = (_e538.member[1] == _e536.member[1]);
+                                phi_1108_ = (_e518.member[1] == _e516.member[1]);
                             }
-                            let _e587 = phi_1134_;
-                            if (_e583 || _e587) {
-                                phi_1140_ = false;
+                            let _e567 = phi_1108_;
+                            if (_e563 || _e567) {
+                                phi_1114_ = false;
                             } else {
-                                phi_1140_ = true;
+                                phi_1114_ = true;
                             }
-                            let _e590 = phi_1140_;
-                            phi_1141_ = _e590;
+                            let _e570 = phi_1114_;
+                            phi_1115_ = _e570;
                         } else {
-                            phi_1141_ = true;
+                            phi_1115_ = true;
                         }
-                        let _e592 = phi_1141_;
-                        if _e592 {
-                            let _e594 = params.member.member.member_1;
-                            if ((_e594 & 2u) != 0u) {
-                                let _e600 = bodies.member[_e536.member[0]];
-                                let _e604 = bodies.member[_e538.member[0]];
-                                if ((_e600 / 4u) != (_e604 / 4u)) {
-                                    phi_1186_ = true;
+                        let _e572 = phi_1115_;
+                        if _e572 {
+                            let _e574 = params.member.member.member_1;
+                            if ((_e574 & 2u) != 0u) {
+                                let _e580 = bodies.member[_e516.member[0]];
+                                let _e584 = bodies.member[_e518.member[0]];
+                                if ((_e580 / 4u) != (_e584 / 4u)) {
+                                    phi_1160_ = true;
                                 } else {
-                                    if ((_e600 & 2u) == 0u) {
-                                        phi_1185_ = false;
+                                    if ((_e580 & 2u) == 0u) {
+                                        phi_1159_ = false;
                                     } else {
-                                        phi_1185_ = true;
+                                        phi_1159_ = true;
                                     }
-                                    let _e611 = phi_1185_;
-                                    phi_1186_ = _e611;
+                                    let _e591 = phi_1159_;
+                                    phi_1160_ = _e591;
                                 }
-                                let _e613 = phi_1186_;
-                                if _e613 {
-                                    phi_1193_ = (((_e600 & _e604) & 1u) == 0u);
+                                let _e593 = phi_1160_;
+                                if _e593 {
+                                    phi_1167_ = (((_e580 & _e584) & 1u) == 0u);
                                 } else {
-                                    phi_1193_ = false;
+                                    phi_1167_ = false;
                                 }
-                                let _e618 = phi_1193_;
-                                if _e618 {
-                                    let _e620 = params.member.member.member_1;
-                                    if ((_e620 & 4u) != 0u) {
-                                        let _e625 = params.member.member.member[0u];
-                                        let _e627 = bodies.member[_e625];
-                                        let _e630 = bodies.member[(_e625 + 1u)];
-                                        let _e635 = ((_e625 + 4u) + (2u * (_e600 >> bitcast<u32>(2i))));
-                                        let _e640 = ((_e625 + 4u) + (2u * (_e604 >> bitcast<u32>(2i))));
-                                        let _e642 = bodies.member[_e635];
-                                        let _e644 = bodies.member[_e640];
-                                        let _e653 = bodies.member[((((_e625 + 4u) + (2u * _e627)) + (_e642 * _e630)) + (_e644 / 32u))];
-                                        let _e656 = bodies.member[(_e635 + 1u)];
-                                        let _e659 = bodies.member[(_e640 + 1u)];
-                                        if (_e656 == _e659) {
-                                            if (((_e653 >> bitcast<u32>(((_e644 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_1309_ = true;
+                                let _e598 = phi_1167_;
+                                if _e598 {
+                                    let _e600 = params.member.member.member_1;
+                                    if ((_e600 & 4u) != 0u) {
+                                        let _e605 = params.member.member.member[0u];
+                                        let _e607 = bodies.member[_e605];
+                                        let _e610 = bodies.member[(_e605 + 1u)];
+                                        let _e615 = ((_e605 + 4u) + (2u * (_e580 >> bitcast<u32>(2i))));
+                                        let _e620 = ((_e605 + 4u) + (2u * (_e584 >> bitcast<u32>(2i))));
+                                        let _e622 = bodies.member[_e615];
+                                        let _e624 = bodies.member[_e620];
+                                        let _e633 = bodies.member[((((_e605 + 4u) + (2u * _e607)) + (_e622 * _e610)) + (_e624 / 32u))];
+                                        let _e636 = bodies.member[(_e615 + 1u)];
+                                        let _e639 = bodies.member[(_e620 + 1u)];
+                                        if (_e636 == _e639) {
+                                            if (((_e633 >> bitcast<u32>(((_e624 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_1283_ = true;
                                             } else {
-                                                phi_1309_ = ((_e600 >> bitcast<u32>(2i)) == (_e604 >> bitcast<u32>(2i)));
+                                                phi_1283_ = ((_e580 >> bitcast<u32>(2i)) == (_e584 >> bitcast<u32>(2i)));
                                             }
-                                            let _e673 = phi_1309_;
-                                            phi_1310_ = _e673;
+                                            let _e653 = phi_1283_;
+                                            phi_1284_ = _e653;
                                         } else {
-                                            phi_1310_ = false;
+                                            phi_1284_ = false;
                                         }
-                                        let _e675 = phi_1310_;
-                                        if _e675 {
-                                            let _e680 = bodies.member[(_e625 + 2u)];
-                                            let _e683 = bodies.member[(_e625 + 3u)];
-                                            let _e684 = (_e683 + _e625);
-                                            if (_e538.member_1 < _e536.member_1) {
-                                                phi_1347_ = _e536.member_1;
-                                                phi_1348_ = _e538.member_1;
+                                        let _e655 = phi_1284_;
+                                        if _e655 {
+                                            let _e660 = bodies.member[(_e605 + 2u)];
+                                            let _e663 = bodies.member[(_e605 + 3u)];
+                                            let _e664 = (_e663 + _e605);
+                                            if (_e518.member_1 < _e516.member_1) {
+                                                phi_1321_ = _e516.member_1;
+                                                phi_1322_ = _e518.member_1;
                                             } else {
-                                                phi_1347_ = _e538.member_1;
-                                                phi_1348_ = _e536.member_1;
+                                                phi_1321_ = _e518.member_1;
+                                                phi_1322_ = _e516.member_1;
                                             }
-                                            let _e687 = phi_1347_;
-                                            let _e689 = phi_1348_;
-                                            phi_1353_ = type_15(0i, 32i);
-                                            phi_1356_ = _e680;
-                                            phi_1358_ = 0u;
+                                            let _e667 = phi_1321_;
+                                            let _e669 = phi_1322_;
+                                            phi_1327_ = type_15(0i, 32i);
+                                            phi_1330_ = _e660;
+                                            phi_1332_ = 0u;
                                             loop {
-                                                let _e691 = phi_1353_;
-                                                let _e693 = phi_1356_;
-                                                let _e695 = phi_1358_;
-                                                local_3 = _e695;
-                                                local_4 = _e695;
-                                                if (_e691.member < _e691.member_1) {
-                                                    let _e702 = (_e691.member + 1i);
-                                                    if ((false == (_e702 > _e691.member)) != false) {
-                                                        phi_1379_ = true;
+                                                let _e671 = phi_1327_;
+                                                let _e673 = phi_1330_;
+                                                let _e675 = phi_1332_;
+                                                local_3 = _e675;
+                                                local_4 = _e675;
+                                                if (_e671.member < _e671.member_1) {
+                                                    let _e682 = (_e671.member + 1i);
+                                                    if ((false == (_e682 > _e671.member)) != false) {
+                                                        phi_1353_ = true;
                                                     } else {
-                                                        phi_1379_ = false;
+                                                        phi_1353_ = false;
                                                     }
-                                                    let _e707 = phi_1379_;
-                                                    if _e707 {
-                                                        phi_1385_ = type_16(0u, type_16().member_1);
+                                                    let _e687 = phi_1353_;
+                                                    if _e687 {
+                                                        phi_1359_ = type_16(0u, type_16().member_1);
                                                     } else {
-                                                        phi_1385_ = type_16(1u, _e702);
+                                                        phi_1359_ = type_16(1u, _e682);
                                                     }
-                                                    let _e712 = phi_1385_;
-                                                    phi_1354_ = type_15(_e712.member_1, _e691.member_1);
-                                                    phi_1399_ = type_16(1u, _e691.member);
+                                                    let _e692 = phi_1359_;
+                                                    phi_1328_ = type_15(_e692.member_1, _e671.member_1);
+                                                    phi_1373_ = type_16(1u, _e671.member);
                                                 } else {
-                                                    phi_1354_ = _e691;
-                                                    phi_1399_ = type_16(0u, type_16().member_1);
+                                                    phi_1328_ = _e671;
+                                                    phi_1373_ = type_16(0u, type_16().member_1);
                                                 }
-                                                let _e718 = phi_1354_;
-                                                let _e720 = phi_1399_;
-                                                if (bitcast<i32>(_e720.member) != 0i) {
-                                                    if (_e695 >= _e693) {
-                                                        phi_1482_ = u32();
-                                                        phi_1483_ = u32();
-                                                        phi_1484_ = false;
+                                                let _e698 = phi_1328_;
+                                                let _e700 = phi_1373_;
+                                                if (bitcast<i32>(_e700.member) != 0i) {
+                                                    if (_e675 >= _e673) {
+                                                        phi_1456_ = u32();
+                                                        phi_1457_ = u32();
+                                                        phi_1458_ = false;
                                                     } else {
-                                                        let _e727 = (_e695 + ((_e693 - _e695) / 2u));
-                                                        let _e729 = (_e684 + (3u * _e727));
-                                                        let _e731 = bodies.member[_e729];
-                                                        let _e734 = bodies.member[(_e729 + 1u)];
-                                                        let _e737 = bodies.member[(_e729 + 2u)];
-                                                        if (_e731 < 1u) {
-                                                            phi_1475_ = true;
+                                                        let _e707 = (_e675 + ((_e673 - _e675) / 2u));
+                                                        let _e709 = (_e664 + (3u * _e707));
+                                                        let _e711 = bodies.member[_e709];
+                                                        let _e714 = bodies.member[(_e709 + 1u)];
+                                                        let _e717 = bodies.member[(_e709 + 2u)];
+                                                        if (_e711 < 1u) {
+                                                            phi_1449_ = true;
                                                         } else {
-                                                            if (_e731 == 1u) {
-                                                                if (_e734 < _e689) {
-                                                                    phi_1469_ = false;
+                                                            if (_e711 == 1u) {
+                                                                if (_e714 < _e669) {
+                                                                    phi_1443_ = false;
                                                                 } else {
-                                                                    if (_e734 == _e689) {
-                                                                        if (_e737 < _e687) {
-                                                                            phi_1467_ = false;
+                                                                    if (_e714 == _e669) {
+                                                                        if (_e717 < _e667) {
+                                                                            phi_1441_ = false;
                                                                         } else {
-                                                                            phi_1467_ = true;
+                                                                            phi_1441_ = true;
                                                                         }
-                                                                        let _e744 = phi_1467_;
-                                                                        phi_1468_ = _e744;
+                                                                        let _e724 = phi_1441_;
+                                                                        phi_1442_ = _e724;
                                                                     } else {
-                                                                        phi_1468_ = true;
+                                                                        phi_1442_ = true;
                                                                     }
-                                                                    let _e746 = phi_1468_;
-                                                                    phi_1469_ = _e746;
+                                                                    let _e726 = phi_1442_;
+                                                                    phi_1443_ = _e726;
                                                                 }
-                                                                let _e748 = phi_1469_;
-                                                                phi_1470_ = _e748;
+                                                                let _e728 = phi_1443_;
+                                                                phi_1444_ = _e728;
                                                             } else {
-                                                                phi_1470_ = true;
+                                                                phi_1444_ = true;
                                                             }
-                                                            let _e750 = phi_1470_;
-                                                            if _e750 {
-                                                                phi_1474_ = false;
+                                                            let _e730 = phi_1444_;
+                                                            if _e730 {
+                                                                phi_1448_ = false;
                                                             } else {
-                                                                phi_1474_ = true;
+                                                                phi_1448_ = true;
                                                             }
-                                                            let _e752 = phi_1474_;
-                                                            phi_1475_ = _e752;
+                                                            let _e732 = phi_1448_;
+                                                            phi_1449_ = _e732;
                                                         }
-                                                        let _e754 = phi_1475_;
-                                                        if _e754 {
-                                                            phi_1480_ = _e693;
-                                                            phi_1481_ = (_e727 + 1u);
+                                                        let _e734 = phi_1449_;
+                                                        if _e734 {
+                                                            phi_1454_ = _e673;
+                                                            phi_1455_ = (_e707 + 1u);
                                                         } else {
-                                                            phi_1480_ = _e727;
-                                                            phi_1481_ = _e695;
+                                                            phi_1454_ = _e707;
+                                                            phi_1455_ = _e675;
                                                         }
-                                                        let _e757 = phi_1480_;
-                                                        let _e759 = phi_1481_;
-                                                        phi_1482_ = _e757;
-                                                        phi_1483_ = _e759;
-                                                        phi_1484_ = true;
+                                                        let _e737 = phi_1454_;
+                                                        let _e739 = phi_1455_;
+                                                        phi_1456_ = _e737;
+                                                        phi_1457_ = _e739;
+                                                        phi_1458_ = true;
                                                     }
-                                                    let _e761 = phi_1482_;
-                                                    let _e763 = phi_1483_;
-                                                    let _e765 = phi_1484_;
-                                                    phi_1357_ = _e761;
-                                                    phi_1359_ = _e763;
-                                                    phi_1485_ = _e765;
+                                                    let _e741 = phi_1456_;
+                                                    let _e743 = phi_1457_;
+                                                    let _e745 = phi_1458_;
+                                                    phi_1331_ = _e741;
+                                                    phi_1333_ = _e743;
+                                                    phi_1459_ = _e745;
                                                 } else {
-                                                    phi_1357_ = u32();
-                                                    phi_1359_ = u32();
-                                                    phi_1485_ = false;
+                                                    phi_1331_ = u32();
+                                                    phi_1333_ = u32();
+                                                    phi_1459_ = false;
                                                 }
-                                                let _e767 = phi_1357_;
-                                                let _e769 = phi_1359_;
-                                                let _e771 = phi_1485_;
+                                                let _e747 = phi_1331_;
+                                                let _e749 = phi_1333_;
+                                                let _e751 = phi_1459_;
                                                 continue;
                                                 continuing {
-                                                    phi_1353_ = _e718;
-                                                    phi_1356_ = _e767;
-                                                    phi_1358_ = _e769;
-                                                    break if !(_e771);
+                                                    phi_1327_ = _e698;
+                                                    phi_1330_ = _e747;
+                                                    phi_1332_ = _e749;
+                                                    break if !(_e751);
                                                 }
                                             }
-                                            let _e774 = local_3;
-                                            if (_e774 < _e680) {
-                                                let _e777 = local_4;
-                                                let _e779 = (_e684 + (3u * _e777));
-                                                let _e781 = bodies.member[_e779];
-                                                if (_e781 == 1u) {
-                                                    let _e785 = bodies.member[(_e779 + 1u)];
-                                                    if (_e785 == _e689) {
-                                                        let _e789 = bodies.member[(_e779 + 2u)];
-                                                        phi_1533_ = (_e789 == _e687);
-                                                        phi_1534_ = false;
+                                            let _e754 = local_3;
+                                            if (_e754 < _e660) {
+                                                let _e757 = local_4;
+                                                let _e759 = (_e664 + (3u * _e757));
+                                                let _e761 = bodies.member[_e759];
+                                                if (_e761 == 1u) {
+                                                    let _e765 = bodies.member[(_e759 + 1u)];
+                                                    if (_e765 == _e669) {
+                                                        let _e769 = bodies.member[(_e759 + 2u)];
+                                                        phi_1507_ = (_e769 == _e667);
+                                                        phi_1508_ = false;
                                                     } else {
-                                                        phi_1533_ = bool();
-                                                        phi_1534_ = true;
+                                                        phi_1507_ = bool();
+                                                        phi_1508_ = true;
                                                     }
-                                                    let _e792 = phi_1533_;
-                                                    let _e794 = phi_1534_;
-                                                    phi_1535_ = _e792;
-                                                    phi_1536_ = _e794;
+                                                    let _e772 = phi_1507_;
+                                                    let _e774 = phi_1508_;
+                                                    phi_1509_ = _e772;
+                                                    phi_1510_ = _e774;
                                                 } else {
-                                                    phi_1535_ = bool();
-                                                    phi_1536_ = true;
+                                                    phi_1509_ = bool();
+                                                    phi_1510_ = true;
                                                 }
-                                                let _e796 = phi_1535_;
-                                                let _e798 = phi_1536_;
-                                                if _e798 {
-                                                    phi_1540_ = false;
+                                                let _e776 = phi_1509_;
+                                                let _e778 = phi_1510_;
+                                                if _e778 {
+                                                    phi_1514_ = false;
                                                 } else {
-                                                    phi_1540_ = _e796;
+                                                    phi_1514_ = _e776;
                                                 }
-                                                let _e800 = phi_1540_;
-                                                phi_1541_ = _e800;
+                                                let _e780 = phi_1514_;
+                                                phi_1515_ = _e780;
                                             } else {
-                                                phi_1541_ = false;
+                                                phi_1515_ = false;
                                             }
-                                            let _e802 = phi_1541_;
-                                            phi_1545_ = _e802;
+                                            let _e782 = phi_1515_;
+                                            phi_1519_ = _e782;
                                         } else {
-                                            phi_1545_ = true;
+                                            phi_1519_ = true;
                                         }
-                                        let _e804 = phi_1545_;
-                                        if _e804 {
-                                            phi_1549_ = false;
+                                        let _e784 = phi_1519_;
+                                        if _e784 {
+                                            phi_1523_ = false;
                                         } else {
-                                            phi_1549_ = true;
+                                            phi_1523_ = true;
                                         }
-                                        let _e806 = phi_1549_;
-                                        phi_1550_ = _e806;
+                                        let _e786 = phi_1523_;
+                                        phi_1524_ = _e786;
                                     } else {
-                                        phi_1550_ = true;
+                                        phi_1524_ = true;
                                     }
-                                    let _e808 = phi_1550_;
-                                    if _e808 {
-                                        phi_1554_ = false;
+                                    let _e788 = phi_1524_;
+                                    if _e788 {
+                                        phi_1528_ = false;
                                     } else {
-                                        phi_1554_ = true;
+                                        phi_1528_ = true;
                                     }
-                                    let _e810 = phi_1554_;
-                                    phi_1555_ = _e810;
+                                    let _e790 = phi_1528_;
+                                    phi_1529_ = _e790;
                                 } else {
-                                    phi_1555_ = true;
+                                    phi_1529_ = true;
                                 }
-                                let _e812 = phi_1555_;
-                                if _e812 {
-                                    phi_1559_ = false;
+                                let _e792 = phi_1529_;
+                                if _e792 {
+                                    phi_1533_ = false;
                                 } else {
-                                    phi_1559_ = true;
+                                    phi_1533_ = true;
                                 }
-                                let _e814 = phi_1559_;
-                                phi_1560_ = _e814;
+                                let _e794 = phi_1533_;
+                                phi_1534_ = _e794;
                             } else {
-                                phi_1560_ = true;
+                                phi_1534_ = true;
                             }
-                            let _e816 = phi_1560_;
-                            if _e816 {
-                                let _e818 = params.member.member.member_1;
-                                if ((_e818 & 32u) != 0u) {
-                                    let _e822 = params.member.member.member_6;
-                                    let _e839 = (((((_e540.member_1.y - _e554.member.x) > _e822) && ((_e554.member_1.y - _e540.member.x) > _e822)) && (((_e540.member_2.x - _e554.member.y) > _e822) && ((_e554.member_2.x - _e540.member.y) > _e822))) && (((_e540.member_2.y - _e554.member_1.x) > _e822) && ((_e554.member_2.y - _e540.member_1.x) > _e822)));
-                                    if _e839 {
-                                        phi_2162_ = bool();
+                            let _e796 = phi_1534_;
+                            if _e796 {
+                                let _e798 = params.member.member.member_1;
+                                if ((_e798 & 32u) != 0u) {
+                                    let _e802 = params.member.member.member_6;
+                                    let _e819 = (((((_e520.member_1.y - _e534.member.x) > _e802) && ((_e534.member_1.y - _e520.member.x) > _e802)) && (((_e520.member_2.x - _e534.member.y) > _e802) && ((_e534.member_2.x - _e520.member.y) > _e802))) && (((_e520.member_2.y - _e534.member_1.x) > _e802) && ((_e534.member_2.y - _e520.member_1.x) > _e802)));
+                                    if _e819 {
+                                        phi_2136_ = bool();
                                     } else {
-                                        let _e843 = keys.member[_e536.member[0]];
-                                        let _e848 = keys.member[_e536.member[1]];
-                                        let _e850 = function_(_e843[0], _e848[0]);
-                                        let _e854 = keys.member[_e536.member[2]];
-                                        let _e856 = function_(_e850, _e854[0]);
-                                        let _e860 = keys.member[_e538.member[0]];
-                                        let _e865 = keys.member[_e538.member[1]];
-                                        let _e867 = function_1(_e860[3], _e865[3]);
-                                        let _e871 = keys.member[_e538.member[2]];
-                                        let _e873 = function_1(_e867, _e871[3]);
-                                        if (_e856[1] > _e873[1]) {
-                                            phi_1685_ = true;
+                                        let _e823 = keys.member[_e516.member[0]];
+                                        let _e828 = keys.member[_e516.member[1]];
+                                        let _e830 = function_(_e823[0], _e828[0]);
+                                        let _e834 = keys.member[_e516.member[2]];
+                                        let _e836 = function_(_e830, _e834[0]);
+                                        let _e840 = keys.member[_e518.member[0]];
+                                        let _e845 = keys.member[_e518.member[1]];
+                                        let _e847 = function_1(_e840[3], _e845[3]);
+                                        let _e851 = keys.member[_e518.member[2]];
+                                        let _e853 = function_1(_e847, _e851[3]);
+                                        if (_e836[1] > _e853[1]) {
+                                            phi_1659_ = true;
                                         } else {
-                                            if (_e856[1] == _e873[1]) {
-                                                phi_1684_ = (_e856[0] > _e873[0]);
+                                            if (_e836[1] == _e853[1]) {
+                                                phi_1658_ = (_e836[0] > _e853[0]);
                                             } else {
-                                                phi_1684_ = false;
+                                                phi_1658_ = false;
                                             }
-                                            let _e884 = phi_1684_;
-                                            phi_1685_ = _e884;
+                                            let _e864 = phi_1658_;
+                                            phi_1659_ = _e864;
                                         }
-                                        let _e886 = phi_1685_;
-                                        let _e891 = keys.member[_e538.member[0]];
-                                        let _e896 = keys.member[_e538.member[1]];
-                                        let _e898 = function_(_e891[0], _e896[0]);
-                                        let _e902 = keys.member[_e538.member[2]];
-                                        let _e904 = function_(_e898, _e902[0]);
-                                        let _e908 = keys.member[_e536.member[0]];
-                                        let _e913 = keys.member[_e536.member[1]];
-                                        let _e915 = function_1(_e908[3], _e913[3]);
-                                        let _e919 = keys.member[_e536.member[2]];
-                                        let _e921 = function_1(_e915, _e919[3]);
-                                        if (_e904[1] > _e921[1]) {
-                                            phi_1779_ = true;
+                                        let _e866 = phi_1659_;
+                                        let _e871 = keys.member[_e518.member[0]];
+                                        let _e876 = keys.member[_e518.member[1]];
+                                        let _e878 = function_(_e871[0], _e876[0]);
+                                        let _e882 = keys.member[_e518.member[2]];
+                                        let _e884 = function_(_e878, _e882[0]);
+                                        let _e888 = keys.member[_e516.member[0]];
+                                        let _e893 = keys.member[_e516.member[1]];
+                                        let _e895 = function_1(_e888[3], _e893[3]);
+                                        let _e899 = keys.member[_e516.member[2]];
+                                        let _e901 = function_1(_e895, _e899[3]);
+                                        if (_e884[1] > _e901[1]) {
+                                            phi_1753_ = true;
                                         } else {
-                                            if (_e904[1] == _e921[1]) {
-                                                phi_1778_ = (_e904[0] > _e921[0]);
+                                            if (_e884[1] == _e901[1]) {
+                                                phi_1752_ = (_e884[0] > _e901[0]);
                                             } else {
-                                                phi_1778_ = false;
+                                                phi_1752_ = false;
                                             }
-                                            let _e932 = phi_1778_;
-                                            phi_1779_ = _e932;
+                                            let _e912 = phi_1752_;
+                                            phi_1753_ = _e912;
                                         }
-                                        let _e934 = phi_1779_;
-                                        let _e940 = keys.member[_e536.member[0]];
-                                        let _e945 = keys.member[_e536.member[1]];
-                                        let _e947 = function_2(_e940[1], _e945[1]);
-                                        let _e951 = keys.member[_e536.member[2]];
-                                        let _e953 = function_2(_e947, _e951[1]);
-                                        let _e957 = keys.member[_e538.member[0]];
-                                        let _e962 = keys.member[_e538.member[1]];
-                                        let _e964 = function_3(_e957[4], _e962[4]);
-                                        let _e968 = keys.member[_e538.member[2]];
-                                        let _e970 = function_3(_e964, _e968[4]);
-                                        if (_e953[1] > _e970[1]) {
-                                            phi_1874_ = true;
+                                        let _e914 = phi_1753_;
+                                        let _e920 = keys.member[_e516.member[0]];
+                                        let _e925 = keys.member[_e516.member[1]];
+                                        let _e927 = function_2(_e920[1], _e925[1]);
+                                        let _e931 = keys.member[_e516.member[2]];
+                                        let _e933 = function_2(_e927, _e931[1]);
+                                        let _e937 = keys.member[_e518.member[0]];
+                                        let _e942 = keys.member[_e518.member[1]];
+                                        let _e944 = function_3(_e937[4], _e942[4]);
+                                        let _e948 = keys.member[_e518.member[2]];
+                                        let _e950 = function_3(_e944, _e948[4]);
+                                        if (_e933[1] > _e950[1]) {
+                                            phi_1848_ = true;
                                         } else {
-                                            if (_e953[1] == _e970[1]) {
-                                                phi_1873_ = (_e953[0] > _e970[0]);
+                                            if (_e933[1] == _e950[1]) {
+                                                phi_1847_ = (_e933[0] > _e950[0]);
                                             } else {
-                                                phi_1873_ = false;
+                                                phi_1847_ = false;
                                             }
-                                            let _e981 = phi_1873_;
-                                            phi_1874_ = _e981;
+                                            let _e961 = phi_1847_;
+                                            phi_1848_ = _e961;
                                         }
-                                        let _e983 = phi_1874_;
-                                        let _e988 = keys.member[_e538.member[0]];
-                                        let _e993 = keys.member[_e538.member[1]];
-                                        let _e995 = function_2(_e988[1], _e993[1]);
-                                        let _e999 = keys.member[_e538.member[2]];
-                                        let _e1001 = function_2(_e995, _e999[1]);
-                                        let _e1005 = keys.member[_e536.member[0]];
-                                        let _e1010 = keys.member[_e536.member[1]];
-                                        let _e1012 = function_3(_e1005[4], _e1010[4]);
-                                        let _e1016 = keys.member[_e536.member[2]];
-                                        let _e1018 = function_3(_e1012, _e1016[4]);
-                                        if (_e1001[1] > _e1018[1]) {
-                                            phi_1968_ = true;
+                                        let _e963 = phi_1848_;
+                                        let _e968 = keys.member[_e518.member[0]];
+                                        let _e973 = keys.member[_e518.member[1]];
+                                        let _e975 = function_2(_e968[1], _e973[1]);
+                                        let _e979 = keys.member[_e518.member[2]];
+                                        let _e981 = function_2(_e975, _e979[1]);
+                                        let _e985 = keys.member[_e516.member[0]];
+                                        let _e990 = keys.member[_e516.member[1]];
+                                        let _e992 = function_3(_e985[4], _e990[4]);
+                                        let _e996 = keys.member[_e516.member[2]];
+                                        let _e998 = function_3(_e992, _e996[4]);
+                                        if (_e981[1] > _e998[1]) {
+                                            phi_1942_ = true;
                                         } else {
-                                            if (_e1001[1] == _e1018[1]) {
-                                                phi_1967_ = (_e1001[0] > _e1018[0]);
+                                            if (_e981[1] == _e998[1]) {
+                                                phi_1941_ = (_e981[0] > _e998[0]);
                                             } else {
-                                                phi_1967_ = false;
+                                                phi_1941_ = false;
                                             }
-                                            let _e1029 = phi_1967_;
-                                            phi_1968_ = _e1029;
+                                            let _e1009 = phi_1941_;
+                                            phi_1942_ = _e1009;
                                         }
-                                        let _e1031 = phi_1968_;
-                                        let _e1038 = keys.member[_e536.member[0]];
-                                        let _e1043 = keys.member[_e536.member[1]];
-                                        let _e1045 = function_4(_e1038[2], _e1043[2]);
-                                        let _e1049 = keys.member[_e536.member[2]];
-                                        let _e1051 = function_4(_e1045, _e1049[2]);
-                                        let _e1055 = keys.member[_e538.member[0]];
-                                        let _e1060 = keys.member[_e538.member[1]];
-                                        let _e1062 = function_5(_e1055[5], _e1060[5]);
-                                        let _e1066 = keys.member[_e538.member[2]];
-                                        let _e1068 = function_5(_e1062, _e1066[5]);
-                                        if (_e1051[1] > _e1068[1]) {
-                                            phi_2064_ = true;
+                                        let _e1011 = phi_1942_;
+                                        let _e1018 = keys.member[_e516.member[0]];
+                                        let _e1023 = keys.member[_e516.member[1]];
+                                        let _e1025 = function_4(_e1018[2], _e1023[2]);
+                                        let _e1029 = keys.member[_e516.member[2]];
+                                        let _e1031 = function_4(_e1025, _e1029[2]);
+                                        let _e1035 = keys.member[_e518.member[0]];
+                                        let _e1040 = keys.member[_e518.member[1]];
+                                        let _e1042 = function_5(_e1035[5], _e1040[5]);
+                                        let _e1046 = keys.member[_e518.member[2]];
+                                        let _e1048 = function_5(_e1042, _e1046[5]);
+                                        if (_e1031[1] > _e1048[1]) {
+                                            phi_2038_ = true;
                                         } else {
-                                            if (_e1051[1] == _e1068[1]) {
-                                                phi_2063_ = (_e1051[0] > _e1068[0]);
+                                            if (_e1031[1] == _e1048[1]) {
+                                                phi_2037_ = (_e1031[0] > _e1048[0]);
                                             } else {
-                                                phi_2063_ = false;
+                                                phi_2037_ = false;
                                             }
-                                            let _e1079 = phi_2063_;
-                                            phi_2064_ = _e1079;
+                                            let _e1059 = phi_2037_;
+                                            phi_2038_ = _e1059;
                                         }
-                                        let _e1081 = phi_2064_;
-                                        let _e1086 = keys.member[_e538.member[0]];
-                                        let _e1091 = keys.member[_e538.member[1]];
-                                        let _e1093 = function_4(_e1086[2], _e1091[2]);
-                                        let _e1097 = keys.member[_e538.member[2]];
-                                        let _e1099 = function_4(_e1093, _e1097[2]);
-                                        let _e1103 = keys.member[_e536.member[0]];
-                                        let _e1108 = keys.member[_e536.member[1]];
-                                        let _e1110 = function_5(_e1103[5], _e1108[5]);
-                                        let _e1114 = keys.member[_e536.member[2]];
-                                        let _e1116 = function_5(_e1110, _e1114[5]);
-                                        if (_e1099[1] > _e1116[1]) {
-                                            phi_2158_ = true;
+                                        let _e1061 = phi_2038_;
+                                        let _e1066 = keys.member[_e518.member[0]];
+                                        let _e1071 = keys.member[_e518.member[1]];
+                                        let _e1073 = function_4(_e1066[2], _e1071[2]);
+                                        let _e1077 = keys.member[_e518.member[2]];
+                                        let _e1079 = function_4(_e1073, _e1077[2]);
+                                        let _e1083 = keys.member[_e516.member[0]];
+                                        let _e1088 = keys.member[_e516.member[1]];
+                                        let _e1090 = function_5(_e1083[5], _e1088[5]);
+                                        let _e1094 = keys.member[_e516.member[2]];
+                                        let _e1096 = function_5(_e1090, _e1094[5]);
+                                        if (_e1079[1] > _e1096[1]) {
+                                            phi_2132_ = true;
                                         } else {
-                                            if (_e1099[1] == _e1116[1]) {
-                                                phi_2157_ = (_e1099[0] > _e1116[0]);
+                                            if (_e1079[1] == _e1096[1]) {
+                                                phi_2131_ = (_e1079[0] > _e1096[0]);
                                             } else {
-                                                phi_2157_ = false;
+                                                phi_2131_ = false;
                                             }
-                                            let _e1127 = phi_2157_;
-                                            phi_2158_ = _e1127;
+                                            let _e1107 = phi_2131_;
+                                            phi_2132_ = _e1107;
                                         }
-                                        let _e1129 = phi_2158_;
-                                        phi_2162_ = (((!(_e886) && !(_e934)) && (!(_e983) && !(_e1031))) && (!(_e1081) && !(_e1129)));
+                                        let _e1109 = phi_2132_;
+                                        phi_2136_ = (((!(_e866) && !(_e914)) && (!(_e963) && !(_e1011))) && (!(_e1061) && !(_e1109)));
                                     }
-                                    let _e1134 = phi_2162_;
-                                    phi_2163_ = _e1134;
-                                    phi_2164_ = _e839;
+                                    let _e1114 = phi_2136_;
+                                    phi_2137_ = _e1114;
+                                    phi_2138_ = _e819;
                                 } else {
-                                    phi_2163_ = bool();
-                                    phi_2164_ = true;
+                                    phi_2137_ = bool();
+                                    phi_2138_ = true;
                                 }
-                                let _e1136 = phi_2163_;
-                                let _e1138 = phi_2164_;
-                                if _e1138 {
-                                    phi_2168_ = false;
+                                let _e1116 = phi_2137_;
+                                let _e1118 = phi_2138_;
+                                if _e1118 {
+                                    phi_2142_ = false;
                                 } else {
-                                    phi_2168_ = true;
+                                    phi_2142_ = true;
                                 }
-                                let _e1140 = phi_2168_;
-                                phi_2169_ = _e1136;
-                                phi_2170_ = _e1140;
+                                let _e1120 = phi_2142_;
+                                phi_2143_ = _e1116;
+                                phi_2144_ = _e1120;
                             } else {
-                                phi_2169_ = false;
-                                phi_2170_ = true;
+                                phi_2143_ = false;
+                                phi_2144_ = true;
                             }
-                            let _e1142 = phi_2169_;
-                            let _e1144 = phi_2170_;
-                            phi_2171_ = _e1142;
-                            phi_2172_ = _e1144;
+                            let _e1122 = phi_2143_;
+                            let _e1124 = phi_2144_;
+                            phi_2145_ = _e1122;
+                            phi_2146_ = _e1124;
                         } else {
-                            phi_2171_ = false;
-                            phi_2172_ = true;
+                            phi_2145_ = false;
+                            phi_2146_ = true;
                         }
-                        let _e1146 = phi_2171_;
-                        let _e1148 = phi_2172_;
-                        if _e1148 {
-                            phi_2176_ = _e1146;
+                        let _e1126 = phi_2145_;
+                        let _e1128 = phi_2146_;
+                        if _e1128 {
+                            phi_2150_ = _e1126;
                         } else {
-                            phi_2176_ = true;
+                            phi_2150_ = true;
                         }
-                        let _e1150 = phi_2176_;
-                        if _e1150 {
-                            if (_e536.member_1 < _e538.member_1) {
-                                phi_2192_ = type_9(_e536.member_1, _e538.member_1);
+                        let _e1130 = phi_2150_;
+                        if _e1130 {
+                            if (_e516.member_1 < _e518.member_1) {
+                                phi_2166_ = type_9(_e516.member_1, _e518.member_1);
                             } else {
-                                phi_2192_ = type_9(_e538.member_1, _e536.member_1);
+                                phi_2166_ = type_9(_e518.member_1, _e516.member_1);
                             }
-                            let _e1157 = phi_2192_;
-                            let _e1162 = params.member.member_1.member_3;
-                            let _e1164 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1164 + 1u) < _e1164) {
-                                let _e1168 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1137 = phi_2166_;
+                            let _e1142 = params.member.member_1.member_3;
+                            let _e1144 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1144 + 1u) < _e1144) {
+                                let _e1148 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e1164 < _e1162) {
-                                let _e1170 = (2u * _e1164);
-                                atomicStore((&output.member[(4u + _e1170)]), _e1157.member);
-                                atomicStore((&output.member[(_e1170 + 5u)]), _e1157.member_1);
+                            if (_e1144 < _e1142) {
+                                let _e1150 = (2u * _e1144);
+                                atomicStore((&output.member[(4u + _e1150)]), _e1137.member);
+                                atomicStore((&output.member[(_e1150 + 5u)]), _e1137.member_1);
                             }
-                            let _e1176 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1176 + 1u) < _e1176) {
-                                let _e1180 = atomicAdd((&output.member[3u]), 1u);
+                            let _e1156 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1156 + 1u) < _e1156) {
+                                let _e1160 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_2238_ = (_e505 & (_e505 - 1u));
-                        phi_2239_ = true;
+                        phi_2212_ = (_e485 & (_e485 - 1u));
+                        phi_2213_ = true;
                     }
-                    let _e1182 = phi_2238_;
-                    let _e1184 = phi_2239_;
-                    phi_986_ = _e1182;
-                    phi_2240_ = _e1184;
+                    let _e1162 = phi_2212_;
+                    let _e1164 = phi_2213_;
+                    phi_960_ = _e1162;
+                    phi_2214_ = _e1164;
                 } else {
-                    phi_986_ = u32();
-                    phi_2240_ = false;
+                    phi_960_ = u32();
+                    phi_2214_ = false;
                 }
-                let _e1186 = phi_986_;
-                let _e1188 = phi_2240_;
+                let _e1166 = phi_960_;
+                let _e1168 = phi_2214_;
                 continue;
                 continuing {
-                    phi_982_ = _e517;
-                    phi_985_ = _e1186;
-                    break if !(_e1188);
+                    phi_956_ = _e497;
+                    phi_959_ = _e1166;
+                    break if !(_e1168);
                 }
             }
             workgroupBarrier();
-            let _e1191 = atomicLoad((&counters[4u]));
-            if (2048u < _e1191) {
-                phi_2247_ = 2048u;
+            let _e1171 = atomicLoad((&counters[4u]));
+            if (2048u < _e1171) {
+                phi_2221_ = 2048u;
             } else {
-                phi_2247_ = _e1191;
+                phi_2221_ = _e1171;
             }
-            let _e1194 = phi_2247_;
-            phi_2250_ = type_9(0u, 16u);
+            let _e1174 = phi_2221_;
+            phi_2224_ = type_9(0u, 16u);
             loop {
-                let _e1196 = phi_2250_;
-                if (_e1196.member < _e1196.member_1) {
-                    phi_2251_ = type_9((_e1196.member + 1u), _e1196.member_1);
-                    phi_2274_ = type_9(1u, _e1196.member);
+                let _e1176 = phi_2224_;
+                if (_e1176.member < _e1176.member_1) {
+                    phi_2225_ = type_9((_e1176.member + 1u), _e1176.member_1);
+                    phi_2248_ = type_9(1u, _e1176.member);
                 } else {
-                    phi_2251_ = _e1196;
-                    phi_2274_ = type_9(0u, type_9().member_1);
+                    phi_2225_ = _e1176;
+                    phi_2248_ = type_9(0u, type_9().member_1);
                 }
-                let _e1208 = phi_2251_;
-                let _e1210 = phi_2274_;
-                if (bitcast<i32>(_e1210.member) != 0i) {
-                    let _e1216 = (_e73 + (_e1210.member_1 * 128u));
-                    if (_e1216 >= _e1194) {
-                        phi_8677_ = false;
+                let _e1188 = phi_2225_;
+                let _e1190 = phi_2248_;
+                if (bitcast<i32>(_e1190.member) != 0i) {
+                    let _e1196 = (_e71 + (_e1190.member_1 * 128u));
+                    if (_e1196 >= _e1174) {
+                        phi_8651_ = false;
                     } else {
-                        let _e1219 = hits[_e1216];
-                        let _e1222 = ((_e1219 >> bitcast<u32>(10i)) & 3u);
-                        let _e1229 = firsts[(2u * _e1222)];
-                        let _e1230 = (_e1229 + ((_e1219 >> bitcast<u32>(5i)) & 31u));
-                        let _e1234 = firsts[((2u * _e1222) + 1u)];
-                        let _e1235 = (_e1234 + (_e1219 & 31u));
-                        let _e1237 = leaves.member[_e1230];
-                        let _e1239 = leaves.member[_e1235];
-                        let _e1241 = nodes.member[_e1230];
-                        let _e1255 = nodes.member[_e1235];
-                        let _e1270 = params.member.member.member_1;
-                        if ((_e1270 & 1u) != 0u) {
-                            if (_e1239.member[0] == _e1237.member[0]) {
-                                phi_2402_ = true;
+                        let _e1199 = hits[_e1196];
+                        let _e1202 = ((_e1199 >> bitcast<u32>(10i)) & 3u);
+                        let _e1209 = firsts[(2u * _e1202)];
+                        let _e1210 = (_e1209 + ((_e1199 >> bitcast<u32>(5i)) & 31u));
+                        let _e1214 = firsts[((2u * _e1202) + 1u)];
+                        let _e1215 = (_e1214 + (_e1199 & 31u));
+                        let _e1217 = leaves.member[_e1210];
+                        let _e1219 = leaves.member[_e1215];
+                        let _e1221 = nodes.member[_e1210];
+                        let _e1235 = nodes.member[_e1215];
+                        let _e1250 = params.member.member.member_1;
+                        if ((_e1250 & 1u) != 0u) {
+                            if (_e1219.member[0] == _e1217.member[0]) {
+                                phi_2376_ = true;
                             } else {
-                                phi_2402_ = (_e1239.member[0] == _e1237.member[1]);
+                                phi_2376_ = (_e1219.member[0] == _e1217.member[1]);
                             }
-                            let _e1284 = phi_2402_;
-                            if (_e1239.member[1] == _e1237.member[0]) {
-                                phi_2408_ = true;
+                            let _e1264 = phi_2376_;
+                            if (_e1219.member[1] == _e1217.member[0]) {
+                                phi_2382_ = true;
                             } else {
-                                phi_2408_ = (_e1239.member[1] == _e1237.member[1]);
+                                phi_2382_ = (_e1219.member[1] == _e1217.member[1]);
                             }
-                            let _e1288 = phi_2408_;
-                            if (_e1284 || _e1288) {
-                                phi_2414_ = false;
+                            let _e1268 = phi_2382_;
+                            if (_e1264 || _e1268) {
+                                phi_2388_ = false;
                             } else {
-                                phi_2414_ = true;
+                                phi_2388_ = true;
                             }
-                            let _e1291 = phi_2414_;
-                            phi_2415_ = _e1291;
+                            let _e1271 = phi_2388_;
+                            phi_2389_ = _e1271;
                         } else {
-                            phi_2415_ = true;
+                            phi_2389_ = true;
                         }
-                        let _e1293 = phi_2415_;
-                        if _e1293 {
-                            let _e1295 = params.member.member.member_1;
-                            if ((_e1295 & 2u) != 0u) {
-                                let _e1301 = bodies.member[_e1237.member[0]];
-                                let _e1305 = bodies.member[_e1239.member[0]];
-                                if ((_e1301 / 4u) != (_e1305 / 4u)) {
-                                    phi_2460_ = true;
+                        let _e1273 = phi_2389_;
+                        if _e1273 {
+                            let _e1275 = params.member.member.member_1;
+                            if ((_e1275 & 2u) != 0u) {
+                                let _e1281 = bodies.member[_e1217.member[0]];
+                                let _e1285 = bodies.member[_e1219.member[0]];
+                                if ((_e1281 / 4u) != (_e1285 / 4u)) {
+                                    phi_2434_ = true;
                                 } else {
-                                    if ((_e1301 & 2u) == 0u) {
-                                        phi_2459_ = false;
+                                    if ((_e1281 & 2u) == 0u) {
+                                        phi_2433_ = false;
                                     } else {
-                                        phi_2459_ = true;
+                                        phi_2433_ = true;
                                     }
-                                    let _e1312 = phi_2459_;
-                                    phi_2460_ = _e1312;
+                                    let _e1292 = phi_2433_;
+                                    phi_2434_ = _e1292;
                                 }
-                                let _e1314 = phi_2460_;
-                                if _e1314 {
-                                    phi_2467_ = (((_e1301 & _e1305) & 1u) == 0u);
+                                let _e1294 = phi_2434_;
+                                if _e1294 {
+                                    phi_2441_ = (((_e1281 & _e1285) & 1u) == 0u);
                                 } else {
-                                    phi_2467_ = false;
+                                    phi_2441_ = false;
                                 }
-                                let _e1319 = phi_2467_;
-                                if _e1319 {
-                                    let _e1321 = params.member.member.member_1;
-                                    if ((_e1321 & 4u) != 0u) {
-                                        let _e1326 = params.member.member.member[0u];
-                                        let _e1328 = bodies.member[_e1326];
-                                        let _e1331 = bodies.member[(_e1326 + 1u)];
-                                        let _e1336 = ((_e1326 + 4u) + (2u * (_e1301 >> bitcast<u32>(2i))));
-                                        let _e1341 = ((_e1326 + 4u) + (2u * (_e1305 >> bitcast<u32>(2i))));
-                                        let _e1343 = bodies.member[_e1336];
-                                        let _e1345 = bodies.member[_e1341];
-                                        let _e1354 = bodies.member[((((_e1326 + 4u) + (2u * _e1328)) + (_e1343 * _e1331)) + (_e1345 / 32u))];
-                                        let _e1357 = bodies.member[(_e1336 + 1u)];
-                                        let _e1360 = bodies.member[(_e1341 + 1u)];
-                                        if (_e1357 == _e1360) {
-                                            if (((_e1354 >> bitcast<u32>(((_e1345 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_2583_ = true;
+                                let _e1299 = phi_2441_;
+                                if _e1299 {
+                                    let _e1301 = params.member.member.member_1;
+                                    if ((_e1301 & 4u) != 0u) {
+                                        let _e1306 = params.member.member.member[0u];
+                                        let _e1308 = bodies.member[_e1306];
+                                        let _e1311 = bodies.member[(_e1306 + 1u)];
+                                        let _e1316 = ((_e1306 + 4u) + (2u * (_e1281 >> bitcast<u32>(2i))));
+                                        let _e1321 = ((_e1306 + 4u) + (2u * (_e1285 >> bitcast<u32>(2i))));
+                                        let _e1323 = bodies.member[_e1316];
+                                        let _e1325 = bodies.member[_e1321];
+                                        let _e1334 = bodies.member[((((_e1306 + 4u) + (2u * _e1308)) + (_e1323 * _e1311)) + (_e1325 / 32u))];
+                                        let _e1337 = bodies.member[(_e1316 + 1u)];
+                                        let _e1340 = bodies.member[(_e1321 + 1u)];
+                                        if (_e1337 == _e1340) {
+                                            if (((_e1334 >> bitcast<u32>(((_e1325 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_2557_ = true;
                                             } else {
-                                                phi_2583_ = ((_e1301 >> bitcast<u32>(2i)) == (_e1305 >> bitcast<u32>(2i)));
+                                                phi_2557_ = ((_e1281 >> bitcast<u32>(2i)) == (_e1285 >> bitcast<u32>(2i)));
                                             }
-                                            let _e1374 = phi_2583_;
-                                            phi_2584_ = _e1374;
+                                            let _e1354 = phi_2557_;
+                                            phi_2558_ = _e1354;
                                         } else {
-                                            phi_2584_ = false;
+                                            phi_2558_ = false;
                                         }
-                                        let _e1376 = phi_2584_;
-                                        if _e1376 {
-                                            let _e1381 = bodies.member[(_e1326 + 2u)];
-                                            let _e1384 = bodies.member[(_e1326 + 3u)];
-                                            let _e1385 = (_e1384 + _e1326);
-                                            if (_e1239.member_1 < _e1237.member_1) {
-                                                phi_2621_ = _e1237.member_1;
-                                                phi_2622_ = _e1239.member_1;
+                                        let _e1356 = phi_2558_;
+                                        if _e1356 {
+                                            let _e1361 = bodies.member[(_e1306 + 2u)];
+                                            let _e1364 = bodies.member[(_e1306 + 3u)];
+                                            let _e1365 = (_e1364 + _e1306);
+                                            if (_e1219.member_1 < _e1217.member_1) {
+                                                phi_2595_ = _e1217.member_1;
+                                                phi_2596_ = _e1219.member_1;
                                             } else {
-                                                phi_2621_ = _e1239.member_1;
-                                                phi_2622_ = _e1237.member_1;
+                                                phi_2595_ = _e1219.member_1;
+                                                phi_2596_ = _e1217.member_1;
                                             }
-                                            let _e1388 = phi_2621_;
-                                            let _e1390 = phi_2622_;
-                                            phi_2627_ = type_15(0i, 32i);
-                                            phi_2630_ = _e1381;
-                                            phi_2632_ = 0u;
+                                            let _e1368 = phi_2595_;
+                                            let _e1370 = phi_2596_;
+                                            phi_2601_ = type_15(0i, 32i);
+                                            phi_2604_ = _e1361;
+                                            phi_2606_ = 0u;
                                             loop {
-                                                let _e1392 = phi_2627_;
-                                                let _e1394 = phi_2630_;
-                                                let _e1396 = phi_2632_;
-                                                local_5 = _e1396;
-                                                local_6 = _e1396;
-                                                if (_e1392.member < _e1392.member_1) {
-                                                    let _e1403 = (_e1392.member + 1i);
-                                                    if ((false == (_e1403 > _e1392.member)) != false) {
-                                                        phi_2653_ = true;
+                                                let _e1372 = phi_2601_;
+                                                let _e1374 = phi_2604_;
+                                                let _e1376 = phi_2606_;
+                                                local_5 = _e1376;
+                                                local_6 = _e1376;
+                                                if (_e1372.member < _e1372.member_1) {
+                                                    let _e1383 = (_e1372.member + 1i);
+                                                    if ((false == (_e1383 > _e1372.member)) != false) {
+                                                        phi_2627_ = true;
                                                     } else {
-                                                        phi_2653_ = false;
+                                                        phi_2627_ = false;
                                                     }
-                                                    let _e1408 = phi_2653_;
-                                                    if _e1408 {
-                                                        phi_2659_ = type_16(0u, type_16().member_1);
+                                                    let _e1388 = phi_2627_;
+                                                    if _e1388 {
+                                                        phi_2633_ = type_16(0u, type_16().member_1);
                                                     } else {
-                                                        phi_2659_ = type_16(1u, _e1403);
+                                                        phi_2633_ = type_16(1u, _e1383);
                                                     }
-                                                    let _e1413 = phi_2659_;
-                                                    phi_2628_ = type_15(_e1413.member_1, _e1392.member_1);
-                                                    phi_2673_ = type_16(1u, _e1392.member);
+                                                    let _e1393 = phi_2633_;
+                                                    phi_2602_ = type_15(_e1393.member_1, _e1372.member_1);
+                                                    phi_2647_ = type_16(1u, _e1372.member);
                                                 } else {
-                                                    phi_2628_ = _e1392;
-                                                    phi_2673_ = type_16(0u, type_16().member_1);
+                                                    phi_2602_ = _e1372;
+                                                    phi_2647_ = type_16(0u, type_16().member_1);
                                                 }
-                                                let _e1419 = phi_2628_;
-                                                let _e1421 = phi_2673_;
-                                                if (bitcast<i32>(_e1421.member) != 0i) {
-                                                    if (_e1396 >= _e1394) {
-                                                        phi_2756_ = u32();
-                                                        phi_2757_ = u32();
-                                                        phi_2758_ = false;
+                                                let _e1399 = phi_2602_;
+                                                let _e1401 = phi_2647_;
+                                                if (bitcast<i32>(_e1401.member) != 0i) {
+                                                    if (_e1376 >= _e1374) {
+                                                        phi_2730_ = u32();
+                                                        phi_2731_ = u32();
+                                                        phi_2732_ = false;
                                                     } else {
-                                                        let _e1428 = (_e1396 + ((_e1394 - _e1396) / 2u));
-                                                        let _e1430 = (_e1385 + (3u * _e1428));
-                                                        let _e1432 = bodies.member[_e1430];
-                                                        let _e1435 = bodies.member[(_e1430 + 1u)];
-                                                        let _e1438 = bodies.member[(_e1430 + 2u)];
-                                                        if (_e1432 < 1u) {
-                                                            phi_2749_ = true;
+                                                        let _e1408 = (_e1376 + ((_e1374 - _e1376) / 2u));
+                                                        let _e1410 = (_e1365 + (3u * _e1408));
+                                                        let _e1412 = bodies.member[_e1410];
+                                                        let _e1415 = bodies.member[(_e1410 + 1u)];
+                                                        let _e1418 = bodies.member[(_e1410 + 2u)];
+                                                        if (_e1412 < 1u) {
+                                                            phi_2723_ = true;
                                                         } else {
-                                                            if (_e1432 == 1u) {
-                                                                if (_e1435 < _e1390) {
-                                                                    phi_2743_ = false;
+                                                            if (_e1412 == 1u) {
+                                                                if (_e1415 < _e1370) {
+                                                                    phi_2717_ = false;
                                                                 } else {
-                                                                    if (_e1435 == _e1390) {
-                                                                        if (_e1438 < _e1388) {
-                                                                            phi_2741_ = false;
+                                                                    if (_e1415 == _e1370) {
+                                                                        if (_e1418 < _e1368) {
+                                                                            phi_2715_ = false;
                                                                         } else {
-                                                                            phi_2741_ = true;
+                                                                            phi_2715_ = true;
                                                                         }
-                                                                        let _e1445 = phi_2741_;
-                                                                        phi_2742_ = _e1445;
+                                                                        let _e1425 = phi_2715_;
+                                                                        phi_2716_ = _e1425;
                                                                     } else {
-                                                                        phi_2742_ = true;
+                                                                        phi_2716_ = true;
                                                                     }
-                                                                    let _e1447 = phi_2742_;
-                                                                    phi_2743_ = _e1447;
+                                                                    let _e1427 = phi_2716_;
+                                                                    phi_2717_ = _e1427;
                                                                 }
-                                                                let _e1449 = phi_2743_;
-                                                                phi_2744_ = _e1449;
+                                                                let _e1429 = phi_2717_;
+                                                                phi_2718_ = _e1429;
                                                             } else {
-                                                                phi_2744_ = true;
+                                                                phi_2718_ = true;
                                                             }
-                                                            let _e1451 = phi_2744_;
-                                                            if _e1451 {
-                                                                phi_2748_ = false;
+                                                            let _e1431 = phi_2718_;
+                                                            if _e1431 {
+                                                                phi_2722_ = false;
                                                             } else {
-                                                                phi_2748_ = true;
+                                                                phi_2722_ = true;
                                                             }
-                                                            let _e1453 = phi_2748_;
-                                                            phi_2749_ = _e1453;
+                                                            let _e1433 = phi_2722_;
+                                                            phi_2723_ = _e1433;
                                                         }
-                                                        let _e1455 = phi_2749_;
-                                                        if _e1455 {
-                                                            phi_2754_ = _e1394;
-                                                            phi_2755_ = (_e1428 + 1u);
+                                                        let _e1435 = phi_2723_;
+                                                        if _e1435 {
+                                                            phi_2728_ = _e1374;
+                                                            phi_2729_ = (_e1408 + 1u);
                                                         } else {
-                                                            phi_2754_ = _e1428;
-                                                            phi_2755_ = _e1396;
+                                                            phi_2728_ = _e1408;
+                                                            phi_2729_ = _e1376;
                                                         }
-                                                        let _e1458 = phi_2754_;
-                                                        let _e1460 = phi_2755_;
-                                                        phi_2756_ = _e1458;
-                                                        phi_2757_ = _e1460;
-                                                        phi_2758_ = true;
+                                                        let _e1438 = phi_2728_;
+                                                        let _e1440 = phi_2729_;
+                                                        phi_2730_ = _e1438;
+                                                        phi_2731_ = _e1440;
+                                                        phi_2732_ = true;
                                                     }
-                                                    let _e1462 = phi_2756_;
-                                                    let _e1464 = phi_2757_;
-                                                    let _e1466 = phi_2758_;
-                                                    phi_2631_ = _e1462;
-                                                    phi_2633_ = _e1464;
-                                                    phi_2759_ = _e1466;
+                                                    let _e1442 = phi_2730_;
+                                                    let _e1444 = phi_2731_;
+                                                    let _e1446 = phi_2732_;
+                                                    phi_2605_ = _e1442;
+                                                    phi_2607_ = _e1444;
+                                                    phi_2733_ = _e1446;
                                                 } else {
-                                                    phi_2631_ = u32();
-                                                    phi_2633_ = u32();
-                                                    phi_2759_ = false;
+                                                    phi_2605_ = u32();
+                                                    phi_2607_ = u32();
+                                                    phi_2733_ = false;
                                                 }
-                                                let _e1468 = phi_2631_;
-                                                let _e1470 = phi_2633_;
-                                                let _e1472 = phi_2759_;
+                                                let _e1448 = phi_2605_;
+                                                let _e1450 = phi_2607_;
+                                                let _e1452 = phi_2733_;
                                                 continue;
                                                 continuing {
-                                                    phi_2627_ = _e1419;
-                                                    phi_2630_ = _e1468;
-                                                    phi_2632_ = _e1470;
-                                                    break if !(_e1472);
+                                                    phi_2601_ = _e1399;
+                                                    phi_2604_ = _e1448;
+                                                    phi_2606_ = _e1450;
+                                                    break if !(_e1452);
                                                 }
                                             }
-                                            let _e1475 = local_5;
-                                            if (_e1475 < _e1381) {
-                                                let _e1478 = local_6;
-                                                let _e1480 = (_e1385 + (3u * _e1478));
-                                                let _e1482 = bodies.member[_e1480];
-                                                if (_e1482 == 1u) {
-                                                    let _e1486 = bodies.member[(_e1480 + 1u)];
-                                                    if (_e1486 == _e1390) {
-                                                        let _e1490 = bodies.member[(_e1480 + 2u)];
-                                                        phi_2807_ = (_e1490 == _e1388);
-                                                        phi_2808_ = false;
+                                            let _e1455 = local_5;
+                                            if (_e1455 < _e1361) {
+                                                let _e1458 = local_6;
+                                                let _e1460 = (_e1365 + (3u * _e1458));
+                                                let _e1462 = bodies.member[_e1460];
+                                                if (_e1462 == 1u) {
+                                                    let _e1466 = bodies.member[(_e1460 + 1u)];
+                                                    if (_e1466 == _e1370) {
+                                                        let _e1470 = bodies.member[(_e1460 + 2u)];
+                                                        phi_2781_ = (_e1470 == _e1368);
+                                                        phi_2782_ = false;
                                                     } else {
-                                                        phi_2807_ = bool();
-                                                        phi_2808_ = true;
+                                                        phi_2781_ = bool();
+                                                        phi_2782_ = true;
                                                     }
-                                                    let _e1493 = phi_2807_;
-                                                    let _e1495 = phi_2808_;
-                                                    phi_2809_ = _e1493;
-                                                    phi_2810_ = _e1495;
+                                                    let _e1473 = phi_2781_;
+                                                    let _e1475 = phi_2782_;
+                                                    phi_2783_ = _e1473;
+                                                    phi_2784_ = _e1475;
                                                 } else {
-                                                    phi_2809_ = bool();
-                                                    phi_2810_ = true;
+                                                    phi_2783_ = bool();
+                                                    phi_2784_ = true;
                                                 }
-                                                let _e1497 = phi_2809_;
-                                                let _e1499 = phi_2810_;
-                                                if _e1499 {
-                                                    phi_2814_ = false;
+                                                let _e1477 = phi_2783_;
+                                                let _e1479 = phi_2784_;
+                                                if _e1479 {
+                                                    phi_2788_ = false;
                                                 } else {
-                                                    phi_2814_ = _e1497;
+                                                    phi_2788_ = _e1477;
                                                 }
-                                                let _e1501 = phi_2814_;
-                                                phi_2815_ = _e1501;
+                                                let _e1481 = phi_2788_;
+                                                phi_2789_ = _e1481;
                                             } else {
-                                                phi_2815_ = false;
+                                                phi_2789_ = false;
                                             }
-                                            let _e1503 = phi_2815_;
-                                            phi_2819_ = _e1503;
+                                            let _e1483 = phi_2789_;
+                                            phi_2793_ = _e1483;
                                         } else {
-                                            phi_2819_ = true;
+                                            phi_2793_ = true;
                                         }
-                                        let _e1505 = phi_2819_;
-                                        if _e1505 {
-                                            phi_2823_ = false;
+                                        let _e1485 = phi_2793_;
+                                        if _e1485 {
+                                            phi_2797_ = false;
                                         } else {
-                                            phi_2823_ = true;
+                                            phi_2797_ = true;
                                         }
-                                        let _e1507 = phi_2823_;
-                                        phi_2824_ = _e1507;
+                                        let _e1487 = phi_2797_;
+                                        phi_2798_ = _e1487;
                                     } else {
-                                        phi_2824_ = true;
+                                        phi_2798_ = true;
                                     }
-                                    let _e1509 = phi_2824_;
-                                    if _e1509 {
-                                        phi_2828_ = false;
+                                    let _e1489 = phi_2798_;
+                                    if _e1489 {
+                                        phi_2802_ = false;
                                     } else {
-                                        phi_2828_ = true;
+                                        phi_2802_ = true;
                                     }
-                                    let _e1511 = phi_2828_;
-                                    phi_2829_ = _e1511;
+                                    let _e1491 = phi_2802_;
+                                    phi_2803_ = _e1491;
                                 } else {
-                                    phi_2829_ = true;
+                                    phi_2803_ = true;
                                 }
-                                let _e1513 = phi_2829_;
-                                if _e1513 {
-                                    phi_2833_ = false;
+                                let _e1493 = phi_2803_;
+                                if _e1493 {
+                                    phi_2807_ = false;
                                 } else {
-                                    phi_2833_ = true;
+                                    phi_2807_ = true;
                                 }
-                                let _e1515 = phi_2833_;
-                                phi_2834_ = _e1515;
+                                let _e1495 = phi_2807_;
+                                phi_2808_ = _e1495;
                             } else {
-                                phi_2834_ = true;
+                                phi_2808_ = true;
                             }
-                            let _e1517 = phi_2834_;
-                            if _e1517 {
-                                let _e1519 = params.member.member.member_1;
-                                if ((_e1519 & 32u) != 0u) {
-                                    let _e1523 = params.member.member.member_6;
-                                    let _e1540 = (((((_e1241.member_1.y - _e1255.member.x) > _e1523) && ((_e1255.member_1.y - _e1241.member.x) > _e1523)) && (((_e1241.member_2.x - _e1255.member.y) > _e1523) && ((_e1255.member_2.x - _e1241.member.y) > _e1523))) && (((_e1241.member_2.y - _e1255.member_1.x) > _e1523) && ((_e1255.member_2.y - _e1241.member_1.x) > _e1523)));
-                                    if _e1540 {
-                                        phi_3436_ = bool();
+                            let _e1497 = phi_2808_;
+                            if _e1497 {
+                                let _e1499 = params.member.member.member_1;
+                                if ((_e1499 & 32u) != 0u) {
+                                    let _e1503 = params.member.member.member_6;
+                                    let _e1520 = (((((_e1221.member_1.y - _e1235.member.x) > _e1503) && ((_e1235.member_1.y - _e1221.member.x) > _e1503)) && (((_e1221.member_2.x - _e1235.member.y) > _e1503) && ((_e1235.member_2.x - _e1221.member.y) > _e1503))) && (((_e1221.member_2.y - _e1235.member_1.x) > _e1503) && ((_e1235.member_2.y - _e1221.member_1.x) > _e1503)));
+                                    if _e1520 {
+                                        phi_3410_ = bool();
                                     } else {
-                                        let _e1544 = keys.member[_e1237.member[0]];
-                                        let _e1549 = keys.member[_e1237.member[1]];
-                                        let _e1551 = function_(_e1544[0], _e1549[0]);
-                                        let _e1555 = keys.member[_e1237.member[2]];
-                                        let _e1557 = function_(_e1551, _e1555[0]);
-                                        let _e1561 = keys.member[_e1239.member[0]];
-                                        let _e1566 = keys.member[_e1239.member[1]];
-                                        let _e1568 = function_1(_e1561[3], _e1566[3]);
-                                        let _e1572 = keys.member[_e1239.member[2]];
-                                        let _e1574 = function_1(_e1568, _e1572[3]);
-                                        if (_e1557[1] > _e1574[1]) {
-                                            phi_2959_ = true;
+                                        let _e1524 = keys.member[_e1217.member[0]];
+                                        let _e1529 = keys.member[_e1217.member[1]];
+                                        let _e1531 = function_(_e1524[0], _e1529[0]);
+                                        let _e1535 = keys.member[_e1217.member[2]];
+                                        let _e1537 = function_(_e1531, _e1535[0]);
+                                        let _e1541 = keys.member[_e1219.member[0]];
+                                        let _e1546 = keys.member[_e1219.member[1]];
+                                        let _e1548 = function_1(_e1541[3], _e1546[3]);
+                                        let _e1552 = keys.member[_e1219.member[2]];
+                                        let _e1554 = function_1(_e1548, _e1552[3]);
+                                        if (_e1537[1] > _e1554[1]) {
+                                            phi_2933_ = true;
                                         } else {
-                                            if (_e1557[1] == _e1574[1]) {
-                                                phi_2958_ = (_e1557[0] > _e1574[0]);
+                                            if (_e1537[1] == _e1554[1]) {
+                                                phi_2932_ = (_e1537[0] > _e1554[0]);
                                             } else {
-                                                phi_2958_ = false;
+                                                phi_2932_ = false;
                                             }
-                                            let _e1585 = phi_2958_;
-                                            phi_2959_ = _e1585;
+                                            let _e1565 = phi_2932_;
+                                            phi_2933_ = _e1565;
                                         }
-                                        let _e1587 = phi_2959_;
-                                        let _e1592 = keys.member[_e1239.member[0]];
-                                        let _e1597 = keys.member[_e1239.member[1]];
-                                        let _e1599 = function_(_e1592[0], _e1597[0]);
-                                        let _e1603 = keys.member[_e1239.member[2]];
-                                        let _e1605 = function_(_e1599, _e1603[0]);
-                                        let _e1609 = keys.member[_e1237.member[0]];
-                                        let _e1614 = keys.member[_e1237.member[1]];
-                                        let _e1616 = function_1(_e1609[3], _e1614[3]);
-                                        let _e1620 = keys.member[_e1237.member[2]];
-                                        let _e1622 = function_1(_e1616, _e1620[3]);
-                                        if (_e1605[1] > _e1622[1]) {
-                                            phi_3053_ = true;
+                                        let _e1567 = phi_2933_;
+                                        let _e1572 = keys.member[_e1219.member[0]];
+                                        let _e1577 = keys.member[_e1219.member[1]];
+                                        let _e1579 = function_(_e1572[0], _e1577[0]);
+                                        let _e1583 = keys.member[_e1219.member[2]];
+                                        let _e1585 = function_(_e1579, _e1583[0]);
+                                        let _e1589 = keys.member[_e1217.member[0]];
+                                        let _e1594 = keys.member[_e1217.member[1]];
+                                        let _e1596 = function_1(_e1589[3], _e1594[3]);
+                                        let _e1600 = keys.member[_e1217.member[2]];
+                                        let _e1602 = function_1(_e1596, _e1600[3]);
+                                        if (_e1585[1] > _e1602[1]) {
+                                            phi_3027_ = true;
                                         } else {
-                                            if (_e1605[1] == _e1622[1]) {
-                                                phi_3052_ = (_e1605[0] > _e1622[0]);
+                                            if (_e1585[1] == _e1602[1]) {
+                                                phi_3026_ = (_e1585[0] > _e1602[0]);
                                             } else {
-                                                phi_3052_ = false;
+                                                phi_3026_ = false;
                                             }
-                                            let _e1633 = phi_3052_;
-                                            phi_3053_ = _e1633;
+                                            let _e1613 = phi_3026_;
+                                            phi_3027_ = _e1613;
                                         }
-                                        let _e1635 = phi_3053_;
-                                        let _e1641 = keys.member[_e1237.member[0]];
-                                        let _e1646 = keys.member[_e1237.member[1]];
-                                        let _e1648 = function_2(_e1641[1], _e1646[1]);
-                                        let _e1652 = keys.member[_e1237.member[2]];
-                                        let _e1654 = function_2(_e1648, _e1652[1]);
-                                        let _e1658 = keys.member[_e1239.member[0]];
-                                        let _e1663 = keys.member[_e1239.member[1]];
-                                        let _e1665 = function_3(_e1658[4], _e1663[4]);
-                                        let _e1669 = keys.member[_e1239.member[2]];
-                                        let _e1671 = function_3(_e1665, _e1669[4]);
-                                        if (_e1654[1] > _e1671[1]) {
-                                            phi_3148_ = true;
+                                        let _e1615 = phi_3027_;
+                                        let _e1621 = keys.member[_e1217.member[0]];
+                                        let _e1626 = keys.member[_e1217.member[1]];
+                                        let _e1628 = function_2(_e1621[1], _e1626[1]);
+                                        let _e1632 = keys.member[_e1217.member[2]];
+                                        let _e1634 = function_2(_e1628, _e1632[1]);
+                                        let _e1638 = keys.member[_e1219.member[0]];
+                                        let _e1643 = keys.member[_e1219.member[1]];
+                                        let _e1645 = function_3(_e1638[4], _e1643[4]);
+                                        let _e1649 = keys.member[_e1219.member[2]];
+                                        let _e1651 = function_3(_e1645, _e1649[4]);
+                                        if (_e1634[1] > _e1651[1]) {
+                                            phi_3122_ = true;
                                         } else {
-                                            if (_e1654[1] == _e1671[1]) {
-                                                phi_3147_ = (_e1654[0] > _e1671[0]);
+                                            if (_e1634[1] == _e1651[1]) {
+                                                phi_3121_ = (_e1634[0] > _e1651[0]);
                                             } else {
-                                                phi_3147_ = false;
+                                                phi_3121_ = false;
                                             }
-                                            let _e1682 = phi_3147_;
-                                            phi_3148_ = _e1682;
+                                            let _e1662 = phi_3121_;
+                                            phi_3122_ = _e1662;
                                         }
-                                        let _e1684 = phi_3148_;
-                                        let _e1689 = keys.member[_e1239.member[0]];
-                                        let _e1694 = keys.member[_e1239.member[1]];
-                                        let _e1696 = function_2(_e1689[1], _e1694[1]);
-                                        let _e1700 = keys.member[_e1239.member[2]];
-                                        let _e1702 = function_2(_e1696, _e1700[1]);
-                                        let _e1706 = keys.member[_e1237.member[0]];
-                                        let _e1711 = keys.member[_e1237.member[1]];
-                                        let _e1713 = function_3(_e1706[4], _e1711[4]);
-                                        let _e1717 = keys.member[_e1237.member[2]];
-                                        let _e1719 = function_3(_e1713, _e1717[4]);
-                                        if (_e1702[1] > _e1719[1]) {
-                                            phi_3242_ = true;
+                                        let _e1664 = phi_3122_;
+                                        let _e1669 = keys.member[_e1219.member[0]];
+                                        let _e1674 = keys.member[_e1219.member[1]];
+                                        let _e1676 = function_2(_e1669[1], _e1674[1]);
+                                        let _e1680 = keys.member[_e1219.member[2]];
+                                        let _e1682 = function_2(_e1676, _e1680[1]);
+                                        let _e1686 = keys.member[_e1217.member[0]];
+                                        let _e1691 = keys.member[_e1217.member[1]];
+                                        let _e1693 = function_3(_e1686[4], _e1691[4]);
+                                        let _e1697 = keys.member[_e1217.member[2]];
+                                        let _e1699 = function_3(_e1693, _e1697[4]);
+                                        if (_e1682[1] > _e1699[1]) {
+                                            phi_3216_ = true;
                                         } else {
-                                            if (_e1702[1] == _e1719[1]) {
-                                                phi_3241_ = (_e1702[0] > _e1719[0]);
+                                            if (_e1682[1] == _e1699[1]) {
+                                                phi_3215_ = (_e1682[0] > _e1699[0]);
                                             } else {
-                                                phi_3241_ = false;
+                                                phi_3215_ = false;
                                             }
-                                            let _e1730 = phi_3241_;
-                                            phi_3242_ = _e1730;
+                                            let _e1710 = phi_3215_;
+                                            phi_3216_ = _e1710;
                                         }
-                                        let _e1732 = phi_3242_;
-                                        let _e1739 = keys.member[_e1237.member[0]];
-                                        let _e1744 = keys.member[_e1237.member[1]];
-                                        let _e1746 = function_4(_e1739[2], _e1744[2]);
-                                        let _e1750 = keys.member[_e1237.member[2]];
-                                        let _e1752 = function_4(_e1746, _e1750[2]);
-                                        let _e1756 = keys.member[_e1239.member[0]];
-                                        let _e1761 = keys.member[_e1239.member[1]];
-                                        let _e1763 = function_5(_e1756[5], _e1761[5]);
-                                        let _e1767 = keys.member[_e1239.member[2]];
-                                        let _e1769 = function_5(_e1763, _e1767[5]);
-                                        if (_e1752[1] > _e1769[1]) {
-                                            phi_3338_ = true;
+                                        let _e1712 = phi_3216_;
+                                        let _e1719 = keys.member[_e1217.member[0]];
+                                        let _e1724 = keys.member[_e1217.member[1]];
+                                        let _e1726 = function_4(_e1719[2], _e1724[2]);
+                                        let _e1730 = keys.member[_e1217.member[2]];
+                                        let _e1732 = function_4(_e1726, _e1730[2]);
+                                        let _e1736 = keys.member[_e1219.member[0]];
+                                        let _e1741 = keys.member[_e1219.member[1]];
+                                        let _e1743 = function_5(_e1736[5], _e1741[5]);
+                                        let _e1747 = keys.member[_e1219.member[2]];
+                                        let _e1749 = function_5(_e1743, _e1747[5]);
+                                        if (_e1732[1] > _e1749[1]) {
+                                            phi_3312_ = true;
                                         } else {
-                                            if (_e1752[1] == _e1769[1]) {
-                                                phi_3337_ = (_e1752[0] > _e1769[0]);
+                                            if (_e1732[1] == _e1749[1]) {
+                                                phi_3311_ = (_e1732[0] > _e1749[0]);
                                             } else {
-                                                phi_3337_ = false;
+                                                phi_3311_ = false;
                                             }
-                                            let _e1780 = phi_3337_;
-                                            phi_3338_ = _e1780;
+                                            let _e1760 = phi_3311_;
+                                            phi_3312_ = _e1760;
                                         }
-                                        let _e1782 = phi_3338_;
-                                        let _e1787 = keys.member[_e1239.member[0]];
-                                        let _e1792 = keys.member[_e1239.member[1]];
-                                        let _e1794 = function_4(_e1787[2], _e1792[2]);
-                                        let _e1798 = keys.member[_e1239.member[2]];
-                                        let _e1800 = function_4(_e1794, _e1798[2]);
-                                        let _e1804 = keys.member[_e1237.member[0]];
-                                        let _e1809 = keys.member[_e1237.member[1]];
-                                        let _e1811 = function_5(_e1804[5], _e1809[5]);
-                                        let _e1815 = keys.member[_e1237.member[2]];
-                                        let _e1817 = function_5(_e1811, _e1815[5]);
-                                        if (_e1800[1] > _e1817[1]) {
-                                            phi_3432_ = true;
+                                        let _e1762 = phi_3312_;
+                                        let _e1767 = keys.member[_e1219.member[0]];
+                                        let _e1772 = keys.member[_e1219.member[1]];
+                                        let _e1774 = function_4(_e1767[2], _e1772[2]);
+                                        let _e1778 = keys.member[_e1219.member[2]];
+                                        let _e1780 = function_4(_e1774, _e1778[2]);
+                                        let _e1784 = keys.member[_e1217.member[0]];
+                                        let _e1789 = keys.member[_e1217.member[1]];
+                                        let _e1791 = function_5(_e1784[5], _e1789[5]);
+                                        let _e1795 = keys.member[_e1217.member[2]];
+                                        let _e1797 = function_5(_e1791, _e1795[5]);
+                                        if (_e1780[1] > _e1797[1]) {
+                                            phi_3406_ = true;
                                         } else {
-                                            if (_e1800[1] == _e1817[1]) {
-                                                phi_3431_ = (_e1800[0] > _e1817[0]);
+                                            if (_e1780[1] == _e1797[1]) {
+                                                phi_3405_ = (_e1780[0] > _e1797[0]);
                                             } else {
-                                                phi_3431_ = false;
+                                                phi_3405_ = false;
                                             }
-                                            let _e1828 = phi_3431_;
-                                            phi_3432_ = _e1828;
+                                            let _e1808 = phi_3405_;
+                                            phi_3406_ = _e1808;
                                         }
-                                        let _e1830 = phi_3432_;
-                                        phi_3436_ = (((!(_e1587) && !(_e1635)) && (!(_e1684) && !(_e1732))) && (!(_e1782) && !(_e1830)));
+                                        let _e1810 = phi_3406_;
+                                        phi_3410_ = (((!(_e1567) && !(_e1615)) && (!(_e1664) && !(_e1712))) && (!(_e1762) && !(_e1810)));
                                     }
-                                    let _e1835 = phi_3436_;
-                                    phi_3437_ = _e1835;
-                                    phi_3438_ = _e1540;
+                                    let _e1815 = phi_3410_;
+                                    phi_3411_ = _e1815;
+                                    phi_3412_ = _e1520;
                                 } else {
-                                    phi_3437_ = bool();
-                                    phi_3438_ = true;
+                                    phi_3411_ = bool();
+                                    phi_3412_ = true;
                                 }
-                                let _e1837 = phi_3437_;
-                                let _e1839 = phi_3438_;
-                                if _e1839 {
-                                    phi_3442_ = false;
+                                let _e1817 = phi_3411_;
+                                let _e1819 = phi_3412_;
+                                if _e1819 {
+                                    phi_3416_ = false;
                                 } else {
-                                    phi_3442_ = true;
+                                    phi_3416_ = true;
                                 }
-                                let _e1841 = phi_3442_;
-                                phi_3443_ = _e1837;
-                                phi_3444_ = _e1841;
+                                let _e1821 = phi_3416_;
+                                phi_3417_ = _e1817;
+                                phi_3418_ = _e1821;
                             } else {
-                                phi_3443_ = false;
-                                phi_3444_ = true;
+                                phi_3417_ = false;
+                                phi_3418_ = true;
                             }
-                            let _e1843 = phi_3443_;
-                            let _e1845 = phi_3444_;
-                            phi_3445_ = _e1843;
-                            phi_3446_ = _e1845;
+                            let _e1823 = phi_3417_;
+                            let _e1825 = phi_3418_;
+                            phi_3419_ = _e1823;
+                            phi_3420_ = _e1825;
                         } else {
-                            phi_3445_ = false;
-                            phi_3446_ = true;
+                            phi_3419_ = false;
+                            phi_3420_ = true;
                         }
-                        let _e1847 = phi_3445_;
-                        let _e1849 = phi_3446_;
-                        if _e1849 {
-                            phi_3450_ = _e1847;
+                        let _e1827 = phi_3419_;
+                        let _e1829 = phi_3420_;
+                        if _e1829 {
+                            phi_3424_ = _e1827;
                         } else {
-                            phi_3450_ = true;
+                            phi_3424_ = true;
                         }
-                        let _e1851 = phi_3450_;
-                        if _e1851 {
-                            let _e1853 = atomicAdd((&counters[7u]), 1u);
-                            if (_e1237.member_1 < _e1239.member_1) {
-                                phi_3467_ = _e1239.member;
-                                phi_3468_ = _e1237.member;
+                        let _e1831 = phi_3424_;
+                        if _e1831 {
+                            let _e1833 = atomicAdd((&counters[7u]), 1u);
+                            if (_e1217.member_1 < _e1219.member_1) {
+                                phi_3441_ = _e1219.member;
+                                phi_3442_ = _e1217.member;
                             } else {
-                                phi_3467_ = _e1237.member;
-                                phi_3468_ = _e1239.member;
+                                phi_3441_ = _e1217.member;
+                                phi_3442_ = _e1219.member;
                             }
-                            let _e1863 = phi_3467_;
-                            let _e1865 = phi_3468_;
-                            let _e1871 = params.member.member.member_4;
-                            let _e1873 = params.member.member.member_5;
-                            let _e1875 = paths.member[_e1865[0]];
-                            let _e1877 = paths.member[_e1865[1]];
-                            let _e1883 = paths.member[_e1863[0]];
-                            let _e1885 = paths.member[_e1863[1]];
-                            local_2 = type_41(array<array<f32, 3>, 2>(array<f32, 3>((_e1883.member[0] - _e1875.member[0]), (_e1883.member[1] - _e1875.member[1]), (_e1883.member[2] - _e1875.member[2])), array<f32, 3>((_e1883.member_1[0] - _e1875.member_1[0]), (_e1883.member_1[1] - _e1875.member_1[1]), (_e1883.member_1[2] - _e1875.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1877.member[0] - _e1875.member[0]), (_e1877.member[1] - _e1875.member[1]), (_e1877.member[2] - _e1875.member[2])), array<f32, 3>((_e1877.member_1[0] - _e1875.member_1[0]), (_e1877.member_1[1] - _e1875.member_1[1]), (_e1877.member_1[2] - _e1875.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1883.member[0] - _e1885.member[0]), (_e1883.member[1] - _e1885.member[1]), (_e1883.member[2] - _e1885.member[2])), array<f32, 3>((_e1883.member_1[0] - _e1885.member_1[0]), (_e1883.member_1[1] - _e1885.member_1[1]), (_e1883.member_1[2] - _e1885.member_1[2]))), (_e1871 + _e1871));
-                            let _e1945 = local_2.member_1[0u];
-                            let _e1951 = local_2.member_2[0u];
-                            let _e1957 = ((_e1945[1] * _e1951[2]) - (_e1945[2] * _e1951[1]));
-                            let _e1960 = ((_e1945[2] * _e1951[0]) - (_e1945[0] * _e1951[2]));
-                            let _e1963 = ((_e1945[0] * _e1951[1]) - (_e1945[1] * _e1951[0]));
-                            let _e1966 = local_2.member_1[1u];
-                            let _e1972 = local_2.member_2[1u];
-                            let _e1978 = ((_e1966[1] * _e1972[2]) - (_e1966[2] * _e1972[1]));
-                            let _e1981 = ((_e1966[2] * _e1972[0]) - (_e1966[0] * _e1972[2]));
-                            let _e1984 = ((_e1966[0] * _e1972[1]) - (_e1966[1] * _e1972[0]));
-                            let _e1987 = local_2.member_1[0u];
-                            let _e1993 = local_2.member_2[1u];
-                            let _e2008 = local_2.member_1[1u];
-                            let _e2014 = local_2.member_2[0u];
-                            let _e2027 = (((_e1987[1] * _e1993[2]) - (_e1987[2] * _e1993[1])) + ((_e2008[1] * _e2014[2]) - (_e2008[2] * _e2014[1])));
-                            let _e2028 = (((_e1987[2] * _e1993[0]) - (_e1987[0] * _e1993[2])) + ((_e2008[2] * _e2014[0]) - (_e2008[0] * _e2014[2])));
-                            let _e2029 = (((_e1987[0] * _e1993[1]) - (_e1987[1] * _e1993[0])) + ((_e2008[0] * _e2014[1]) - (_e2008[1] * _e2014[0])));
-                            let _e2032 = local_2.member[0u];
-                            let _e2043 = local_2.member[1u];
-                            let _e2054 = local_2.member[0u];
-                            let _e2063 = ((((_e2043[0] * _e1957) + (_e2043[1] * _e1960)) + (_e2043[2] * _e1963)) + (((_e2054[0] * _e2027) + (_e2054[1] * _e2028)) + (_e2054[2] * _e2029)));
-                            let _e2066 = local_2.member[0u];
-                            let _e2077 = local_2.member[1u];
-                            let _e2086 = ((((_e2066[0] * _e1978) + (_e2066[1] * _e1981)) + (_e2066[2] * _e1984)) + (((_e2077[0] * _e2027) + (_e2077[1] * _e2028)) + (_e2077[2] * _e2029)));
-                            let _e2089 = local_2.member[1u];
-                            let _e2100 = local_2.member[0u];
-                            if (_e2100[0] < 0f) {
-                                phi_3891_ = -(_e2100[0]);
+                            let _e1843 = phi_3441_;
+                            let _e1845 = phi_3442_;
+                            let _e1851 = params.member.member.member_4;
+                            let _e1853 = params.member.member.member_5;
+                            let _e1855 = paths.member[_e1845[0]];
+                            let _e1857 = paths.member[_e1845[1]];
+                            let _e1863 = paths.member[_e1843[0]];
+                            let _e1865 = paths.member[_e1843[1]];
+                            local_2 = type_41(array<array<f32, 3>, 2>(array<f32, 3>((_e1863.member[0] - _e1855.member[0]), (_e1863.member[1] - _e1855.member[1]), (_e1863.member[2] - _e1855.member[2])), array<f32, 3>((_e1863.member_1[0] - _e1855.member_1[0]), (_e1863.member_1[1] - _e1855.member_1[1]), (_e1863.member_1[2] - _e1855.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1857.member[0] - _e1855.member[0]), (_e1857.member[1] - _e1855.member[1]), (_e1857.member[2] - _e1855.member[2])), array<f32, 3>((_e1857.member_1[0] - _e1855.member_1[0]), (_e1857.member_1[1] - _e1855.member_1[1]), (_e1857.member_1[2] - _e1855.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1863.member[0] - _e1865.member[0]), (_e1863.member[1] - _e1865.member[1]), (_e1863.member[2] - _e1865.member[2])), array<f32, 3>((_e1863.member_1[0] - _e1865.member_1[0]), (_e1863.member_1[1] - _e1865.member_1[1]), (_e1863.member_1[2] - _e1865.member_1[2]))), (_e1851 + _e1851));
+                            let _e1925 = local_2.member_1[0u];
+                            let _e1931 = local_2.member_2[0u];
+                            let _e1937 = ((_e1925[1] * _e1931[2]) - (_e1925[2] * _e1931[1]));
+                            let _e1940 = ((_e1925[2] * _e1931[0]) - (_e1925[0] * _e1931[2]));
+                            let _e1943 = ((_e1925[0] * _e1931[1]) - (_e1925[1] * _e1931[0]));
+                            let _e1946 = local_2.member_1[1u];
+                            let _e1952 = local_2.member_2[1u];
+                            let _e1958 = ((_e1946[1] * _e1952[2]) - (_e1946[2] * _e1952[1]));
+                            let _e1961 = ((_e1946[2] * _e1952[0]) - (_e1946[0] * _e1952[2]));
+                            let _e1964 = ((_e1946[0] * _e1952[1]) - (_e1946[1] * _e1952[0]));
+                            let _e1967 = local_2.member_1[0u];
+                            let _e1973 = local_2.member_2[1u];
+                            let _e1988 = local_2.member_1[1u];
+                            let _e1994 = local_2.member_2[0u];
+                            let _e2007 = (((_e1967[1] * _e1973[2]) - (_e1967[2] * _e1973[1])) + ((_e1988[1] * _e1994[2]) - (_e1988[2] * _e1994[1])));
+                            let _e2008 = (((_e1967[2] * _e1973[0]) - (_e1967[0] * _e1973[2])) + ((_e1988[2] * _e1994[0]) - (_e1988[0] * _e1994[2])));
+                            let _e2009 = (((_e1967[0] * _e1973[1]) - (_e1967[1] * _e1973[0])) + ((_e1988[0] * _e1994[1]) - (_e1988[1] * _e1994[0])));
+                            let _e2012 = local_2.member[0u];
+                            let _e2023 = local_2.member[1u];
+                            let _e2034 = local_2.member[0u];
+                            let _e2043 = ((((_e2023[0] * _e1937) + (_e2023[1] * _e1940)) + (_e2023[2] * _e1943)) + (((_e2034[0] * _e2007) + (_e2034[1] * _e2008)) + (_e2034[2] * _e2009)));
+                            let _e2046 = local_2.member[0u];
+                            let _e2057 = local_2.member[1u];
+                            let _e2066 = ((((_e2046[0] * _e1958) + (_e2046[1] * _e1961)) + (_e2046[2] * _e1964)) + (((_e2057[0] * _e2007) + (_e2057[1] * _e2008)) + (_e2057[2] * _e2009)));
+                            let _e2069 = local_2.member[1u];
+                            let _e2080 = local_2.member[0u];
+                            if (_e2080[0] < 0f) {
+                                phi_3865_ = -(_e2080[0]);
                             } else {
-                                phi_3891_ = _e2100[0];
+                                phi_3865_ = _e2080[0];
                             }
-                            let _e2107 = phi_3891_;
-                            if (_e2100[1] < 0f) {
-                                phi_3898_ = -(_e2100[1]);
+                            let _e2087 = phi_3865_;
+                            if (_e2080[1] < 0f) {
+                                phi_3872_ = -(_e2080[1]);
                             } else {
-                                phi_3898_ = _e2100[1];
+                                phi_3872_ = _e2080[1];
                             }
-                            let _e2111 = phi_3898_;
-                            if (_e2107 > _e2111) {
-                                phi_3903_ = _e2107;
+                            let _e2091 = phi_3872_;
+                            if (_e2087 > _e2091) {
+                                phi_3877_ = _e2087;
                             } else {
-                                phi_3903_ = _e2111;
+                                phi_3877_ = _e2091;
                             }
-                            let _e2114 = phi_3903_;
-                            if (_e2100[2] < 0f) {
-                                phi_3910_ = -(_e2100[2]);
+                            let _e2094 = phi_3877_;
+                            if (_e2080[2] < 0f) {
+                                phi_3884_ = -(_e2080[2]);
                             } else {
-                                phi_3910_ = _e2100[2];
+                                phi_3884_ = _e2080[2];
                             }
-                            let _e2118 = phi_3910_;
-                            if (_e2114 > _e2118) {
-                                phi_3915_ = _e2114;
+                            let _e2098 = phi_3884_;
+                            if (_e2094 > _e2098) {
+                                phi_3889_ = _e2094;
                             } else {
-                                phi_3915_ = _e2118;
+                                phi_3889_ = _e2098;
                             }
-                            let _e2121 = phi_3915_;
-                            let _e2124 = local_2.member[1u];
-                            if (_e2124[0] < 0f) {
-                                phi_3928_ = -(_e2124[0]);
+                            let _e2101 = phi_3889_;
+                            let _e2104 = local_2.member[1u];
+                            if (_e2104[0] < 0f) {
+                                phi_3902_ = -(_e2104[0]);
                             } else {
-                                phi_3928_ = _e2124[0];
+                                phi_3902_ = _e2104[0];
                             }
-                            let _e2131 = phi_3928_;
-                            if (_e2124[1] < 0f) {
-                                phi_3935_ = -(_e2124[1]);
+                            let _e2111 = phi_3902_;
+                            if (_e2104[1] < 0f) {
+                                phi_3909_ = -(_e2104[1]);
                             } else {
-                                phi_3935_ = _e2124[1];
+                                phi_3909_ = _e2104[1];
                             }
-                            let _e2135 = phi_3935_;
-                            if (_e2131 > _e2135) {
-                                phi_3940_ = _e2131;
+                            let _e2115 = phi_3909_;
+                            if (_e2111 > _e2115) {
+                                phi_3914_ = _e2111;
                             } else {
-                                phi_3940_ = _e2135;
+                                phi_3914_ = _e2115;
                             }
-                            let _e2138 = phi_3940_;
-                            if (_e2124[2] < 0f) {
-                                phi_3947_ = -(_e2124[2]);
+                            let _e2118 = phi_3914_;
+                            if (_e2104[2] < 0f) {
+                                phi_3921_ = -(_e2104[2]);
                             } else {
-                                phi_3947_ = _e2124[2];
+                                phi_3921_ = _e2104[2];
                             }
-                            let _e2142 = phi_3947_;
-                            if (_e2138 > _e2142) {
-                                phi_3952_ = _e2138;
+                            let _e2122 = phi_3921_;
+                            if (_e2118 > _e2122) {
+                                phi_3926_ = _e2118;
                             } else {
-                                phi_3952_ = _e2142;
+                                phi_3926_ = _e2122;
                             }
-                            let _e2145 = phi_3952_;
-                            if (_e2121 > _e2145) {
-                                phi_3957_ = _e2121;
+                            let _e2125 = phi_3926_;
+                            if (_e2101 > _e2125) {
+                                phi_3931_ = _e2101;
                             } else {
-                                phi_3957_ = _e2145;
+                                phi_3931_ = _e2125;
                             }
-                            let _e2148 = phi_3957_;
-                            let _e2150 = local_2.member_3;
-                            let _e2151 = (_e2148 + _e2150);
-                            let _e2154 = local_2.member_1[0u];
-                            if (_e2154[0] < 0f) {
-                                phi_3974_ = -(_e2154[0]);
+                            let _e2128 = phi_3931_;
+                            let _e2130 = local_2.member_3;
+                            let _e2131 = (_e2128 + _e2130);
+                            let _e2134 = local_2.member_1[0u];
+                            if (_e2134[0] < 0f) {
+                                phi_3948_ = -(_e2134[0]);
                             } else {
-                                phi_3974_ = _e2154[0];
+                                phi_3948_ = _e2134[0];
                             }
-                            let _e2161 = phi_3974_;
-                            if (_e2154[1] < 0f) {
-                                phi_3981_ = -(_e2154[1]);
+                            let _e2141 = phi_3948_;
+                            if (_e2134[1] < 0f) {
+                                phi_3955_ = -(_e2134[1]);
                             } else {
-                                phi_3981_ = _e2154[1];
+                                phi_3955_ = _e2134[1];
                             }
-                            let _e2165 = phi_3981_;
-                            if (_e2161 > _e2165) {
-                                phi_3986_ = _e2161;
+                            let _e2145 = phi_3955_;
+                            if (_e2141 > _e2145) {
+                                phi_3960_ = _e2141;
                             } else {
-                                phi_3986_ = _e2165;
+                                phi_3960_ = _e2145;
                             }
-                            let _e2168 = phi_3986_;
-                            if (_e2154[2] < 0f) {
-                                phi_3993_ = -(_e2154[2]);
+                            let _e2148 = phi_3960_;
+                            if (_e2134[2] < 0f) {
+                                phi_3967_ = -(_e2134[2]);
                             } else {
-                                phi_3993_ = _e2154[2];
+                                phi_3967_ = _e2134[2];
                             }
-                            let _e2172 = phi_3993_;
-                            if (_e2168 > _e2172) {
-                                phi_3998_ = _e2168;
+                            let _e2152 = phi_3967_;
+                            if (_e2148 > _e2152) {
+                                phi_3972_ = _e2148;
                             } else {
-                                phi_3998_ = _e2172;
+                                phi_3972_ = _e2152;
                             }
-                            let _e2175 = phi_3998_;
-                            let _e2178 = local_2.member_1[1u];
-                            if (_e2178[0] < 0f) {
-                                phi_4012_ = -(_e2178[0]);
+                            let _e2155 = phi_3972_;
+                            let _e2158 = local_2.member_1[1u];
+                            if (_e2158[0] < 0f) {
+                                phi_3986_ = -(_e2158[0]);
                             } else {
-                                phi_4012_ = _e2178[0];
+                                phi_3986_ = _e2158[0];
                             }
-                            let _e2185 = phi_4012_;
-                            if (_e2178[1] < 0f) {
-                                phi_4019_ = -(_e2178[1]);
+                            let _e2165 = phi_3986_;
+                            if (_e2158[1] < 0f) {
+                                phi_3993_ = -(_e2158[1]);
                             } else {
-                                phi_4019_ = _e2178[1];
+                                phi_3993_ = _e2158[1];
                             }
-                            let _e2189 = phi_4019_;
-                            if (_e2185 > _e2189) {
-                                phi_4024_ = _e2185;
+                            let _e2169 = phi_3993_;
+                            if (_e2165 > _e2169) {
+                                phi_3998_ = _e2165;
                             } else {
-                                phi_4024_ = _e2189;
+                                phi_3998_ = _e2169;
                             }
-                            let _e2192 = phi_4024_;
-                            if (_e2178[2] < 0f) {
-                                phi_4031_ = -(_e2178[2]);
+                            let _e2172 = phi_3998_;
+                            if (_e2158[2] < 0f) {
+                                phi_4005_ = -(_e2158[2]);
                             } else {
-                                phi_4031_ = _e2178[2];
+                                phi_4005_ = _e2158[2];
                             }
-                            let _e2196 = phi_4031_;
-                            if (_e2192 > _e2196) {
-                                phi_4036_ = _e2192;
+                            let _e2176 = phi_4005_;
+                            if (_e2172 > _e2176) {
+                                phi_4010_ = _e2172;
                             } else {
-                                phi_4036_ = _e2196;
+                                phi_4010_ = _e2176;
                             }
-                            let _e2199 = phi_4036_;
-                            if (_e2175 > _e2199) {
-                                phi_4041_ = _e2175;
+                            let _e2179 = phi_4010_;
+                            if (_e2155 > _e2179) {
+                                phi_4015_ = _e2155;
                             } else {
-                                phi_4041_ = _e2199;
+                                phi_4015_ = _e2179;
                             }
-                            let _e2202 = phi_4041_;
-                            let _e2204 = local_2.member_3;
-                            let _e2205 = (_e2202 + _e2204);
-                            let _e2208 = local_2.member_2[0u];
-                            if (_e2208[0] < 0f) {
-                                phi_4058_ = -(_e2208[0]);
+                            let _e2182 = phi_4015_;
+                            let _e2184 = local_2.member_3;
+                            let _e2185 = (_e2182 + _e2184);
+                            let _e2188 = local_2.member_2[0u];
+                            if (_e2188[0] < 0f) {
+                                phi_4032_ = -(_e2188[0]);
                             } else {
-                                phi_4058_ = _e2208[0];
+                                phi_4032_ = _e2188[0];
                             }
-                            let _e2215 = phi_4058_;
-                            if (_e2208[1] < 0f) {
-                                phi_4065_ = -(_e2208[1]);
+                            let _e2195 = phi_4032_;
+                            if (_e2188[1] < 0f) {
+                                phi_4039_ = -(_e2188[1]);
                             } else {
-                                phi_4065_ = _e2208[1];
+                                phi_4039_ = _e2188[1];
                             }
-                            let _e2219 = phi_4065_;
-                            if (_e2215 > _e2219) {
-                                phi_4070_ = _e2215;
+                            let _e2199 = phi_4039_;
+                            if (_e2195 > _e2199) {
+                                phi_4044_ = _e2195;
                             } else {
-                                phi_4070_ = _e2219;
+                                phi_4044_ = _e2199;
                             }
-                            let _e2222 = phi_4070_;
-                            if (_e2208[2] < 0f) {
-                                phi_4077_ = -(_e2208[2]);
+                            let _e2202 = phi_4044_;
+                            if (_e2188[2] < 0f) {
+                                phi_4051_ = -(_e2188[2]);
                             } else {
-                                phi_4077_ = _e2208[2];
+                                phi_4051_ = _e2188[2];
                             }
-                            let _e2226 = phi_4077_;
-                            if (_e2222 > _e2226) {
-                                phi_4082_ = _e2222;
+                            let _e2206 = phi_4051_;
+                            if (_e2202 > _e2206) {
+                                phi_4056_ = _e2202;
                             } else {
-                                phi_4082_ = _e2226;
+                                phi_4056_ = _e2206;
                             }
-                            let _e2229 = phi_4082_;
-                            let _e2232 = local_2.member_2[1u];
-                            if (_e2232[0] < 0f) {
-                                phi_4096_ = -(_e2232[0]);
+                            let _e2209 = phi_4056_;
+                            let _e2212 = local_2.member_2[1u];
+                            if (_e2212[0] < 0f) {
+                                phi_4070_ = -(_e2212[0]);
                             } else {
-                                phi_4096_ = _e2232[0];
+                                phi_4070_ = _e2212[0];
                             }
-                            let _e2239 = phi_4096_;
-                            if (_e2232[1] < 0f) {
-                                phi_4103_ = -(_e2232[1]);
+                            let _e2219 = phi_4070_;
+                            if (_e2212[1] < 0f) {
+                                phi_4077_ = -(_e2212[1]);
                             } else {
-                                phi_4103_ = _e2232[1];
+                                phi_4077_ = _e2212[1];
                             }
-                            let _e2243 = phi_4103_;
-                            if (_e2239 > _e2243) {
-                                phi_4108_ = _e2239;
+                            let _e2223 = phi_4077_;
+                            if (_e2219 > _e2223) {
+                                phi_4082_ = _e2219;
                             } else {
-                                phi_4108_ = _e2243;
+                                phi_4082_ = _e2223;
                             }
-                            let _e2246 = phi_4108_;
-                            if (_e2232[2] < 0f) {
-                                phi_4115_ = -(_e2232[2]);
+                            let _e2226 = phi_4082_;
+                            if (_e2212[2] < 0f) {
+                                phi_4089_ = -(_e2212[2]);
                             } else {
-                                phi_4115_ = _e2232[2];
+                                phi_4089_ = _e2212[2];
                             }
-                            let _e2250 = phi_4115_;
-                            if (_e2246 > _e2250) {
-                                phi_4120_ = _e2246;
+                            let _e2230 = phi_4089_;
+                            if (_e2226 > _e2230) {
+                                phi_4094_ = _e2226;
                             } else {
-                                phi_4120_ = _e2250;
+                                phi_4094_ = _e2230;
                             }
-                            let _e2253 = phi_4120_;
-                            if (_e2229 > _e2253) {
-                                phi_4125_ = _e2229;
+                            let _e2233 = phi_4094_;
+                            if (_e2209 > _e2233) {
+                                phi_4099_ = _e2209;
                             } else {
-                                phi_4125_ = _e2253;
+                                phi_4099_ = _e2233;
                             }
-                            let _e2256 = phi_4125_;
-                            let _e2258 = local_2.member_3;
-                            let _e2259 = (_e2256 + _e2258);
-                            let _e2261 = ((_e2205 * 8f) * _e2259);
-                            let _e2268 = local_2.member_3;
-                            if (_e1957 < 0f) {
-                                phi_4156_ = -(_e1957);
+                            let _e2236 = phi_4099_;
+                            let _e2238 = local_2.member_3;
+                            let _e2239 = (_e2236 + _e2238);
+                            let _e2241 = ((_e2185 * 8f) * _e2239);
+                            let _e2248 = local_2.member_3;
+                            if (_e1937 < 0f) {
+                                phi_4130_ = -(_e1937);
                             } else {
-                                phi_4156_ = _e1957;
+                                phi_4130_ = _e1937;
                             }
-                            let _e2285 = phi_4156_;
-                            if (_e1960 < 0f) {
-                                phi_4162_ = -(_e1960);
+                            let _e2265 = phi_4130_;
+                            if (_e1940 < 0f) {
+                                phi_4136_ = -(_e1940);
                             } else {
-                                phi_4162_ = _e1960;
+                                phi_4136_ = _e1940;
                             }
-                            let _e2289 = phi_4162_;
-                            if (_e1963 < 0f) {
-                                phi_4169_ = -(_e1963);
+                            let _e2269 = phi_4136_;
+                            if (_e1943 < 0f) {
+                                phi_4143_ = -(_e1943);
                             } else {
-                                phi_4169_ = _e1963;
+                                phi_4143_ = _e1943;
                             }
-                            let _e2294 = phi_4169_;
-                            let _e2295 = ((_e2285 + _e2289) + _e2294);
-                            if (_e1978 < 0f) {
-                                phi_4176_ = -(_e1978);
+                            let _e2274 = phi_4143_;
+                            let _e2275 = ((_e2265 + _e2269) + _e2274);
+                            if (_e1958 < 0f) {
+                                phi_4150_ = -(_e1958);
                             } else {
-                                phi_4176_ = _e1978;
+                                phi_4150_ = _e1958;
                             }
-                            let _e2299 = phi_4176_;
-                            if (_e1981 < 0f) {
-                                phi_4182_ = -(_e1981);
+                            let _e2279 = phi_4150_;
+                            if (_e1961 < 0f) {
+                                phi_4156_ = -(_e1961);
                             } else {
-                                phi_4182_ = _e1981;
+                                phi_4156_ = _e1961;
                             }
-                            let _e2303 = phi_4182_;
-                            if (_e1984 < 0f) {
-                                phi_4189_ = -(_e1984);
+                            let _e2283 = phi_4156_;
+                            if (_e1964 < 0f) {
+                                phi_4163_ = -(_e1964);
                             } else {
-                                phi_4189_ = _e1984;
+                                phi_4163_ = _e1964;
                             }
-                            let _e2308 = phi_4189_;
-                            let _e2309 = ((_e2299 + _e2303) + _e2308);
-                            if (_e2295 > _e2309) {
-                                phi_4195_ = _e2295;
+                            let _e2288 = phi_4163_;
+                            let _e2289 = ((_e2279 + _e2283) + _e2288);
+                            if (_e2275 > _e2289) {
+                                phi_4169_ = _e2275;
                             } else {
-                                phi_4195_ = _e2309;
+                                phi_4169_ = _e2289;
                             }
-                            let _e2312 = phi_4195_;
-                            if (_e2027 < 0f) {
-                                phi_4201_ = -(_e2027);
+                            let _e2292 = phi_4169_;
+                            if (_e2007 < 0f) {
+                                phi_4175_ = -(_e2007);
                             } else {
-                                phi_4201_ = _e2027;
+                                phi_4175_ = _e2007;
                             }
-                            let _e2316 = phi_4201_;
-                            if (_e2028 < 0f) {
-                                phi_4207_ = -(_e2028);
+                            let _e2296 = phi_4175_;
+                            if (_e2008 < 0f) {
+                                phi_4181_ = -(_e2008);
                             } else {
-                                phi_4207_ = _e2028;
+                                phi_4181_ = _e2008;
                             }
-                            let _e2320 = phi_4207_;
-                            if (_e2029 < 0f) {
-                                phi_4214_ = -(_e2029);
+                            let _e2300 = phi_4181_;
+                            if (_e2009 < 0f) {
+                                phi_4188_ = -(_e2009);
                             } else {
-                                phi_4214_ = _e2029;
+                                phi_4188_ = _e2009;
                             }
-                            let _e2325 = phi_4214_;
-                            let _e2327 = (((_e2316 + _e2320) + _e2325) * 0.5f);
-                            if (_e2312 > _e2327) {
-                                phi_4221_ = _e2312;
+                            let _e2305 = phi_4188_;
+                            let _e2307 = (((_e2296 + _e2300) + _e2305) * 0.5f);
+                            if (_e2292 > _e2307) {
+                                phi_4195_ = _e2292;
                             } else {
-                                phi_4221_ = _e2327;
+                                phi_4195_ = _e2307;
                             }
-                            let _e2330 = phi_4221_;
-                            let _e2335 = local_2.member_3;
-                            let _e2348 = ((((_e2032[0] * _e1957) + (_e2032[1] * _e1960)) + (_e2032[2] * _e1963)) * 3f);
-                            let _e2349 = ((((_e2089[0] * _e1978) + (_e2089[1] * _e1981)) + (_e2089[2] * _e1984)) * 3f);
-                            if (_e2348 < _e2349) {
-                                phi_4245_ = _e2348;
+                            let _e2310 = phi_4195_;
+                            let _e2315 = local_2.member_3;
+                            let _e2328 = ((((_e2012[0] * _e1937) + (_e2012[1] * _e1940)) + (_e2012[2] * _e1943)) * 3f);
+                            let _e2329 = ((((_e2069[0] * _e1958) + (_e2069[1] * _e1961)) + (_e2069[2] * _e1964)) * 3f);
+                            if (_e2328 < _e2329) {
+                                phi_4219_ = _e2328;
                             } else {
-                                phi_4245_ = _e2349;
+                                phi_4219_ = _e2329;
                             }
-                            let _e2352 = phi_4245_;
-                            if (_e2063 < _e2086) {
-                                phi_4250_ = _e2063;
+                            let _e2332 = phi_4219_;
+                            if (_e2043 < _e2066) {
+                                phi_4224_ = _e2043;
                             } else {
-                                phi_4250_ = _e2086;
+                                phi_4224_ = _e2066;
                             }
-                            let _e2355 = phi_4250_;
-                            if (_e2352 < _e2355) {
-                                phi_4255_ = _e2352;
+                            let _e2335 = phi_4224_;
+                            if (_e2332 < _e2335) {
+                                phi_4229_ = _e2332;
                             } else {
-                                phi_4255_ = _e2355;
+                                phi_4229_ = _e2335;
                             }
-                            let _e2358 = phi_4255_;
-                            if (_e2348 > _e2349) {
-                                phi_4260_ = _e2348;
+                            let _e2338 = phi_4229_;
+                            if (_e2328 > _e2329) {
+                                phi_4234_ = _e2328;
                             } else {
-                                phi_4260_ = _e2349;
+                                phi_4234_ = _e2329;
                             }
-                            let _e2361 = phi_4260_;
-                            if (_e2063 > _e2086) {
-                                phi_4265_ = _e2063;
+                            let _e2341 = phi_4234_;
+                            if (_e2043 > _e2066) {
+                                phi_4239_ = _e2043;
                             } else {
-                                phi_4265_ = _e2086;
+                                phi_4239_ = _e2066;
                             }
-                            let _e2364 = phi_4265_;
-                            if (_e2361 > _e2364) {
-                                phi_4270_ = _e2361;
+                            let _e2344 = phi_4239_;
+                            if (_e2341 > _e2344) {
+                                phi_4244_ = _e2341;
                             } else {
-                                phi_4270_ = _e2364;
+                                phi_4244_ = _e2344;
                             }
-                            let _e2367 = phi_4270_;
-                            let _e2372 = -(_e2367);
-                            if (_e2358 > _e2372) {
-                                phi_4280_ = _e2358;
+                            let _e2347 = phi_4244_;
+                            let _e2352 = -(_e2347);
+                            if (_e2338 > _e2352) {
+                                phi_4254_ = _e2338;
                             } else {
-                                phi_4280_ = _e2372;
+                                phi_4254_ = _e2352;
                             }
-                            let _e2375 = phi_4280_;
-                            let _e2377 = ((_e2375 - ((((((_e2151 * 8f) * _e2261) * (0.000000059604645f * (524f / 64f))) + ((_e2268 * 19f) * ((_e2151 * (_e2205 + _e2259)) + (_e2205 * _e2259)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2151) * ((1f + _e2205) * (1f + _e2259))))) + ((_e1873 * (((_e2330 + (_e2261 * (0.000000059604645f * 8f))) + ((_e2335 * 6f) * (_e2205 + _e2259))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2205) * (1f + _e2259))))) * (3f * 1.0001f)))) > 0f);
-                            if _e2377 {
-                                phi_5249_ = _e2377;
+                            let _e2355 = phi_4254_;
+                            let _e2357 = ((_e2355 - ((((((_e2131 * 8f) * _e2241) * (0.000000059604645f * (524f / 64f))) + ((_e2248 * 19f) * ((_e2131 * (_e2185 + _e2239)) + (_e2185 * _e2239)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2131) * ((1f + _e2185) * (1f + _e2239))))) + ((_e1853 * (((_e2310 + (_e2241 * (0.000000059604645f * 8f))) + ((_e2315 * 6f) * (_e2185 + _e2239))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2185) * (1f + _e2239))))) * (3f * 1.0001f)))) > 0f);
+                            if _e2357 {
+                                phi_5223_ = _e2357;
                             } else {
-                                let _e2380 = local_2.member_1[0u];
-                                let _e2386 = local_2.member_1[1u];
-                                let _e2390 = (_e2380[0] + _e2386[0]);
-                                let _e2391 = (_e2380[1] + _e2386[1]);
-                                let _e2392 = (_e2380[2] + _e2386[2]);
-                                let _e2395 = local_2.member_2[0u];
-                                let _e2401 = local_2.member_2[1u];
-                                let _e2405 = (_e2395[0] + _e2401[0]);
-                                let _e2406 = (_e2395[1] + _e2401[1]);
-                                let _e2407 = (_e2395[2] + _e2401[2]);
-                                let _e2410 = ((_e2391 * _e2407) - (_e2392 * _e2406));
-                                let _e2413 = ((_e2392 * _e2405) - (_e2390 * _e2407));
-                                let _e2416 = ((_e2390 * _e2406) - (_e2391 * _e2405));
-                                let _e2419 = local_2.member[0u];
-                                let _e2425 = local_2.member_1[0u];
-                                let _e2431 = local_2.member_2[0u];
-                                let _e2435 = (_e2419[0] - _e2425[0]);
-                                let _e2436 = (_e2419[1] - _e2425[1]);
-                                let _e2437 = (_e2419[2] - _e2425[2]);
-                                let _e2438 = (_e2435 - _e2431[0]);
-                                let _e2439 = (_e2436 - _e2431[1]);
-                                let _e2440 = (_e2437 - _e2431[2]);
-                                let _e2441 = (_e2419[0] - _e2431[0]);
-                                let _e2442 = (_e2419[1] - _e2431[1]);
-                                let _e2443 = (_e2419[2] - _e2431[2]);
-                                let _e2446 = local_2.member[1u];
-                                let _e2452 = local_2.member_1[1u];
-                                let _e2458 = local_2.member_2[1u];
-                                let _e2462 = (_e2446[0] - _e2452[0]);
-                                let _e2463 = (_e2446[1] - _e2452[1]);
-                                let _e2464 = (_e2446[2] - _e2452[2]);
-                                let _e2465 = (_e2462 - _e2458[0]);
-                                let _e2466 = (_e2463 - _e2458[1]);
-                                let _e2467 = (_e2464 - _e2458[2]);
-                                let _e2468 = (_e2446[0] - _e2458[0]);
-                                let _e2469 = (_e2446[1] - _e2458[1]);
-                                let _e2470 = (_e2446[2] - _e2458[2]);
-                                let _e2473 = local_2.member[0u];
-                                if (_e2473[0] < 0f) {
-                                    phi_4483_ = -(_e2473[0]);
+                                let _e2360 = local_2.member_1[0u];
+                                let _e2366 = local_2.member_1[1u];
+                                let _e2370 = (_e2360[0] + _e2366[0]);
+                                let _e2371 = (_e2360[1] + _e2366[1]);
+                                let _e2372 = (_e2360[2] + _e2366[2]);
+                                let _e2375 = local_2.member_2[0u];
+                                let _e2381 = local_2.member_2[1u];
+                                let _e2385 = (_e2375[0] + _e2381[0]);
+                                let _e2386 = (_e2375[1] + _e2381[1]);
+                                let _e2387 = (_e2375[2] + _e2381[2]);
+                                let _e2390 = ((_e2371 * _e2387) - (_e2372 * _e2386));
+                                let _e2393 = ((_e2372 * _e2385) - (_e2370 * _e2387));
+                                let _e2396 = ((_e2370 * _e2386) - (_e2371 * _e2385));
+                                let _e2399 = local_2.member[0u];
+                                let _e2405 = local_2.member_1[0u];
+                                let _e2411 = local_2.member_2[0u];
+                                let _e2415 = (_e2399[0] - _e2405[0]);
+                                let _e2416 = (_e2399[1] - _e2405[1]);
+                                let _e2417 = (_e2399[2] - _e2405[2]);
+                                let _e2418 = (_e2415 - _e2411[0]);
+                                let _e2419 = (_e2416 - _e2411[1]);
+                                let _e2420 = (_e2417 - _e2411[2]);
+                                let _e2421 = (_e2399[0] - _e2411[0]);
+                                let _e2422 = (_e2399[1] - _e2411[1]);
+                                let _e2423 = (_e2399[2] - _e2411[2]);
+                                let _e2426 = local_2.member[1u];
+                                let _e2432 = local_2.member_1[1u];
+                                let _e2438 = local_2.member_2[1u];
+                                let _e2442 = (_e2426[0] - _e2432[0]);
+                                let _e2443 = (_e2426[1] - _e2432[1]);
+                                let _e2444 = (_e2426[2] - _e2432[2]);
+                                let _e2445 = (_e2442 - _e2438[0]);
+                                let _e2446 = (_e2443 - _e2438[1]);
+                                let _e2447 = (_e2444 - _e2438[2]);
+                                let _e2448 = (_e2426[0] - _e2438[0]);
+                                let _e2449 = (_e2426[1] - _e2438[1]);
+                                let _e2450 = (_e2426[2] - _e2438[2]);
+                                let _e2453 = local_2.member[0u];
+                                if (_e2453[0] < 0f) {
+                                    phi_4457_ = -(_e2453[0]);
                                 } else {
-                                    phi_4483_ = _e2473[0];
+                                    phi_4457_ = _e2453[0];
                                 }
-                                let _e2480 = phi_4483_;
-                                if (_e2473[1] < 0f) {
-                                    phi_4490_ = -(_e2473[1]);
+                                let _e2460 = phi_4457_;
+                                if (_e2453[1] < 0f) {
+                                    phi_4464_ = -(_e2453[1]);
                                 } else {
-                                    phi_4490_ = _e2473[1];
+                                    phi_4464_ = _e2453[1];
                                 }
-                                let _e2484 = phi_4490_;
-                                if (_e2480 > _e2484) {
-                                    phi_4495_ = _e2480;
+                                let _e2464 = phi_4464_;
+                                if (_e2460 > _e2464) {
+                                    phi_4469_ = _e2460;
                                 } else {
-                                    phi_4495_ = _e2484;
+                                    phi_4469_ = _e2464;
                                 }
-                                let _e2487 = phi_4495_;
-                                if (_e2473[2] < 0f) {
-                                    phi_4502_ = -(_e2473[2]);
+                                let _e2467 = phi_4469_;
+                                if (_e2453[2] < 0f) {
+                                    phi_4476_ = -(_e2453[2]);
                                 } else {
-                                    phi_4502_ = _e2473[2];
+                                    phi_4476_ = _e2453[2];
                                 }
-                                let _e2491 = phi_4502_;
-                                if (_e2487 > _e2491) {
-                                    phi_4507_ = _e2487;
+                                let _e2471 = phi_4476_;
+                                if (_e2467 > _e2471) {
+                                    phi_4481_ = _e2467;
                                 } else {
-                                    phi_4507_ = _e2491;
+                                    phi_4481_ = _e2471;
                                 }
-                                let _e2494 = phi_4507_;
-                                let _e2497 = local_2.member[1u];
-                                if (_e2497[0] < 0f) {
-                                    phi_4520_ = -(_e2497[0]);
+                                let _e2474 = phi_4481_;
+                                let _e2477 = local_2.member[1u];
+                                if (_e2477[0] < 0f) {
+                                    phi_4494_ = -(_e2477[0]);
                                 } else {
-                                    phi_4520_ = _e2497[0];
+                                    phi_4494_ = _e2477[0];
                                 }
-                                let _e2504 = phi_4520_;
-                                if (_e2497[1] < 0f) {
-                                    phi_4527_ = -(_e2497[1]);
+                                let _e2484 = phi_4494_;
+                                if (_e2477[1] < 0f) {
+                                    phi_4501_ = -(_e2477[1]);
                                 } else {
-                                    phi_4527_ = _e2497[1];
+                                    phi_4501_ = _e2477[1];
                                 }
-                                let _e2508 = phi_4527_;
-                                if (_e2504 > _e2508) {
-                                    phi_4532_ = _e2504;
+                                let _e2488 = phi_4501_;
+                                if (_e2484 > _e2488) {
+                                    phi_4506_ = _e2484;
                                 } else {
-                                    phi_4532_ = _e2508;
+                                    phi_4506_ = _e2488;
                                 }
-                                let _e2511 = phi_4532_;
-                                if (_e2497[2] < 0f) {
-                                    phi_4539_ = -(_e2497[2]);
+                                let _e2491 = phi_4506_;
+                                if (_e2477[2] < 0f) {
+                                    phi_4513_ = -(_e2477[2]);
                                 } else {
-                                    phi_4539_ = _e2497[2];
+                                    phi_4513_ = _e2477[2];
                                 }
-                                let _e2515 = phi_4539_;
-                                if (_e2511 > _e2515) {
-                                    phi_4544_ = _e2511;
+                                let _e2495 = phi_4513_;
+                                if (_e2491 > _e2495) {
+                                    phi_4518_ = _e2491;
                                 } else {
-                                    phi_4544_ = _e2515;
+                                    phi_4518_ = _e2495;
                                 }
-                                let _e2518 = phi_4544_;
-                                if (_e2494 > _e2518) {
-                                    phi_4549_ = _e2494;
+                                let _e2498 = phi_4518_;
+                                if (_e2474 > _e2498) {
+                                    phi_4523_ = _e2474;
                                 } else {
-                                    phi_4549_ = _e2518;
+                                    phi_4523_ = _e2498;
                                 }
-                                let _e2521 = phi_4549_;
-                                let _e2523 = local_2.member_3;
-                                let _e2527 = local_2.member_1[0u];
-                                if (_e2527[0] < 0f) {
-                                    phi_4566_ = -(_e2527[0]);
+                                let _e2501 = phi_4523_;
+                                let _e2503 = local_2.member_3;
+                                let _e2507 = local_2.member_1[0u];
+                                if (_e2507[0] < 0f) {
+                                    phi_4540_ = -(_e2507[0]);
                                 } else {
-                                    phi_4566_ = _e2527[0];
+                                    phi_4540_ = _e2507[0];
                                 }
-                                let _e2534 = phi_4566_;
-                                if (_e2527[1] < 0f) {
-                                    phi_4573_ = -(_e2527[1]);
+                                let _e2514 = phi_4540_;
+                                if (_e2507[1] < 0f) {
+                                    phi_4547_ = -(_e2507[1]);
                                 } else {
-                                    phi_4573_ = _e2527[1];
+                                    phi_4547_ = _e2507[1];
                                 }
-                                let _e2538 = phi_4573_;
-                                if (_e2534 > _e2538) {
-                                    phi_4578_ = _e2534;
+                                let _e2518 = phi_4547_;
+                                if (_e2514 > _e2518) {
+                                    phi_4552_ = _e2514;
                                 } else {
-                                    phi_4578_ = _e2538;
+                                    phi_4552_ = _e2518;
                                 }
-                                let _e2541 = phi_4578_;
-                                if (_e2527[2] < 0f) {
-                                    phi_4585_ = -(_e2527[2]);
+                                let _e2521 = phi_4552_;
+                                if (_e2507[2] < 0f) {
+                                    phi_4559_ = -(_e2507[2]);
                                 } else {
-                                    phi_4585_ = _e2527[2];
+                                    phi_4559_ = _e2507[2];
                                 }
-                                let _e2545 = phi_4585_;
-                                if (_e2541 > _e2545) {
-                                    phi_4590_ = _e2541;
+                                let _e2525 = phi_4559_;
+                                if (_e2521 > _e2525) {
+                                    phi_4564_ = _e2521;
                                 } else {
-                                    phi_4590_ = _e2545;
+                                    phi_4564_ = _e2525;
                                 }
-                                let _e2548 = phi_4590_;
-                                let _e2551 = local_2.member_1[1u];
-                                if (_e2551[0] < 0f) {
-                                    phi_4604_ = -(_e2551[0]);
+                                let _e2528 = phi_4564_;
+                                let _e2531 = local_2.member_1[1u];
+                                if (_e2531[0] < 0f) {
+                                    phi_4578_ = -(_e2531[0]);
                                 } else {
-                                    phi_4604_ = _e2551[0];
+                                    phi_4578_ = _e2531[0];
                                 }
-                                let _e2558 = phi_4604_;
-                                if (_e2551[1] < 0f) {
-                                    phi_4611_ = -(_e2551[1]);
+                                let _e2538 = phi_4578_;
+                                if (_e2531[1] < 0f) {
+                                    phi_4585_ = -(_e2531[1]);
                                 } else {
-                                    phi_4611_ = _e2551[1];
+                                    phi_4585_ = _e2531[1];
                                 }
-                                let _e2562 = phi_4611_;
-                                if (_e2558 > _e2562) {
-                                    phi_4616_ = _e2558;
+                                let _e2542 = phi_4585_;
+                                if (_e2538 > _e2542) {
+                                    phi_4590_ = _e2538;
                                 } else {
-                                    phi_4616_ = _e2562;
+                                    phi_4590_ = _e2542;
                                 }
-                                let _e2565 = phi_4616_;
-                                if (_e2551[2] < 0f) {
-                                    phi_4623_ = -(_e2551[2]);
+                                let _e2545 = phi_4590_;
+                                if (_e2531[2] < 0f) {
+                                    phi_4597_ = -(_e2531[2]);
                                 } else {
-                                    phi_4623_ = _e2551[2];
+                                    phi_4597_ = _e2531[2];
                                 }
-                                let _e2569 = phi_4623_;
-                                if (_e2565 > _e2569) {
-                                    phi_4628_ = _e2565;
+                                let _e2549 = phi_4597_;
+                                if (_e2545 > _e2549) {
+                                    phi_4602_ = _e2545;
                                 } else {
-                                    phi_4628_ = _e2569;
+                                    phi_4602_ = _e2549;
                                 }
-                                let _e2572 = phi_4628_;
-                                if (_e2548 > _e2572) {
-                                    phi_4633_ = _e2548;
+                                let _e2552 = phi_4602_;
+                                if (_e2528 > _e2552) {
+                                    phi_4607_ = _e2528;
                                 } else {
-                                    phi_4633_ = _e2572;
+                                    phi_4607_ = _e2552;
                                 }
-                                let _e2575 = phi_4633_;
-                                let _e2577 = local_2.member_3;
-                                let _e2581 = local_2.member_2[0u];
-                                if (_e2581[0] < 0f) {
-                                    phi_4650_ = -(_e2581[0]);
+                                let _e2555 = phi_4607_;
+                                let _e2557 = local_2.member_3;
+                                let _e2561 = local_2.member_2[0u];
+                                if (_e2561[0] < 0f) {
+                                    phi_4624_ = -(_e2561[0]);
                                 } else {
-                                    phi_4650_ = _e2581[0];
+                                    phi_4624_ = _e2561[0];
                                 }
-                                let _e2588 = phi_4650_;
-                                if (_e2581[1] < 0f) {
-                                    phi_4657_ = -(_e2581[1]);
+                                let _e2568 = phi_4624_;
+                                if (_e2561[1] < 0f) {
+                                    phi_4631_ = -(_e2561[1]);
                                 } else {
-                                    phi_4657_ = _e2581[1];
+                                    phi_4631_ = _e2561[1];
                                 }
-                                let _e2592 = phi_4657_;
-                                if (_e2588 > _e2592) {
-                                    phi_4662_ = _e2588;
+                                let _e2572 = phi_4631_;
+                                if (_e2568 > _e2572) {
+                                    phi_4636_ = _e2568;
                                 } else {
-                                    phi_4662_ = _e2592;
+                                    phi_4636_ = _e2572;
                                 }
-                                let _e2595 = phi_4662_;
-                                if (_e2581[2] < 0f) {
-                                    phi_4669_ = -(_e2581[2]);
+                                let _e2575 = phi_4636_;
+                                if (_e2561[2] < 0f) {
+                                    phi_4643_ = -(_e2561[2]);
                                 } else {
-                                    phi_4669_ = _e2581[2];
+                                    phi_4643_ = _e2561[2];
                                 }
-                                let _e2599 = phi_4669_;
-                                if (_e2595 > _e2599) {
-                                    phi_4674_ = _e2595;
+                                let _e2579 = phi_4643_;
+                                if (_e2575 > _e2579) {
+                                    phi_4648_ = _e2575;
                                 } else {
-                                    phi_4674_ = _e2599;
+                                    phi_4648_ = _e2579;
                                 }
-                                let _e2602 = phi_4674_;
-                                let _e2605 = local_2.member_2[1u];
-                                if (_e2605[0] < 0f) {
-                                    phi_4688_ = -(_e2605[0]);
+                                let _e2582 = phi_4648_;
+                                let _e2585 = local_2.member_2[1u];
+                                if (_e2585[0] < 0f) {
+                                    phi_4662_ = -(_e2585[0]);
                                 } else {
-                                    phi_4688_ = _e2605[0];
+                                    phi_4662_ = _e2585[0];
                                 }
-                                let _e2612 = phi_4688_;
-                                if (_e2605[1] < 0f) {
-                                    phi_4695_ = -(_e2605[1]);
+                                let _e2592 = phi_4662_;
+                                if (_e2585[1] < 0f) {
+                                    phi_4669_ = -(_e2585[1]);
                                 } else {
-                                    phi_4695_ = _e2605[1];
+                                    phi_4669_ = _e2585[1];
                                 }
-                                let _e2616 = phi_4695_;
-                                if (_e2612 > _e2616) {
-                                    phi_4700_ = _e2612;
+                                let _e2596 = phi_4669_;
+                                if (_e2592 > _e2596) {
+                                    phi_4674_ = _e2592;
                                 } else {
-                                    phi_4700_ = _e2616;
+                                    phi_4674_ = _e2596;
                                 }
-                                let _e2619 = phi_4700_;
-                                if (_e2605[2] < 0f) {
-                                    phi_4707_ = -(_e2605[2]);
+                                let _e2599 = phi_4674_;
+                                if (_e2585[2] < 0f) {
+                                    phi_4681_ = -(_e2585[2]);
                                 } else {
-                                    phi_4707_ = _e2605[2];
+                                    phi_4681_ = _e2585[2];
                                 }
-                                let _e2623 = phi_4707_;
-                                if (_e2619 > _e2623) {
-                                    phi_4712_ = _e2619;
+                                let _e2603 = phi_4681_;
+                                if (_e2599 > _e2603) {
+                                    phi_4686_ = _e2599;
                                 } else {
-                                    phi_4712_ = _e2623;
+                                    phi_4686_ = _e2603;
                                 }
-                                let _e2626 = phi_4712_;
-                                if (_e2602 > _e2626) {
-                                    phi_4717_ = _e2602;
+                                let _e2606 = phi_4686_;
+                                if (_e2582 > _e2606) {
+                                    phi_4691_ = _e2582;
                                 } else {
-                                    phi_4717_ = _e2626;
+                                    phi_4691_ = _e2606;
                                 }
-                                let _e2629 = phi_4717_;
-                                let _e2631 = local_2.member_3;
-                                let _e2635 = ((((_e2521 + _e2523) + (_e2575 + _e2577)) + (_e2629 + _e2631)) * 2f);
-                                let _e2638 = local_2.member_3;
-                                let _e2642 = (((_e1873 * 1.0001f) + (_e2638 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2645 = ((_e2413 * _e2392) - (_e2416 * _e2391));
-                                let _e2648 = ((_e2416 * _e2390) - (_e2410 * _e2392));
-                                let _e2651 = ((_e2410 * _e2391) - (_e2413 * _e2390));
-                                let _e2656 = (((_e2645 * _e2419[0]) + (_e2648 * _e2419[1])) + (_e2651 * _e2419[2]));
-                                let _e2661 = (((_e2645 * _e2435) + (_e2648 * _e2436)) + (_e2651 * _e2437));
-                                let _e2666 = (((_e2645 * _e2441) + (_e2648 * _e2442)) + (_e2651 * _e2443));
-                                let _e2671 = (((_e2645 * _e2438) + (_e2648 * _e2439)) + (_e2651 * _e2440));
-                                let _e2676 = (((_e2645 * _e2446[0]) + (_e2648 * _e2446[1])) + (_e2651 * _e2446[2]));
-                                let _e2681 = (((_e2645 * _e2462) + (_e2648 * _e2463)) + (_e2651 * _e2464));
-                                let _e2686 = (((_e2645 * _e2468) + (_e2648 * _e2469)) + (_e2651 * _e2470));
-                                let _e2691 = (((_e2645 * _e2465) + (_e2648 * _e2466)) + (_e2651 * _e2467));
+                                let _e2609 = phi_4691_;
+                                let _e2611 = local_2.member_3;
+                                let _e2615 = ((((_e2501 + _e2503) + (_e2555 + _e2557)) + (_e2609 + _e2611)) * 2f);
+                                let _e2618 = local_2.member_3;
+                                let _e2622 = (((_e1853 * 1.0001f) + (_e2618 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2625 = ((_e2393 * _e2372) - (_e2396 * _e2371));
+                                let _e2628 = ((_e2396 * _e2370) - (_e2390 * _e2372));
+                                let _e2631 = ((_e2390 * _e2371) - (_e2393 * _e2370));
+                                let _e2636 = (((_e2625 * _e2399[0]) + (_e2628 * _e2399[1])) + (_e2631 * _e2399[2]));
+                                let _e2641 = (((_e2625 * _e2415) + (_e2628 * _e2416)) + (_e2631 * _e2417));
+                                let _e2646 = (((_e2625 * _e2421) + (_e2628 * _e2422)) + (_e2631 * _e2423));
+                                let _e2651 = (((_e2625 * _e2418) + (_e2628 * _e2419)) + (_e2631 * _e2420));
+                                let _e2656 = (((_e2625 * _e2426[0]) + (_e2628 * _e2426[1])) + (_e2631 * _e2426[2]));
+                                let _e2661 = (((_e2625 * _e2442) + (_e2628 * _e2443)) + (_e2631 * _e2444));
+                                let _e2666 = (((_e2625 * _e2448) + (_e2628 * _e2449)) + (_e2631 * _e2450));
+                                let _e2671 = (((_e2625 * _e2445) + (_e2628 * _e2446)) + (_e2631 * _e2447));
+                                if (_e2636 < _e2641) {
+                                    phi_4770_ = _e2636;
+                                } else {
+                                    phi_4770_ = _e2641;
+                                }
+                                let _e2674 = phi_4770_;
+                                if (_e2646 < _e2651) {
+                                    phi_4775_ = _e2646;
+                                } else {
+                                    phi_4775_ = _e2651;
+                                }
+                                let _e2677 = phi_4775_;
+                                if (_e2674 < _e2677) {
+                                    phi_4780_ = _e2674;
+                                } else {
+                                    phi_4780_ = _e2677;
+                                }
+                                let _e2680 = phi_4780_;
                                 if (_e2656 < _e2661) {
-                                    phi_4796_ = _e2656;
+                                    phi_4785_ = _e2656;
                                 } else {
-                                    phi_4796_ = _e2661;
+                                    phi_4785_ = _e2661;
                                 }
-                                let _e2694 = phi_4796_;
+                                let _e2683 = phi_4785_;
                                 if (_e2666 < _e2671) {
-                                    phi_4801_ = _e2666;
+                                    phi_4790_ = _e2666;
                                 } else {
-                                    phi_4801_ = _e2671;
+                                    phi_4790_ = _e2671;
                                 }
-                                let _e2697 = phi_4801_;
-                                if (_e2694 < _e2697) {
-                                    phi_4806_ = _e2694;
+                                let _e2686 = phi_4790_;
+                                if (_e2683 < _e2686) {
+                                    phi_4795_ = _e2683;
                                 } else {
-                                    phi_4806_ = _e2697;
+                                    phi_4795_ = _e2686;
                                 }
-                                let _e2700 = phi_4806_;
-                                if (_e2676 < _e2681) {
-                                    phi_4811_ = _e2676;
+                                let _e2689 = phi_4795_;
+                                if (_e2680 < _e2689) {
+                                    phi_4800_ = _e2680;
                                 } else {
-                                    phi_4811_ = _e2681;
+                                    phi_4800_ = _e2689;
                                 }
-                                let _e2703 = phi_4811_;
-                                if (_e2686 < _e2691) {
-                                    phi_4816_ = _e2686;
+                                let _e2692 = phi_4800_;
+                                if (_e2636 > _e2641) {
+                                    phi_4805_ = _e2636;
                                 } else {
-                                    phi_4816_ = _e2691;
+                                    phi_4805_ = _e2641;
                                 }
-                                let _e2706 = phi_4816_;
-                                if (_e2703 < _e2706) {
-                                    phi_4821_ = _e2703;
+                                let _e2695 = phi_4805_;
+                                if (_e2646 > _e2651) {
+                                    phi_4810_ = _e2646;
                                 } else {
-                                    phi_4821_ = _e2706;
+                                    phi_4810_ = _e2651;
                                 }
-                                let _e2709 = phi_4821_;
-                                if (_e2700 < _e2709) {
-                                    phi_4826_ = _e2700;
+                                let _e2698 = phi_4810_;
+                                if (_e2695 > _e2698) {
+                                    phi_4815_ = _e2695;
                                 } else {
-                                    phi_4826_ = _e2709;
+                                    phi_4815_ = _e2698;
                                 }
-                                let _e2712 = phi_4826_;
+                                let _e2701 = phi_4815_;
                                 if (_e2656 > _e2661) {
-                                    phi_4831_ = _e2656;
+                                    phi_4820_ = _e2656;
                                 } else {
-                                    phi_4831_ = _e2661;
+                                    phi_4820_ = _e2661;
                                 }
-                                let _e2715 = phi_4831_;
+                                let _e2704 = phi_4820_;
                                 if (_e2666 > _e2671) {
-                                    phi_4836_ = _e2666;
+                                    phi_4825_ = _e2666;
                                 } else {
-                                    phi_4836_ = _e2671;
+                                    phi_4825_ = _e2671;
                                 }
-                                let _e2718 = phi_4836_;
-                                if (_e2715 > _e2718) {
-                                    phi_4841_ = _e2715;
+                                let _e2707 = phi_4825_;
+                                if (_e2704 > _e2707) {
+                                    phi_4830_ = _e2704;
                                 } else {
-                                    phi_4841_ = _e2718;
+                                    phi_4830_ = _e2707;
                                 }
-                                let _e2721 = phi_4841_;
-                                if (_e2676 > _e2681) {
-                                    phi_4846_ = _e2676;
+                                let _e2710 = phi_4830_;
+                                if (_e2701 > _e2710) {
+                                    phi_4835_ = _e2701;
                                 } else {
-                                    phi_4846_ = _e2681;
+                                    phi_4835_ = _e2710;
                                 }
-                                let _e2724 = phi_4846_;
-                                if (_e2686 > _e2691) {
-                                    phi_4851_ = _e2686;
+                                let _e2713 = phi_4835_;
+                                if (_e2625 < 0f) {
+                                    phi_4841_ = -(_e2625);
                                 } else {
-                                    phi_4851_ = _e2691;
+                                    phi_4841_ = _e2625;
                                 }
-                                let _e2727 = phi_4851_;
-                                if (_e2724 > _e2727) {
-                                    phi_4856_ = _e2724;
+                                let _e2717 = phi_4841_;
+                                if (_e2628 < 0f) {
+                                    phi_4847_ = -(_e2628);
                                 } else {
-                                    phi_4856_ = _e2727;
+                                    phi_4847_ = _e2628;
                                 }
-                                let _e2730 = phi_4856_;
-                                if (_e2721 > _e2730) {
-                                    phi_4861_ = _e2721;
+                                let _e2721 = phi_4847_;
+                                if (_e2631 < 0f) {
+                                    phi_4854_ = -(_e2631);
                                 } else {
-                                    phi_4861_ = _e2730;
+                                    phi_4854_ = _e2631;
                                 }
-                                let _e2733 = phi_4861_;
-                                if (_e2645 < 0f) {
-                                    phi_4867_ = -(_e2645);
+                                let _e2726 = phi_4854_;
+                                let _e2727 = ((_e2717 + _e2721) + _e2726);
+                                let _e2732 = -(_e2713);
+                                if (_e2692 > _e2732) {
+                                    phi_4865_ = _e2692;
                                 } else {
-                                    phi_4867_ = _e2645;
+                                    phi_4865_ = _e2732;
                                 }
-                                let _e2737 = phi_4867_;
-                                if (_e2648 < 0f) {
-                                    phi_4873_ = -(_e2648);
+                                let _e2735 = phi_4865_;
+                                let _e2740 = (((_e2735 - ((_e2727 * _e2615) * (0.000000059604645f * (17f / 2f)))) - (_e2727 * _e2622)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2743 = ((_e2393 * _e2387) - (_e2396 * _e2386));
+                                let _e2746 = ((_e2396 * _e2385) - (_e2390 * _e2387));
+                                let _e2749 = ((_e2390 * _e2386) - (_e2393 * _e2385));
+                                let _e2754 = (((_e2743 * _e2399[0]) + (_e2746 * _e2399[1])) + (_e2749 * _e2399[2]));
+                                let _e2759 = (((_e2743 * _e2415) + (_e2746 * _e2416)) + (_e2749 * _e2417));
+                                let _e2764 = (((_e2743 * _e2421) + (_e2746 * _e2422)) + (_e2749 * _e2423));
+                                let _e2769 = (((_e2743 * _e2418) + (_e2746 * _e2419)) + (_e2749 * _e2420));
+                                let _e2774 = (((_e2743 * _e2426[0]) + (_e2746 * _e2426[1])) + (_e2749 * _e2426[2]));
+                                let _e2779 = (((_e2743 * _e2442) + (_e2746 * _e2443)) + (_e2749 * _e2444));
+                                let _e2784 = (((_e2743 * _e2448) + (_e2746 * _e2449)) + (_e2749 * _e2450));
+                                let _e2789 = (((_e2743 * _e2445) + (_e2746 * _e2446)) + (_e2749 * _e2447));
+                                if (_e2754 < _e2759) {
+                                    phi_4936_ = _e2754;
                                 } else {
-                                    phi_4873_ = _e2648;
+                                    phi_4936_ = _e2759;
                                 }
-                                let _e2741 = phi_4873_;
-                                if (_e2651 < 0f) {
-                                    phi_4880_ = -(_e2651);
+                                let _e2792 = phi_4936_;
+                                if (_e2764 < _e2769) {
+                                    phi_4941_ = _e2764;
                                 } else {
-                                    phi_4880_ = _e2651;
+                                    phi_4941_ = _e2769;
                                 }
-                                let _e2746 = phi_4880_;
-                                let _e2747 = ((_e2737 + _e2741) + _e2746);
-                                let _e2752 = -(_e2733);
-                                if (_e2712 > _e2752) {
-                                    phi_4891_ = _e2712;
+                                let _e2795 = phi_4941_;
+                                if (_e2792 < _e2795) {
+                                    phi_4946_ = _e2792;
                                 } else {
-                                    phi_4891_ = _e2752;
+                                    phi_4946_ = _e2795;
                                 }
-                                let _e2755 = phi_4891_;
-                                let _e2760 = (((_e2755 - ((_e2747 * _e2635) * (0.000000059604645f * (17f / 2f)))) - (_e2747 * _e2642)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2763 = ((_e2413 * _e2407) - (_e2416 * _e2406));
-                                let _e2766 = ((_e2416 * _e2405) - (_e2410 * _e2407));
-                                let _e2769 = ((_e2410 * _e2406) - (_e2413 * _e2405));
-                                let _e2774 = (((_e2763 * _e2419[0]) + (_e2766 * _e2419[1])) + (_e2769 * _e2419[2]));
-                                let _e2779 = (((_e2763 * _e2435) + (_e2766 * _e2436)) + (_e2769 * _e2437));
-                                let _e2784 = (((_e2763 * _e2441) + (_e2766 * _e2442)) + (_e2769 * _e2443));
-                                let _e2789 = (((_e2763 * _e2438) + (_e2766 * _e2439)) + (_e2769 * _e2440));
-                                let _e2794 = (((_e2763 * _e2446[0]) + (_e2766 * _e2446[1])) + (_e2769 * _e2446[2]));
-                                let _e2799 = (((_e2763 * _e2462) + (_e2766 * _e2463)) + (_e2769 * _e2464));
-                                let _e2804 = (((_e2763 * _e2468) + (_e2766 * _e2469)) + (_e2769 * _e2470));
-                                let _e2809 = (((_e2763 * _e2465) + (_e2766 * _e2466)) + (_e2769 * _e2467));
+                                let _e2798 = phi_4946_;
                                 if (_e2774 < _e2779) {
-                                    phi_4962_ = _e2774;
+                                    phi_4951_ = _e2774;
                                 } else {
-                                    phi_4962_ = _e2779;
+                                    phi_4951_ = _e2779;
                                 }
-                                let _e2812 = phi_4962_;
+                                let _e2801 = phi_4951_;
                                 if (_e2784 < _e2789) {
-                                    phi_4967_ = _e2784;
+                                    phi_4956_ = _e2784;
                                 } else {
-                                    phi_4967_ = _e2789;
+                                    phi_4956_ = _e2789;
                                 }
-                                let _e2815 = phi_4967_;
-                                if (_e2812 < _e2815) {
-                                    phi_4972_ = _e2812;
+                                let _e2804 = phi_4956_;
+                                if (_e2801 < _e2804) {
+                                    phi_4961_ = _e2801;
                                 } else {
-                                    phi_4972_ = _e2815;
+                                    phi_4961_ = _e2804;
                                 }
-                                let _e2818 = phi_4972_;
-                                if (_e2794 < _e2799) {
-                                    phi_4977_ = _e2794;
+                                let _e2807 = phi_4961_;
+                                if (_e2798 < _e2807) {
+                                    phi_4966_ = _e2798;
                                 } else {
-                                    phi_4977_ = _e2799;
+                                    phi_4966_ = _e2807;
                                 }
-                                let _e2821 = phi_4977_;
-                                if (_e2804 < _e2809) {
-                                    phi_4982_ = _e2804;
+                                let _e2810 = phi_4966_;
+                                if (_e2754 > _e2759) {
+                                    phi_4971_ = _e2754;
                                 } else {
-                                    phi_4982_ = _e2809;
+                                    phi_4971_ = _e2759;
                                 }
-                                let _e2824 = phi_4982_;
-                                if (_e2821 < _e2824) {
-                                    phi_4987_ = _e2821;
+                                let _e2813 = phi_4971_;
+                                if (_e2764 > _e2769) {
+                                    phi_4976_ = _e2764;
                                 } else {
-                                    phi_4987_ = _e2824;
+                                    phi_4976_ = _e2769;
                                 }
-                                let _e2827 = phi_4987_;
-                                if (_e2818 < _e2827) {
-                                    phi_4992_ = _e2818;
+                                let _e2816 = phi_4976_;
+                                if (_e2813 > _e2816) {
+                                    phi_4981_ = _e2813;
                                 } else {
-                                    phi_4992_ = _e2827;
+                                    phi_4981_ = _e2816;
                                 }
-                                let _e2830 = phi_4992_;
+                                let _e2819 = phi_4981_;
                                 if (_e2774 > _e2779) {
-                                    phi_4997_ = _e2774;
+                                    phi_4986_ = _e2774;
                                 } else {
-                                    phi_4997_ = _e2779;
+                                    phi_4986_ = _e2779;
                                 }
-                                let _e2833 = phi_4997_;
+                                let _e2822 = phi_4986_;
                                 if (_e2784 > _e2789) {
-                                    phi_5002_ = _e2784;
+                                    phi_4991_ = _e2784;
                                 } else {
-                                    phi_5002_ = _e2789;
+                                    phi_4991_ = _e2789;
                                 }
-                                let _e2836 = phi_5002_;
-                                if (_e2833 > _e2836) {
-                                    phi_5007_ = _e2833;
+                                let _e2825 = phi_4991_;
+                                if (_e2822 > _e2825) {
+                                    phi_4996_ = _e2822;
                                 } else {
-                                    phi_5007_ = _e2836;
+                                    phi_4996_ = _e2825;
                                 }
-                                let _e2839 = phi_5007_;
-                                if (_e2794 > _e2799) {
-                                    phi_5012_ = _e2794;
+                                let _e2828 = phi_4996_;
+                                if (_e2819 > _e2828) {
+                                    phi_5001_ = _e2819;
                                 } else {
-                                    phi_5012_ = _e2799;
+                                    phi_5001_ = _e2828;
                                 }
-                                let _e2842 = phi_5012_;
-                                if (_e2804 > _e2809) {
-                                    phi_5017_ = _e2804;
+                                let _e2831 = phi_5001_;
+                                if (_e2743 < 0f) {
+                                    phi_5007_ = -(_e2743);
                                 } else {
-                                    phi_5017_ = _e2809;
+                                    phi_5007_ = _e2743;
                                 }
-                                let _e2845 = phi_5017_;
-                                if (_e2842 > _e2845) {
-                                    phi_5022_ = _e2842;
+                                let _e2835 = phi_5007_;
+                                if (_e2746 < 0f) {
+                                    phi_5013_ = -(_e2746);
                                 } else {
-                                    phi_5022_ = _e2845;
+                                    phi_5013_ = _e2746;
                                 }
-                                let _e2848 = phi_5022_;
-                                if (_e2839 > _e2848) {
-                                    phi_5027_ = _e2839;
+                                let _e2839 = phi_5013_;
+                                if (_e2749 < 0f) {
+                                    phi_5020_ = -(_e2749);
                                 } else {
-                                    phi_5027_ = _e2848;
+                                    phi_5020_ = _e2749;
                                 }
-                                let _e2851 = phi_5027_;
-                                if (_e2763 < 0f) {
-                                    phi_5033_ = -(_e2763);
+                                let _e2844 = phi_5020_;
+                                let _e2845 = ((_e2835 + _e2839) + _e2844);
+                                let _e2850 = -(_e2831);
+                                if (_e2810 > _e2850) {
+                                    phi_5031_ = _e2810;
                                 } else {
-                                    phi_5033_ = _e2763;
+                                    phi_5031_ = _e2850;
                                 }
-                                let _e2855 = phi_5033_;
-                                if (_e2766 < 0f) {
-                                    phi_5039_ = -(_e2766);
+                                let _e2853 = phi_5031_;
+                                let _e2858 = (((_e2853 - ((_e2845 * _e2615) * (0.000000059604645f * (17f / 2f)))) - (_e2845 * _e2622)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2740 > _e2858) {
+                                    phi_5041_ = _e2740;
                                 } else {
-                                    phi_5039_ = _e2766;
+                                    phi_5041_ = _e2858;
                                 }
-                                let _e2859 = phi_5039_;
-                                if (_e2769 < 0f) {
-                                    phi_5046_ = -(_e2769);
-                                } else {
-                                    phi_5046_ = _e2769;
-                                }
-                                let _e2864 = phi_5046_;
-                                let _e2865 = ((_e2855 + _e2859) + _e2864);
-                                let _e2870 = -(_e2851);
-                                if (_e2830 > _e2870) {
-                                    phi_5057_ = _e2830;
-                                } else {
-                                    phi_5057_ = _e2870;
-                                }
-                                let _e2873 = phi_5057_;
-                                let _e2878 = (((_e2873 - ((_e2865 * _e2635) * (0.000000059604645f * (17f / 2f)))) - (_e2865 * _e2642)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2760 > _e2878) {
-                                    phi_5067_ = _e2760;
-                                } else {
-                                    phi_5067_ = _e2878;
-                                }
-                                let _e2881 = phi_5067_;
-                                phi_5249_ = (_e2377 || (_e2881 > 0f));
+                                let _e2861 = phi_5041_;
+                                phi_5223_ = (_e2357 || (_e2861 > 0f));
                             }
-                            let _e2885 = phi_5249_;
-                            if _e2885 {
-                                phi_8666_ = _e2885;
+                            let _e2865 = phi_5223_;
+                            if _e2865 {
+                                phi_8640_ = _e2865;
                             } else {
-                                let _e2888 = local_2.member[0u];
-                                let _e2894 = local_2.member[1u];
-                                let _e2901 = ((_e2888[0] + _e2894[0]) * 0.5f);
-                                let _e2902 = ((_e2888[1] + _e2894[1]) * 0.5f);
-                                let _e2903 = ((_e2888[2] + _e2894[2]) * 0.5f);
-                                let _e2906 = local_2.member_1[0u];
-                                let _e2912 = local_2.member_1[1u];
-                                let _e2919 = ((_e2906[0] + _e2912[0]) * 0.5f);
-                                let _e2920 = ((_e2906[1] + _e2912[1]) * 0.5f);
-                                let _e2921 = ((_e2906[2] + _e2912[2]) * 0.5f);
-                                let _e2924 = local_2.member_2[0u];
-                                let _e2930 = local_2.member_2[1u];
-                                let _e2937 = ((_e2924[0] + _e2930[0]) * 0.5f);
-                                let _e2938 = ((_e2924[1] + _e2930[1]) * 0.5f);
-                                let _e2939 = ((_e2924[2] + _e2930[2]) * 0.5f);
-                                let _e2942 = local_2.member[0u];
-                                let _e2945 = local_2.member_1[0u];
-                                let _e2948 = local_2.member_2[0u];
-                                let _e2950 = local_2.member_3;
-                                let _e2953 = local_2.member[1u];
-                                let _e2956 = local_2.member_1[1u];
-                                let _e2959 = local_2.member_2[1u];
-                                let _e2961 = local_2.member_3;
-                                local = type_41(array<array<f32, 3>, 2>(_e2942, array<f32, 3>(_e2901, _e2902, _e2903)), array<array<f32, 3>, 2>(_e2945, array<f32, 3>(_e2919, _e2920, _e2921)), array<array<f32, 3>, 2>(_e2948, array<f32, 3>(_e2937, _e2938, _e2939)), _e2950);
-                                local_1 = type_41(array<array<f32, 3>, 2>(array<f32, 3>(_e2901, _e2902, _e2903), _e2953), array<array<f32, 3>, 2>(array<f32, 3>(_e2919, _e2920, _e2921), _e2956), array<array<f32, 3>, 2>(array<f32, 3>(_e2937, _e2938, _e2939), _e2959), _e2961);
-                                let _e2978 = local.member_1[0u];
-                                let _e2984 = local.member_2[0u];
-                                let _e2990 = ((_e2978[1] * _e2984[2]) - (_e2978[2] * _e2984[1]));
-                                let _e2993 = ((_e2978[2] * _e2984[0]) - (_e2978[0] * _e2984[2]));
-                                let _e2996 = ((_e2978[0] * _e2984[1]) - (_e2978[1] * _e2984[0]));
-                                let _e2999 = local.member_1[1u];
-                                let _e3005 = local.member_2[1u];
-                                let _e3011 = ((_e2999[1] * _e3005[2]) - (_e2999[2] * _e3005[1]));
-                                let _e3014 = ((_e2999[2] * _e3005[0]) - (_e2999[0] * _e3005[2]));
-                                let _e3017 = ((_e2999[0] * _e3005[1]) - (_e2999[1] * _e3005[0]));
-                                let _e3020 = local.member_1[0u];
-                                let _e3026 = local.member_2[1u];
-                                let _e3041 = local.member_1[1u];
-                                let _e3047 = local.member_2[0u];
-                                let _e3060 = (((_e3020[1] * _e3026[2]) - (_e3020[2] * _e3026[1])) + ((_e3041[1] * _e3047[2]) - (_e3041[2] * _e3047[1])));
-                                let _e3061 = (((_e3020[2] * _e3026[0]) - (_e3020[0] * _e3026[2])) + ((_e3041[2] * _e3047[0]) - (_e3041[0] * _e3047[2])));
-                                let _e3062 = (((_e3020[0] * _e3026[1]) - (_e3020[1] * _e3026[0])) + ((_e3041[0] * _e3047[1]) - (_e3041[1] * _e3047[0])));
-                                let _e3065 = local.member[0u];
-                                let _e3076 = local.member[1u];
-                                let _e3087 = local.member[0u];
-                                let _e3096 = ((((_e3076[0] * _e2990) + (_e3076[1] * _e2993)) + (_e3076[2] * _e2996)) + (((_e3087[0] * _e3060) + (_e3087[1] * _e3061)) + (_e3087[2] * _e3062)));
-                                let _e3099 = local.member[0u];
-                                let _e3110 = local.member[1u];
-                                let _e3119 = ((((_e3099[0] * _e3011) + (_e3099[1] * _e3014)) + (_e3099[2] * _e3017)) + (((_e3110[0] * _e3060) + (_e3110[1] * _e3061)) + (_e3110[2] * _e3062)));
-                                let _e3122 = local.member[1u];
-                                let _e3133 = local.member[0u];
-                                if (_e3133[0] < 0f) {
-                                    phi_5701_ = -(_e3133[0]);
+                                let _e2868 = local_2.member[0u];
+                                let _e2874 = local_2.member[1u];
+                                let _e2881 = ((_e2868[0] + _e2874[0]) * 0.5f);
+                                let _e2882 = ((_e2868[1] + _e2874[1]) * 0.5f);
+                                let _e2883 = ((_e2868[2] + _e2874[2]) * 0.5f);
+                                let _e2886 = local_2.member_1[0u];
+                                let _e2892 = local_2.member_1[1u];
+                                let _e2899 = ((_e2886[0] + _e2892[0]) * 0.5f);
+                                let _e2900 = ((_e2886[1] + _e2892[1]) * 0.5f);
+                                let _e2901 = ((_e2886[2] + _e2892[2]) * 0.5f);
+                                let _e2904 = local_2.member_2[0u];
+                                let _e2910 = local_2.member_2[1u];
+                                let _e2917 = ((_e2904[0] + _e2910[0]) * 0.5f);
+                                let _e2918 = ((_e2904[1] + _e2910[1]) * 0.5f);
+                                let _e2919 = ((_e2904[2] + _e2910[2]) * 0.5f);
+                                let _e2922 = local_2.member[0u];
+                                let _e2925 = local_2.member_1[0u];
+                                let _e2928 = local_2.member_2[0u];
+                                let _e2930 = local_2.member_3;
+                                let _e2933 = local_2.member[1u];
+                                let _e2936 = local_2.member_1[1u];
+                                let _e2939 = local_2.member_2[1u];
+                                let _e2941 = local_2.member_3;
+                                local = type_41(array<array<f32, 3>, 2>(_e2922, array<f32, 3>(_e2881, _e2882, _e2883)), array<array<f32, 3>, 2>(_e2925, array<f32, 3>(_e2899, _e2900, _e2901)), array<array<f32, 3>, 2>(_e2928, array<f32, 3>(_e2917, _e2918, _e2919)), _e2930);
+                                local_1 = type_41(array<array<f32, 3>, 2>(array<f32, 3>(_e2881, _e2882, _e2883), _e2933), array<array<f32, 3>, 2>(array<f32, 3>(_e2899, _e2900, _e2901), _e2936), array<array<f32, 3>, 2>(array<f32, 3>(_e2917, _e2918, _e2919), _e2939), _e2941);
+                                let _e2958 = local.member_1[0u];
+                                let _e2964 = local.member_2[0u];
+                                let _e2970 = ((_e2958[1] * _e2964[2]) - (_e2958[2] * _e2964[1]));
+                                let _e2973 = ((_e2958[2] * _e2964[0]) - (_e2958[0] * _e2964[2]));
+                                let _e2976 = ((_e2958[0] * _e2964[1]) - (_e2958[1] * _e2964[0]));
+                                let _e2979 = local.member_1[1u];
+                                let _e2985 = local.member_2[1u];
+                                let _e2991 = ((_e2979[1] * _e2985[2]) - (_e2979[2] * _e2985[1]));
+                                let _e2994 = ((_e2979[2] * _e2985[0]) - (_e2979[0] * _e2985[2]));
+                                let _e2997 = ((_e2979[0] * _e2985[1]) - (_e2979[1] * _e2985[0]));
+                                let _e3000 = local.member_1[0u];
+                                let _e3006 = local.member_2[1u];
+                                let _e3021 = local.member_1[1u];
+                                let _e3027 = local.member_2[0u];
+                                let _e3040 = (((_e3000[1] * _e3006[2]) - (_e3000[2] * _e3006[1])) + ((_e3021[1] * _e3027[2]) - (_e3021[2] * _e3027[1])));
+                                let _e3041 = (((_e3000[2] * _e3006[0]) - (_e3000[0] * _e3006[2])) + ((_e3021[2] * _e3027[0]) - (_e3021[0] * _e3027[2])));
+                                let _e3042 = (((_e3000[0] * _e3006[1]) - (_e3000[1] * _e3006[0])) + ((_e3021[0] * _e3027[1]) - (_e3021[1] * _e3027[0])));
+                                let _e3045 = local.member[0u];
+                                let _e3056 = local.member[1u];
+                                let _e3067 = local.member[0u];
+                                let _e3076 = ((((_e3056[0] * _e2970) + (_e3056[1] * _e2973)) + (_e3056[2] * _e2976)) + (((_e3067[0] * _e3040) + (_e3067[1] * _e3041)) + (_e3067[2] * _e3042)));
+                                let _e3079 = local.member[0u];
+                                let _e3090 = local.member[1u];
+                                let _e3099 = ((((_e3079[0] * _e2991) + (_e3079[1] * _e2994)) + (_e3079[2] * _e2997)) + (((_e3090[0] * _e3040) + (_e3090[1] * _e3041)) + (_e3090[2] * _e3042)));
+                                let _e3102 = local.member[1u];
+                                let _e3113 = local.member[0u];
+                                if (_e3113[0] < 0f) {
+                                    phi_5675_ = -(_e3113[0]);
                                 } else {
-                                    phi_5701_ = _e3133[0];
+                                    phi_5675_ = _e3113[0];
                                 }
-                                let _e3140 = phi_5701_;
-                                if (_e3133[1] < 0f) {
-                                    phi_5708_ = -(_e3133[1]);
+                                let _e3120 = phi_5675_;
+                                if (_e3113[1] < 0f) {
+                                    phi_5682_ = -(_e3113[1]);
                                 } else {
-                                    phi_5708_ = _e3133[1];
+                                    phi_5682_ = _e3113[1];
                                 }
-                                let _e3144 = phi_5708_;
-                                if (_e3140 > _e3144) {
-                                    phi_5713_ = _e3140;
+                                let _e3124 = phi_5682_;
+                                if (_e3120 > _e3124) {
+                                    phi_5687_ = _e3120;
                                 } else {
-                                    phi_5713_ = _e3144;
+                                    phi_5687_ = _e3124;
                                 }
-                                let _e3147 = phi_5713_;
-                                if (_e3133[2] < 0f) {
-                                    phi_5720_ = -(_e3133[2]);
+                                let _e3127 = phi_5687_;
+                                if (_e3113[2] < 0f) {
+                                    phi_5694_ = -(_e3113[2]);
                                 } else {
-                                    phi_5720_ = _e3133[2];
+                                    phi_5694_ = _e3113[2];
                                 }
-                                let _e3151 = phi_5720_;
-                                if (_e3147 > _e3151) {
-                                    phi_5725_ = _e3147;
+                                let _e3131 = phi_5694_;
+                                if (_e3127 > _e3131) {
+                                    phi_5699_ = _e3127;
                                 } else {
-                                    phi_5725_ = _e3151;
+                                    phi_5699_ = _e3131;
                                 }
-                                let _e3154 = phi_5725_;
-                                let _e3157 = local.member[1u];
-                                if (_e3157[0] < 0f) {
-                                    phi_5738_ = -(_e3157[0]);
+                                let _e3134 = phi_5699_;
+                                let _e3137 = local.member[1u];
+                                if (_e3137[0] < 0f) {
+                                    phi_5712_ = -(_e3137[0]);
                                 } else {
-                                    phi_5738_ = _e3157[0];
+                                    phi_5712_ = _e3137[0];
                                 }
-                                let _e3164 = phi_5738_;
-                                if (_e3157[1] < 0f) {
-                                    phi_5745_ = -(_e3157[1]);
+                                let _e3144 = phi_5712_;
+                                if (_e3137[1] < 0f) {
+                                    phi_5719_ = -(_e3137[1]);
                                 } else {
-                                    phi_5745_ = _e3157[1];
+                                    phi_5719_ = _e3137[1];
                                 }
-                                let _e3168 = phi_5745_;
-                                if (_e3164 > _e3168) {
-                                    phi_5750_ = _e3164;
+                                let _e3148 = phi_5719_;
+                                if (_e3144 > _e3148) {
+                                    phi_5724_ = _e3144;
                                 } else {
-                                    phi_5750_ = _e3168;
+                                    phi_5724_ = _e3148;
                                 }
-                                let _e3171 = phi_5750_;
-                                if (_e3157[2] < 0f) {
-                                    phi_5757_ = -(_e3157[2]);
+                                let _e3151 = phi_5724_;
+                                if (_e3137[2] < 0f) {
+                                    phi_5731_ = -(_e3137[2]);
                                 } else {
-                                    phi_5757_ = _e3157[2];
+                                    phi_5731_ = _e3137[2];
                                 }
-                                let _e3175 = phi_5757_;
-                                if (_e3171 > _e3175) {
-                                    phi_5762_ = _e3171;
+                                let _e3155 = phi_5731_;
+                                if (_e3151 > _e3155) {
+                                    phi_5736_ = _e3151;
                                 } else {
-                                    phi_5762_ = _e3175;
+                                    phi_5736_ = _e3155;
                                 }
-                                let _e3178 = phi_5762_;
-                                if (_e3154 > _e3178) {
-                                    phi_5767_ = _e3154;
+                                let _e3158 = phi_5736_;
+                                if (_e3134 > _e3158) {
+                                    phi_5741_ = _e3134;
                                 } else {
-                                    phi_5767_ = _e3178;
+                                    phi_5741_ = _e3158;
                                 }
-                                let _e3181 = phi_5767_;
-                                let _e3183 = local.member_3;
-                                let _e3184 = (_e3181 + _e3183);
-                                let _e3187 = local.member_1[0u];
-                                if (_e3187[0] < 0f) {
-                                    phi_5784_ = -(_e3187[0]);
+                                let _e3161 = phi_5741_;
+                                let _e3163 = local.member_3;
+                                let _e3164 = (_e3161 + _e3163);
+                                let _e3167 = local.member_1[0u];
+                                if (_e3167[0] < 0f) {
+                                    phi_5758_ = -(_e3167[0]);
                                 } else {
-                                    phi_5784_ = _e3187[0];
+                                    phi_5758_ = _e3167[0];
                                 }
-                                let _e3194 = phi_5784_;
-                                if (_e3187[1] < 0f) {
-                                    phi_5791_ = -(_e3187[1]);
+                                let _e3174 = phi_5758_;
+                                if (_e3167[1] < 0f) {
+                                    phi_5765_ = -(_e3167[1]);
                                 } else {
-                                    phi_5791_ = _e3187[1];
+                                    phi_5765_ = _e3167[1];
                                 }
-                                let _e3198 = phi_5791_;
-                                if (_e3194 > _e3198) {
-                                    phi_5796_ = _e3194;
+                                let _e3178 = phi_5765_;
+                                if (_e3174 > _e3178) {
+                                    phi_5770_ = _e3174;
                                 } else {
-                                    phi_5796_ = _e3198;
+                                    phi_5770_ = _e3178;
                                 }
-                                let _e3201 = phi_5796_;
-                                if (_e3187[2] < 0f) {
-                                    phi_5803_ = -(_e3187[2]);
+                                let _e3181 = phi_5770_;
+                                if (_e3167[2] < 0f) {
+                                    phi_5777_ = -(_e3167[2]);
                                 } else {
-                                    phi_5803_ = _e3187[2];
+                                    phi_5777_ = _e3167[2];
                                 }
-                                let _e3205 = phi_5803_;
-                                if (_e3201 > _e3205) {
-                                    phi_5808_ = _e3201;
+                                let _e3185 = phi_5777_;
+                                if (_e3181 > _e3185) {
+                                    phi_5782_ = _e3181;
                                 } else {
-                                    phi_5808_ = _e3205;
+                                    phi_5782_ = _e3185;
                                 }
-                                let _e3208 = phi_5808_;
-                                let _e3211 = local.member_1[1u];
-                                if (_e3211[0] < 0f) {
-                                    phi_5822_ = -(_e3211[0]);
+                                let _e3188 = phi_5782_;
+                                let _e3191 = local.member_1[1u];
+                                if (_e3191[0] < 0f) {
+                                    phi_5796_ = -(_e3191[0]);
                                 } else {
-                                    phi_5822_ = _e3211[0];
+                                    phi_5796_ = _e3191[0];
                                 }
-                                let _e3218 = phi_5822_;
-                                if (_e3211[1] < 0f) {
-                                    phi_5829_ = -(_e3211[1]);
+                                let _e3198 = phi_5796_;
+                                if (_e3191[1] < 0f) {
+                                    phi_5803_ = -(_e3191[1]);
                                 } else {
-                                    phi_5829_ = _e3211[1];
+                                    phi_5803_ = _e3191[1];
                                 }
-                                let _e3222 = phi_5829_;
-                                if (_e3218 > _e3222) {
-                                    phi_5834_ = _e3218;
+                                let _e3202 = phi_5803_;
+                                if (_e3198 > _e3202) {
+                                    phi_5808_ = _e3198;
                                 } else {
-                                    phi_5834_ = _e3222;
+                                    phi_5808_ = _e3202;
                                 }
-                                let _e3225 = phi_5834_;
-                                if (_e3211[2] < 0f) {
-                                    phi_5841_ = -(_e3211[2]);
+                                let _e3205 = phi_5808_;
+                                if (_e3191[2] < 0f) {
+                                    phi_5815_ = -(_e3191[2]);
                                 } else {
-                                    phi_5841_ = _e3211[2];
+                                    phi_5815_ = _e3191[2];
                                 }
-                                let _e3229 = phi_5841_;
-                                if (_e3225 > _e3229) {
-                                    phi_5846_ = _e3225;
+                                let _e3209 = phi_5815_;
+                                if (_e3205 > _e3209) {
+                                    phi_5820_ = _e3205;
                                 } else {
-                                    phi_5846_ = _e3229;
+                                    phi_5820_ = _e3209;
                                 }
-                                let _e3232 = phi_5846_;
-                                if (_e3208 > _e3232) {
-                                    phi_5851_ = _e3208;
+                                let _e3212 = phi_5820_;
+                                if (_e3188 > _e3212) {
+                                    phi_5825_ = _e3188;
                                 } else {
-                                    phi_5851_ = _e3232;
+                                    phi_5825_ = _e3212;
                                 }
-                                let _e3235 = phi_5851_;
-                                let _e3237 = local.member_3;
-                                let _e3238 = (_e3235 + _e3237);
-                                let _e3241 = local.member_2[0u];
-                                if (_e3241[0] < 0f) {
-                                    phi_5868_ = -(_e3241[0]);
+                                let _e3215 = phi_5825_;
+                                let _e3217 = local.member_3;
+                                let _e3218 = (_e3215 + _e3217);
+                                let _e3221 = local.member_2[0u];
+                                if (_e3221[0] < 0f) {
+                                    phi_5842_ = -(_e3221[0]);
                                 } else {
-                                    phi_5868_ = _e3241[0];
+                                    phi_5842_ = _e3221[0];
                                 }
-                                let _e3248 = phi_5868_;
-                                if (_e3241[1] < 0f) {
-                                    phi_5875_ = -(_e3241[1]);
+                                let _e3228 = phi_5842_;
+                                if (_e3221[1] < 0f) {
+                                    phi_5849_ = -(_e3221[1]);
                                 } else {
-                                    phi_5875_ = _e3241[1];
+                                    phi_5849_ = _e3221[1];
                                 }
-                                let _e3252 = phi_5875_;
-                                if (_e3248 > _e3252) {
-                                    phi_5880_ = _e3248;
+                                let _e3232 = phi_5849_;
+                                if (_e3228 > _e3232) {
+                                    phi_5854_ = _e3228;
                                 } else {
-                                    phi_5880_ = _e3252;
+                                    phi_5854_ = _e3232;
                                 }
-                                let _e3255 = phi_5880_;
-                                if (_e3241[2] < 0f) {
-                                    phi_5887_ = -(_e3241[2]);
+                                let _e3235 = phi_5854_;
+                                if (_e3221[2] < 0f) {
+                                    phi_5861_ = -(_e3221[2]);
                                 } else {
-                                    phi_5887_ = _e3241[2];
+                                    phi_5861_ = _e3221[2];
                                 }
-                                let _e3259 = phi_5887_;
-                                if (_e3255 > _e3259) {
-                                    phi_5892_ = _e3255;
+                                let _e3239 = phi_5861_;
+                                if (_e3235 > _e3239) {
+                                    phi_5866_ = _e3235;
                                 } else {
-                                    phi_5892_ = _e3259;
+                                    phi_5866_ = _e3239;
                                 }
-                                let _e3262 = phi_5892_;
-                                let _e3265 = local.member_2[1u];
-                                if (_e3265[0] < 0f) {
-                                    phi_5906_ = -(_e3265[0]);
+                                let _e3242 = phi_5866_;
+                                let _e3245 = local.member_2[1u];
+                                if (_e3245[0] < 0f) {
+                                    phi_5880_ = -(_e3245[0]);
                                 } else {
-                                    phi_5906_ = _e3265[0];
+                                    phi_5880_ = _e3245[0];
                                 }
-                                let _e3272 = phi_5906_;
-                                if (_e3265[1] < 0f) {
-                                    phi_5913_ = -(_e3265[1]);
+                                let _e3252 = phi_5880_;
+                                if (_e3245[1] < 0f) {
+                                    phi_5887_ = -(_e3245[1]);
                                 } else {
-                                    phi_5913_ = _e3265[1];
+                                    phi_5887_ = _e3245[1];
                                 }
-                                let _e3276 = phi_5913_;
-                                if (_e3272 > _e3276) {
-                                    phi_5918_ = _e3272;
+                                let _e3256 = phi_5887_;
+                                if (_e3252 > _e3256) {
+                                    phi_5892_ = _e3252;
                                 } else {
-                                    phi_5918_ = _e3276;
+                                    phi_5892_ = _e3256;
                                 }
-                                let _e3279 = phi_5918_;
-                                if (_e3265[2] < 0f) {
-                                    phi_5925_ = -(_e3265[2]);
+                                let _e3259 = phi_5892_;
+                                if (_e3245[2] < 0f) {
+                                    phi_5899_ = -(_e3245[2]);
                                 } else {
-                                    phi_5925_ = _e3265[2];
+                                    phi_5899_ = _e3245[2];
                                 }
-                                let _e3283 = phi_5925_;
-                                if (_e3279 > _e3283) {
-                                    phi_5930_ = _e3279;
+                                let _e3263 = phi_5899_;
+                                if (_e3259 > _e3263) {
+                                    phi_5904_ = _e3259;
                                 } else {
-                                    phi_5930_ = _e3283;
+                                    phi_5904_ = _e3263;
                                 }
-                                let _e3286 = phi_5930_;
-                                if (_e3262 > _e3286) {
-                                    phi_5935_ = _e3262;
+                                let _e3266 = phi_5904_;
+                                if (_e3242 > _e3266) {
+                                    phi_5909_ = _e3242;
                                 } else {
-                                    phi_5935_ = _e3286;
+                                    phi_5909_ = _e3266;
                                 }
-                                let _e3289 = phi_5935_;
-                                let _e3291 = local.member_3;
-                                let _e3292 = (_e3289 + _e3291);
-                                let _e3294 = ((_e3238 * 8f) * _e3292);
-                                let _e3301 = local.member_3;
-                                if (_e2990 < 0f) {
-                                    phi_5966_ = -(_e2990);
+                                let _e3269 = phi_5909_;
+                                let _e3271 = local.member_3;
+                                let _e3272 = (_e3269 + _e3271);
+                                let _e3274 = ((_e3218 * 8f) * _e3272);
+                                let _e3281 = local.member_3;
+                                if (_e2970 < 0f) {
+                                    phi_5940_ = -(_e2970);
                                 } else {
-                                    phi_5966_ = _e2990;
+                                    phi_5940_ = _e2970;
                                 }
-                                let _e3318 = phi_5966_;
-                                if (_e2993 < 0f) {
-                                    phi_5972_ = -(_e2993);
+                                let _e3298 = phi_5940_;
+                                if (_e2973 < 0f) {
+                                    phi_5946_ = -(_e2973);
                                 } else {
-                                    phi_5972_ = _e2993;
+                                    phi_5946_ = _e2973;
                                 }
-                                let _e3322 = phi_5972_;
-                                if (_e2996 < 0f) {
-                                    phi_5979_ = -(_e2996);
+                                let _e3302 = phi_5946_;
+                                if (_e2976 < 0f) {
+                                    phi_5953_ = -(_e2976);
                                 } else {
-                                    phi_5979_ = _e2996;
+                                    phi_5953_ = _e2976;
                                 }
-                                let _e3327 = phi_5979_;
-                                let _e3328 = ((_e3318 + _e3322) + _e3327);
-                                if (_e3011 < 0f) {
-                                    phi_5986_ = -(_e3011);
+                                let _e3307 = phi_5953_;
+                                let _e3308 = ((_e3298 + _e3302) + _e3307);
+                                if (_e2991 < 0f) {
+                                    phi_5960_ = -(_e2991);
                                 } else {
-                                    phi_5986_ = _e3011;
+                                    phi_5960_ = _e2991;
                                 }
-                                let _e3332 = phi_5986_;
-                                if (_e3014 < 0f) {
-                                    phi_5992_ = -(_e3014);
+                                let _e3312 = phi_5960_;
+                                if (_e2994 < 0f) {
+                                    phi_5966_ = -(_e2994);
                                 } else {
-                                    phi_5992_ = _e3014;
+                                    phi_5966_ = _e2994;
                                 }
-                                let _e3336 = phi_5992_;
-                                if (_e3017 < 0f) {
-                                    phi_5999_ = -(_e3017);
+                                let _e3316 = phi_5966_;
+                                if (_e2997 < 0f) {
+                                    phi_5973_ = -(_e2997);
                                 } else {
-                                    phi_5999_ = _e3017;
+                                    phi_5973_ = _e2997;
                                 }
-                                let _e3341 = phi_5999_;
-                                let _e3342 = ((_e3332 + _e3336) + _e3341);
-                                if (_e3328 > _e3342) {
-                                    phi_6005_ = _e3328;
+                                let _e3321 = phi_5973_;
+                                let _e3322 = ((_e3312 + _e3316) + _e3321);
+                                if (_e3308 > _e3322) {
+                                    phi_5979_ = _e3308;
                                 } else {
-                                    phi_6005_ = _e3342;
+                                    phi_5979_ = _e3322;
                                 }
-                                let _e3345 = phi_6005_;
-                                if (_e3060 < 0f) {
-                                    phi_6011_ = -(_e3060);
+                                let _e3325 = phi_5979_;
+                                if (_e3040 < 0f) {
+                                    phi_5985_ = -(_e3040);
                                 } else {
-                                    phi_6011_ = _e3060;
+                                    phi_5985_ = _e3040;
                                 }
-                                let _e3349 = phi_6011_;
-                                if (_e3061 < 0f) {
-                                    phi_6017_ = -(_e3061);
+                                let _e3329 = phi_5985_;
+                                if (_e3041 < 0f) {
+                                    phi_5991_ = -(_e3041);
                                 } else {
-                                    phi_6017_ = _e3061;
+                                    phi_5991_ = _e3041;
                                 }
-                                let _e3353 = phi_6017_;
-                                if (_e3062 < 0f) {
-                                    phi_6024_ = -(_e3062);
+                                let _e3333 = phi_5991_;
+                                if (_e3042 < 0f) {
+                                    phi_5998_ = -(_e3042);
                                 } else {
-                                    phi_6024_ = _e3062;
+                                    phi_5998_ = _e3042;
                                 }
-                                let _e3358 = phi_6024_;
-                                let _e3360 = (((_e3349 + _e3353) + _e3358) * 0.5f);
-                                if (_e3345 > _e3360) {
-                                    phi_6031_ = _e3345;
+                                let _e3338 = phi_5998_;
+                                let _e3340 = (((_e3329 + _e3333) + _e3338) * 0.5f);
+                                if (_e3325 > _e3340) {
+                                    phi_6005_ = _e3325;
                                 } else {
-                                    phi_6031_ = _e3360;
+                                    phi_6005_ = _e3340;
                                 }
-                                let _e3363 = phi_6031_;
-                                let _e3368 = local.member_3;
-                                let _e3381 = ((((_e3065[0] * _e2990) + (_e3065[1] * _e2993)) + (_e3065[2] * _e2996)) * 3f);
-                                let _e3382 = ((((_e3122[0] * _e3011) + (_e3122[1] * _e3014)) + (_e3122[2] * _e3017)) * 3f);
-                                if (_e3381 < _e3382) {
-                                    phi_6055_ = _e3381;
+                                let _e3343 = phi_6005_;
+                                let _e3348 = local.member_3;
+                                let _e3361 = ((((_e3045[0] * _e2970) + (_e3045[1] * _e2973)) + (_e3045[2] * _e2976)) * 3f);
+                                let _e3362 = ((((_e3102[0] * _e2991) + (_e3102[1] * _e2994)) + (_e3102[2] * _e2997)) * 3f);
+                                if (_e3361 < _e3362) {
+                                    phi_6029_ = _e3361;
                                 } else {
-                                    phi_6055_ = _e3382;
+                                    phi_6029_ = _e3362;
                                 }
-                                let _e3385 = phi_6055_;
-                                if (_e3096 < _e3119) {
-                                    phi_6060_ = _e3096;
+                                let _e3365 = phi_6029_;
+                                if (_e3076 < _e3099) {
+                                    phi_6034_ = _e3076;
                                 } else {
-                                    phi_6060_ = _e3119;
+                                    phi_6034_ = _e3099;
                                 }
-                                let _e3388 = phi_6060_;
-                                if (_e3385 < _e3388) {
-                                    phi_6065_ = _e3385;
+                                let _e3368 = phi_6034_;
+                                if (_e3365 < _e3368) {
+                                    phi_6039_ = _e3365;
                                 } else {
-                                    phi_6065_ = _e3388;
+                                    phi_6039_ = _e3368;
                                 }
-                                let _e3391 = phi_6065_;
-                                if (_e3381 > _e3382) {
-                                    phi_6070_ = _e3381;
+                                let _e3371 = phi_6039_;
+                                if (_e3361 > _e3362) {
+                                    phi_6044_ = _e3361;
                                 } else {
-                                    phi_6070_ = _e3382;
+                                    phi_6044_ = _e3362;
                                 }
-                                let _e3394 = phi_6070_;
-                                if (_e3096 > _e3119) {
-                                    phi_6075_ = _e3096;
+                                let _e3374 = phi_6044_;
+                                if (_e3076 > _e3099) {
+                                    phi_6049_ = _e3076;
                                 } else {
-                                    phi_6075_ = _e3119;
+                                    phi_6049_ = _e3099;
                                 }
-                                let _e3397 = phi_6075_;
-                                if (_e3394 > _e3397) {
-                                    phi_6080_ = _e3394;
+                                let _e3377 = phi_6049_;
+                                if (_e3374 > _e3377) {
+                                    phi_6054_ = _e3374;
                                 } else {
-                                    phi_6080_ = _e3397;
+                                    phi_6054_ = _e3377;
                                 }
-                                let _e3400 = phi_6080_;
-                                let _e3405 = -(_e3400);
-                                if (_e3391 > _e3405) {
-                                    phi_6090_ = _e3391;
+                                let _e3380 = phi_6054_;
+                                let _e3385 = -(_e3380);
+                                if (_e3371 > _e3385) {
+                                    phi_6064_ = _e3371;
                                 } else {
-                                    phi_6090_ = _e3405;
+                                    phi_6064_ = _e3385;
                                 }
-                                let _e3408 = phi_6090_;
-                                let _e3410 = ((_e3408 - ((((((_e3184 * 8f) * _e3294) * (0.000000059604645f * (524f / 64f))) + ((_e3301 * 19f) * ((_e3184 * (_e3238 + _e3292)) + (_e3238 * _e3292)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3184) * ((1f + _e3238) * (1f + _e3292))))) + ((_e1873 * (((_e3363 + (_e3294 * (0.000000059604645f * 8f))) + ((_e3368 * 6f) * (_e3238 + _e3292))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3238) * (1f + _e3292))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3410 {
-                                    phi_7059_ = _e3410;
+                                let _e3388 = phi_6064_;
+                                let _e3390 = ((_e3388 - ((((((_e3164 * 8f) * _e3274) * (0.000000059604645f * (524f / 64f))) + ((_e3281 * 19f) * ((_e3164 * (_e3218 + _e3272)) + (_e3218 * _e3272)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3164) * ((1f + _e3218) * (1f + _e3272))))) + ((_e1853 * (((_e3343 + (_e3274 * (0.000000059604645f * 8f))) + ((_e3348 * 6f) * (_e3218 + _e3272))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3218) * (1f + _e3272))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3390 {
+                                    phi_7033_ = _e3390;
                                 } else {
-                                    let _e3413 = local.member_1[0u];
-                                    let _e3419 = local.member_1[1u];
-                                    let _e3423 = (_e3413[0] + _e3419[0]);
-                                    let _e3424 = (_e3413[1] + _e3419[1]);
-                                    let _e3425 = (_e3413[2] + _e3419[2]);
-                                    let _e3428 = local.member_2[0u];
-                                    let _e3434 = local.member_2[1u];
-                                    let _e3438 = (_e3428[0] + _e3434[0]);
-                                    let _e3439 = (_e3428[1] + _e3434[1]);
-                                    let _e3440 = (_e3428[2] + _e3434[2]);
-                                    let _e3443 = ((_e3424 * _e3440) - (_e3425 * _e3439));
-                                    let _e3446 = ((_e3425 * _e3438) - (_e3423 * _e3440));
-                                    let _e3449 = ((_e3423 * _e3439) - (_e3424 * _e3438));
-                                    let _e3452 = local.member[0u];
-                                    let _e3458 = local.member_1[0u];
-                                    let _e3464 = local.member_2[0u];
-                                    let _e3468 = (_e3452[0] - _e3458[0]);
-                                    let _e3469 = (_e3452[1] - _e3458[1]);
-                                    let _e3470 = (_e3452[2] - _e3458[2]);
-                                    let _e3471 = (_e3468 - _e3464[0]);
-                                    let _e3472 = (_e3469 - _e3464[1]);
-                                    let _e3473 = (_e3470 - _e3464[2]);
-                                    let _e3474 = (_e3452[0] - _e3464[0]);
-                                    let _e3475 = (_e3452[1] - _e3464[1]);
-                                    let _e3476 = (_e3452[2] - _e3464[2]);
-                                    let _e3479 = local.member[1u];
-                                    let _e3485 = local.member_1[1u];
-                                    let _e3491 = local.member_2[1u];
-                                    let _e3495 = (_e3479[0] - _e3485[0]);
-                                    let _e3496 = (_e3479[1] - _e3485[1]);
-                                    let _e3497 = (_e3479[2] - _e3485[2]);
-                                    let _e3498 = (_e3495 - _e3491[0]);
-                                    let _e3499 = (_e3496 - _e3491[1]);
-                                    let _e3500 = (_e3497 - _e3491[2]);
-                                    let _e3501 = (_e3479[0] - _e3491[0]);
-                                    let _e3502 = (_e3479[1] - _e3491[1]);
-                                    let _e3503 = (_e3479[2] - _e3491[2]);
-                                    let _e3506 = local.member[0u];
-                                    if (_e3506[0] < 0f) {
-                                        phi_6293_ = -(_e3506[0]);
+                                    let _e3393 = local.member_1[0u];
+                                    let _e3399 = local.member_1[1u];
+                                    let _e3403 = (_e3393[0] + _e3399[0]);
+                                    let _e3404 = (_e3393[1] + _e3399[1]);
+                                    let _e3405 = (_e3393[2] + _e3399[2]);
+                                    let _e3408 = local.member_2[0u];
+                                    let _e3414 = local.member_2[1u];
+                                    let _e3418 = (_e3408[0] + _e3414[0]);
+                                    let _e3419 = (_e3408[1] + _e3414[1]);
+                                    let _e3420 = (_e3408[2] + _e3414[2]);
+                                    let _e3423 = ((_e3404 * _e3420) - (_e3405 * _e3419));
+                                    let _e3426 = ((_e3405 * _e3418) - (_e3403 * _e3420));
+                                    let _e3429 = ((_e3403 * _e3419) - (_e3404 * _e3418));
+                                    let _e3432 = local.member[0u];
+                                    let _e3438 = local.member_1[0u];
+                                    let _e3444 = local.member_2[0u];
+                                    let _e3448 = (_e3432[0] - _e3438[0]);
+                                    let _e3449 = (_e3432[1] - _e3438[1]);
+                                    let _e3450 = (_e3432[2] - _e3438[2]);
+                                    let _e3451 = (_e3448 - _e3444[0]);
+                                    let _e3452 = (_e3449 - _e3444[1]);
+                                    let _e3453 = (_e3450 - _e3444[2]);
+                                    let _e3454 = (_e3432[0] - _e3444[0]);
+                                    let _e3455 = (_e3432[1] - _e3444[1]);
+                                    let _e3456 = (_e3432[2] - _e3444[2]);
+                                    let _e3459 = local.member[1u];
+                                    let _e3465 = local.member_1[1u];
+                                    let _e3471 = local.member_2[1u];
+                                    let _e3475 = (_e3459[0] - _e3465[0]);
+                                    let _e3476 = (_e3459[1] - _e3465[1]);
+                                    let _e3477 = (_e3459[2] - _e3465[2]);
+                                    let _e3478 = (_e3475 - _e3471[0]);
+                                    let _e3479 = (_e3476 - _e3471[1]);
+                                    let _e3480 = (_e3477 - _e3471[2]);
+                                    let _e3481 = (_e3459[0] - _e3471[0]);
+                                    let _e3482 = (_e3459[1] - _e3471[1]);
+                                    let _e3483 = (_e3459[2] - _e3471[2]);
+                                    let _e3486 = local.member[0u];
+                                    if (_e3486[0] < 0f) {
+                                        phi_6267_ = -(_e3486[0]);
                                     } else {
-                                        phi_6293_ = _e3506[0];
+                                        phi_6267_ = _e3486[0];
                                     }
-                                    let _e3513 = phi_6293_;
-                                    if (_e3506[1] < 0f) {
-                                        phi_6300_ = -(_e3506[1]);
+                                    let _e3493 = phi_6267_;
+                                    if (_e3486[1] < 0f) {
+                                        phi_6274_ = -(_e3486[1]);
                                     } else {
-                                        phi_6300_ = _e3506[1];
+                                        phi_6274_ = _e3486[1];
                                     }
-                                    let _e3517 = phi_6300_;
-                                    if (_e3513 > _e3517) {
-                                        phi_6305_ = _e3513;
+                                    let _e3497 = phi_6274_;
+                                    if (_e3493 > _e3497) {
+                                        phi_6279_ = _e3493;
                                     } else {
-                                        phi_6305_ = _e3517;
+                                        phi_6279_ = _e3497;
                                     }
-                                    let _e3520 = phi_6305_;
-                                    if (_e3506[2] < 0f) {
-                                        phi_6312_ = -(_e3506[2]);
+                                    let _e3500 = phi_6279_;
+                                    if (_e3486[2] < 0f) {
+                                        phi_6286_ = -(_e3486[2]);
                                     } else {
-                                        phi_6312_ = _e3506[2];
+                                        phi_6286_ = _e3486[2];
                                     }
-                                    let _e3524 = phi_6312_;
-                                    if (_e3520 > _e3524) {
-                                        phi_6317_ = _e3520;
+                                    let _e3504 = phi_6286_;
+                                    if (_e3500 > _e3504) {
+                                        phi_6291_ = _e3500;
                                     } else {
-                                        phi_6317_ = _e3524;
+                                        phi_6291_ = _e3504;
                                     }
-                                    let _e3527 = phi_6317_;
-                                    let _e3530 = local.member[1u];
-                                    if (_e3530[0] < 0f) {
-                                        phi_6330_ = -(_e3530[0]);
+                                    let _e3507 = phi_6291_;
+                                    let _e3510 = local.member[1u];
+                                    if (_e3510[0] < 0f) {
+                                        phi_6304_ = -(_e3510[0]);
                                     } else {
-                                        phi_6330_ = _e3530[0];
+                                        phi_6304_ = _e3510[0];
                                     }
-                                    let _e3537 = phi_6330_;
-                                    if (_e3530[1] < 0f) {
-                                        phi_6337_ = -(_e3530[1]);
+                                    let _e3517 = phi_6304_;
+                                    if (_e3510[1] < 0f) {
+                                        phi_6311_ = -(_e3510[1]);
                                     } else {
-                                        phi_6337_ = _e3530[1];
+                                        phi_6311_ = _e3510[1];
                                     }
-                                    let _e3541 = phi_6337_;
-                                    if (_e3537 > _e3541) {
-                                        phi_6342_ = _e3537;
+                                    let _e3521 = phi_6311_;
+                                    if (_e3517 > _e3521) {
+                                        phi_6316_ = _e3517;
                                     } else {
-                                        phi_6342_ = _e3541;
+                                        phi_6316_ = _e3521;
                                     }
-                                    let _e3544 = phi_6342_;
-                                    if (_e3530[2] < 0f) {
-                                        phi_6349_ = -(_e3530[2]);
+                                    let _e3524 = phi_6316_;
+                                    if (_e3510[2] < 0f) {
+                                        phi_6323_ = -(_e3510[2]);
                                     } else {
-                                        phi_6349_ = _e3530[2];
+                                        phi_6323_ = _e3510[2];
                                     }
-                                    let _e3548 = phi_6349_;
-                                    if (_e3544 > _e3548) {
-                                        phi_6354_ = _e3544;
+                                    let _e3528 = phi_6323_;
+                                    if (_e3524 > _e3528) {
+                                        phi_6328_ = _e3524;
                                     } else {
-                                        phi_6354_ = _e3548;
+                                        phi_6328_ = _e3528;
                                     }
-                                    let _e3551 = phi_6354_;
-                                    if (_e3527 > _e3551) {
-                                        phi_6359_ = _e3527;
+                                    let _e3531 = phi_6328_;
+                                    if (_e3507 > _e3531) {
+                                        phi_6333_ = _e3507;
                                     } else {
-                                        phi_6359_ = _e3551;
+                                        phi_6333_ = _e3531;
                                     }
-                                    let _e3554 = phi_6359_;
-                                    let _e3556 = local.member_3;
-                                    let _e3560 = local.member_1[0u];
-                                    if (_e3560[0] < 0f) {
-                                        phi_6376_ = -(_e3560[0]);
+                                    let _e3534 = phi_6333_;
+                                    let _e3536 = local.member_3;
+                                    let _e3540 = local.member_1[0u];
+                                    if (_e3540[0] < 0f) {
+                                        phi_6350_ = -(_e3540[0]);
                                     } else {
-                                        phi_6376_ = _e3560[0];
+                                        phi_6350_ = _e3540[0];
                                     }
-                                    let _e3567 = phi_6376_;
-                                    if (_e3560[1] < 0f) {
-                                        phi_6383_ = -(_e3560[1]);
+                                    let _e3547 = phi_6350_;
+                                    if (_e3540[1] < 0f) {
+                                        phi_6357_ = -(_e3540[1]);
                                     } else {
-                                        phi_6383_ = _e3560[1];
+                                        phi_6357_ = _e3540[1];
                                     }
-                                    let _e3571 = phi_6383_;
-                                    if (_e3567 > _e3571) {
-                                        phi_6388_ = _e3567;
+                                    let _e3551 = phi_6357_;
+                                    if (_e3547 > _e3551) {
+                                        phi_6362_ = _e3547;
                                     } else {
-                                        phi_6388_ = _e3571;
+                                        phi_6362_ = _e3551;
                                     }
-                                    let _e3574 = phi_6388_;
-                                    if (_e3560[2] < 0f) {
-                                        phi_6395_ = -(_e3560[2]);
+                                    let _e3554 = phi_6362_;
+                                    if (_e3540[2] < 0f) {
+                                        phi_6369_ = -(_e3540[2]);
                                     } else {
-                                        phi_6395_ = _e3560[2];
+                                        phi_6369_ = _e3540[2];
                                     }
-                                    let _e3578 = phi_6395_;
-                                    if (_e3574 > _e3578) {
-                                        phi_6400_ = _e3574;
+                                    let _e3558 = phi_6369_;
+                                    if (_e3554 > _e3558) {
+                                        phi_6374_ = _e3554;
                                     } else {
-                                        phi_6400_ = _e3578;
+                                        phi_6374_ = _e3558;
                                     }
-                                    let _e3581 = phi_6400_;
-                                    let _e3584 = local.member_1[1u];
-                                    if (_e3584[0] < 0f) {
-                                        phi_6414_ = -(_e3584[0]);
+                                    let _e3561 = phi_6374_;
+                                    let _e3564 = local.member_1[1u];
+                                    if (_e3564[0] < 0f) {
+                                        phi_6388_ = -(_e3564[0]);
                                     } else {
-                                        phi_6414_ = _e3584[0];
+                                        phi_6388_ = _e3564[0];
                                     }
-                                    let _e3591 = phi_6414_;
-                                    if (_e3584[1] < 0f) {
-                                        phi_6421_ = -(_e3584[1]);
+                                    let _e3571 = phi_6388_;
+                                    if (_e3564[1] < 0f) {
+                                        phi_6395_ = -(_e3564[1]);
                                     } else {
-                                        phi_6421_ = _e3584[1];
+                                        phi_6395_ = _e3564[1];
                                     }
-                                    let _e3595 = phi_6421_;
-                                    if (_e3591 > _e3595) {
-                                        phi_6426_ = _e3591;
+                                    let _e3575 = phi_6395_;
+                                    if (_e3571 > _e3575) {
+                                        phi_6400_ = _e3571;
                                     } else {
-                                        phi_6426_ = _e3595;
+                                        phi_6400_ = _e3575;
                                     }
-                                    let _e3598 = phi_6426_;
-                                    if (_e3584[2] < 0f) {
-                                        phi_6433_ = -(_e3584[2]);
+                                    let _e3578 = phi_6400_;
+                                    if (_e3564[2] < 0f) {
+                                        phi_6407_ = -(_e3564[2]);
                                     } else {
-                                        phi_6433_ = _e3584[2];
+                                        phi_6407_ = _e3564[2];
                                     }
-                                    let _e3602 = phi_6433_;
-                                    if (_e3598 > _e3602) {
-                                        phi_6438_ = _e3598;
+                                    let _e3582 = phi_6407_;
+                                    if (_e3578 > _e3582) {
+                                        phi_6412_ = _e3578;
                                     } else {
-                                        phi_6438_ = _e3602;
+                                        phi_6412_ = _e3582;
                                     }
-                                    let _e3605 = phi_6438_;
-                                    if (_e3581 > _e3605) {
-                                        phi_6443_ = _e3581;
+                                    let _e3585 = phi_6412_;
+                                    if (_e3561 > _e3585) {
+                                        phi_6417_ = _e3561;
                                     } else {
-                                        phi_6443_ = _e3605;
+                                        phi_6417_ = _e3585;
                                     }
-                                    let _e3608 = phi_6443_;
-                                    let _e3610 = local.member_3;
-                                    let _e3614 = local.member_2[0u];
-                                    if (_e3614[0] < 0f) {
-                                        phi_6460_ = -(_e3614[0]);
+                                    let _e3588 = phi_6417_;
+                                    let _e3590 = local.member_3;
+                                    let _e3594 = local.member_2[0u];
+                                    if (_e3594[0] < 0f) {
+                                        phi_6434_ = -(_e3594[0]);
                                     } else {
-                                        phi_6460_ = _e3614[0];
+                                        phi_6434_ = _e3594[0];
                                     }
-                                    let _e3621 = phi_6460_;
-                                    if (_e3614[1] < 0f) {
-                                        phi_6467_ = -(_e3614[1]);
+                                    let _e3601 = phi_6434_;
+                                    if (_e3594[1] < 0f) {
+                                        phi_6441_ = -(_e3594[1]);
                                     } else {
-                                        phi_6467_ = _e3614[1];
+                                        phi_6441_ = _e3594[1];
                                     }
-                                    let _e3625 = phi_6467_;
-                                    if (_e3621 > _e3625) {
-                                        phi_6472_ = _e3621;
+                                    let _e3605 = phi_6441_;
+                                    if (_e3601 > _e3605) {
+                                        phi_6446_ = _e3601;
                                     } else {
-                                        phi_6472_ = _e3625;
+                                        phi_6446_ = _e3605;
                                     }
-                                    let _e3628 = phi_6472_;
-                                    if (_e3614[2] < 0f) {
-                                        phi_6479_ = -(_e3614[2]);
+                                    let _e3608 = phi_6446_;
+                                    if (_e3594[2] < 0f) {
+                                        phi_6453_ = -(_e3594[2]);
                                     } else {
-                                        phi_6479_ = _e3614[2];
+                                        phi_6453_ = _e3594[2];
                                     }
-                                    let _e3632 = phi_6479_;
-                                    if (_e3628 > _e3632) {
-                                        phi_6484_ = _e3628;
+                                    let _e3612 = phi_6453_;
+                                    if (_e3608 > _e3612) {
+                                        phi_6458_ = _e3608;
                                     } else {
-                                        phi_6484_ = _e3632;
+                                        phi_6458_ = _e3612;
                                     }
-                                    let _e3635 = phi_6484_;
-                                    let _e3638 = local.member_2[1u];
-                                    if (_e3638[0] < 0f) {
-                                        phi_6498_ = -(_e3638[0]);
+                                    let _e3615 = phi_6458_;
+                                    let _e3618 = local.member_2[1u];
+                                    if (_e3618[0] < 0f) {
+                                        phi_6472_ = -(_e3618[0]);
                                     } else {
-                                        phi_6498_ = _e3638[0];
+                                        phi_6472_ = _e3618[0];
                                     }
-                                    let _e3645 = phi_6498_;
-                                    if (_e3638[1] < 0f) {
-                                        phi_6505_ = -(_e3638[1]);
+                                    let _e3625 = phi_6472_;
+                                    if (_e3618[1] < 0f) {
+                                        phi_6479_ = -(_e3618[1]);
                                     } else {
-                                        phi_6505_ = _e3638[1];
+                                        phi_6479_ = _e3618[1];
                                     }
-                                    let _e3649 = phi_6505_;
-                                    if (_e3645 > _e3649) {
-                                        phi_6510_ = _e3645;
+                                    let _e3629 = phi_6479_;
+                                    if (_e3625 > _e3629) {
+                                        phi_6484_ = _e3625;
                                     } else {
-                                        phi_6510_ = _e3649;
+                                        phi_6484_ = _e3629;
                                     }
-                                    let _e3652 = phi_6510_;
-                                    if (_e3638[2] < 0f) {
-                                        phi_6517_ = -(_e3638[2]);
+                                    let _e3632 = phi_6484_;
+                                    if (_e3618[2] < 0f) {
+                                        phi_6491_ = -(_e3618[2]);
                                     } else {
-                                        phi_6517_ = _e3638[2];
+                                        phi_6491_ = _e3618[2];
                                     }
-                                    let _e3656 = phi_6517_;
-                                    if (_e3652 > _e3656) {
-                                        phi_6522_ = _e3652;
+                                    let _e3636 = phi_6491_;
+                                    if (_e3632 > _e3636) {
+                                        phi_6496_ = _e3632;
                                     } else {
-                                        phi_6522_ = _e3656;
+                                        phi_6496_ = _e3636;
                                     }
-                                    let _e3659 = phi_6522_;
-                                    if (_e3635 > _e3659) {
-                                        phi_6527_ = _e3635;
+                                    let _e3639 = phi_6496_;
+                                    if (_e3615 > _e3639) {
+                                        phi_6501_ = _e3615;
                                     } else {
-                                        phi_6527_ = _e3659;
+                                        phi_6501_ = _e3639;
                                     }
-                                    let _e3662 = phi_6527_;
-                                    let _e3664 = local.member_3;
-                                    let _e3668 = ((((_e3554 + _e3556) + (_e3608 + _e3610)) + (_e3662 + _e3664)) * 2f);
-                                    let _e3671 = local.member_3;
-                                    let _e3675 = (((_e1873 * 1.0001f) + (_e3671 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3678 = ((_e3446 * _e3425) - (_e3449 * _e3424));
-                                    let _e3681 = ((_e3449 * _e3423) - (_e3443 * _e3425));
-                                    let _e3684 = ((_e3443 * _e3424) - (_e3446 * _e3423));
-                                    let _e3689 = (((_e3678 * _e3452[0]) + (_e3681 * _e3452[1])) + (_e3684 * _e3452[2]));
-                                    let _e3694 = (((_e3678 * _e3468) + (_e3681 * _e3469)) + (_e3684 * _e3470));
-                                    let _e3699 = (((_e3678 * _e3474) + (_e3681 * _e3475)) + (_e3684 * _e3476));
-                                    let _e3704 = (((_e3678 * _e3471) + (_e3681 * _e3472)) + (_e3684 * _e3473));
-                                    let _e3709 = (((_e3678 * _e3479[0]) + (_e3681 * _e3479[1])) + (_e3684 * _e3479[2]));
-                                    let _e3714 = (((_e3678 * _e3495) + (_e3681 * _e3496)) + (_e3684 * _e3497));
-                                    let _e3719 = (((_e3678 * _e3501) + (_e3681 * _e3502)) + (_e3684 * _e3503));
-                                    let _e3724 = (((_e3678 * _e3498) + (_e3681 * _e3499)) + (_e3684 * _e3500));
+                                    let _e3642 = phi_6501_;
+                                    let _e3644 = local.member_3;
+                                    let _e3648 = ((((_e3534 + _e3536) + (_e3588 + _e3590)) + (_e3642 + _e3644)) * 2f);
+                                    let _e3651 = local.member_3;
+                                    let _e3655 = (((_e1853 * 1.0001f) + (_e3651 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3658 = ((_e3426 * _e3405) - (_e3429 * _e3404));
+                                    let _e3661 = ((_e3429 * _e3403) - (_e3423 * _e3405));
+                                    let _e3664 = ((_e3423 * _e3404) - (_e3426 * _e3403));
+                                    let _e3669 = (((_e3658 * _e3432[0]) + (_e3661 * _e3432[1])) + (_e3664 * _e3432[2]));
+                                    let _e3674 = (((_e3658 * _e3448) + (_e3661 * _e3449)) + (_e3664 * _e3450));
+                                    let _e3679 = (((_e3658 * _e3454) + (_e3661 * _e3455)) + (_e3664 * _e3456));
+                                    let _e3684 = (((_e3658 * _e3451) + (_e3661 * _e3452)) + (_e3664 * _e3453));
+                                    let _e3689 = (((_e3658 * _e3459[0]) + (_e3661 * _e3459[1])) + (_e3664 * _e3459[2]));
+                                    let _e3694 = (((_e3658 * _e3475) + (_e3661 * _e3476)) + (_e3664 * _e3477));
+                                    let _e3699 = (((_e3658 * _e3481) + (_e3661 * _e3482)) + (_e3664 * _e3483));
+                                    let _e3704 = (((_e3658 * _e3478) + (_e3661 * _e3479)) + (_e3664 * _e3480));
+                                    if (_e3669 < _e3674) {
+                                        phi_6580_ = _e3669;
+                                    } else {
+                                        phi_6580_ = _e3674;
+                                    }
+                                    let _e3707 = phi_6580_;
+                                    if (_e3679 < _e3684) {
+                                        phi_6585_ = _e3679;
+                                    } else {
+                                        phi_6585_ = _e3684;
+                                    }
+                                    let _e3710 = phi_6585_;
+                                    if (_e3707 < _e3710) {
+                                        phi_6590_ = _e3707;
+                                    } else {
+                                        phi_6590_ = _e3710;
+                                    }
+                                    let _e3713 = phi_6590_;
                                     if (_e3689 < _e3694) {
-                                        phi_6606_ = _e3689;
+                                        phi_6595_ = _e3689;
                                     } else {
-                                        phi_6606_ = _e3694;
+                                        phi_6595_ = _e3694;
                                     }
-                                    let _e3727 = phi_6606_;
+                                    let _e3716 = phi_6595_;
                                     if (_e3699 < _e3704) {
-                                        phi_6611_ = _e3699;
+                                        phi_6600_ = _e3699;
                                     } else {
-                                        phi_6611_ = _e3704;
+                                        phi_6600_ = _e3704;
                                     }
-                                    let _e3730 = phi_6611_;
-                                    if (_e3727 < _e3730) {
-                                        phi_6616_ = _e3727;
+                                    let _e3719 = phi_6600_;
+                                    if (_e3716 < _e3719) {
+                                        phi_6605_ = _e3716;
                                     } else {
-                                        phi_6616_ = _e3730;
+                                        phi_6605_ = _e3719;
                                     }
-                                    let _e3733 = phi_6616_;
-                                    if (_e3709 < _e3714) {
-                                        phi_6621_ = _e3709;
+                                    let _e3722 = phi_6605_;
+                                    if (_e3713 < _e3722) {
+                                        phi_6610_ = _e3713;
                                     } else {
-                                        phi_6621_ = _e3714;
+                                        phi_6610_ = _e3722;
                                     }
-                                    let _e3736 = phi_6621_;
-                                    if (_e3719 < _e3724) {
-                                        phi_6626_ = _e3719;
+                                    let _e3725 = phi_6610_;
+                                    if (_e3669 > _e3674) {
+                                        phi_6615_ = _e3669;
                                     } else {
-                                        phi_6626_ = _e3724;
+                                        phi_6615_ = _e3674;
                                     }
-                                    let _e3739 = phi_6626_;
-                                    if (_e3736 < _e3739) {
-                                        phi_6631_ = _e3736;
+                                    let _e3728 = phi_6615_;
+                                    if (_e3679 > _e3684) {
+                                        phi_6620_ = _e3679;
                                     } else {
-                                        phi_6631_ = _e3739;
+                                        phi_6620_ = _e3684;
                                     }
-                                    let _e3742 = phi_6631_;
-                                    if (_e3733 < _e3742) {
-                                        phi_6636_ = _e3733;
+                                    let _e3731 = phi_6620_;
+                                    if (_e3728 > _e3731) {
+                                        phi_6625_ = _e3728;
                                     } else {
-                                        phi_6636_ = _e3742;
+                                        phi_6625_ = _e3731;
                                     }
-                                    let _e3745 = phi_6636_;
+                                    let _e3734 = phi_6625_;
                                     if (_e3689 > _e3694) {
-                                        phi_6641_ = _e3689;
+                                        phi_6630_ = _e3689;
                                     } else {
-                                        phi_6641_ = _e3694;
+                                        phi_6630_ = _e3694;
                                     }
-                                    let _e3748 = phi_6641_;
+                                    let _e3737 = phi_6630_;
                                     if (_e3699 > _e3704) {
-                                        phi_6646_ = _e3699;
+                                        phi_6635_ = _e3699;
                                     } else {
-                                        phi_6646_ = _e3704;
+                                        phi_6635_ = _e3704;
                                     }
-                                    let _e3751 = phi_6646_;
-                                    if (_e3748 > _e3751) {
-                                        phi_6651_ = _e3748;
+                                    let _e3740 = phi_6635_;
+                                    if (_e3737 > _e3740) {
+                                        phi_6640_ = _e3737;
                                     } else {
-                                        phi_6651_ = _e3751;
+                                        phi_6640_ = _e3740;
                                     }
-                                    let _e3754 = phi_6651_;
-                                    if (_e3709 > _e3714) {
-                                        phi_6656_ = _e3709;
+                                    let _e3743 = phi_6640_;
+                                    if (_e3734 > _e3743) {
+                                        phi_6645_ = _e3734;
                                     } else {
-                                        phi_6656_ = _e3714;
+                                        phi_6645_ = _e3743;
                                     }
-                                    let _e3757 = phi_6656_;
-                                    if (_e3719 > _e3724) {
-                                        phi_6661_ = _e3719;
+                                    let _e3746 = phi_6645_;
+                                    if (_e3658 < 0f) {
+                                        phi_6651_ = -(_e3658);
                                     } else {
-                                        phi_6661_ = _e3724;
+                                        phi_6651_ = _e3658;
                                     }
-                                    let _e3760 = phi_6661_;
-                                    if (_e3757 > _e3760) {
-                                        phi_6666_ = _e3757;
+                                    let _e3750 = phi_6651_;
+                                    if (_e3661 < 0f) {
+                                        phi_6657_ = -(_e3661);
                                     } else {
-                                        phi_6666_ = _e3760;
+                                        phi_6657_ = _e3661;
                                     }
-                                    let _e3763 = phi_6666_;
-                                    if (_e3754 > _e3763) {
-                                        phi_6671_ = _e3754;
+                                    let _e3754 = phi_6657_;
+                                    if (_e3664 < 0f) {
+                                        phi_6664_ = -(_e3664);
                                     } else {
-                                        phi_6671_ = _e3763;
+                                        phi_6664_ = _e3664;
                                     }
-                                    let _e3766 = phi_6671_;
-                                    if (_e3678 < 0f) {
-                                        phi_6677_ = -(_e3678);
+                                    let _e3759 = phi_6664_;
+                                    let _e3760 = ((_e3750 + _e3754) + _e3759);
+                                    let _e3765 = -(_e3746);
+                                    if (_e3725 > _e3765) {
+                                        phi_6675_ = _e3725;
                                     } else {
-                                        phi_6677_ = _e3678;
+                                        phi_6675_ = _e3765;
                                     }
-                                    let _e3770 = phi_6677_;
-                                    if (_e3681 < 0f) {
-                                        phi_6683_ = -(_e3681);
+                                    let _e3768 = phi_6675_;
+                                    let _e3773 = (((_e3768 - ((_e3760 * _e3648) * (0.000000059604645f * (17f / 2f)))) - (_e3760 * _e3655)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3776 = ((_e3426 * _e3420) - (_e3429 * _e3419));
+                                    let _e3779 = ((_e3429 * _e3418) - (_e3423 * _e3420));
+                                    let _e3782 = ((_e3423 * _e3419) - (_e3426 * _e3418));
+                                    let _e3787 = (((_e3776 * _e3432[0]) + (_e3779 * _e3432[1])) + (_e3782 * _e3432[2]));
+                                    let _e3792 = (((_e3776 * _e3448) + (_e3779 * _e3449)) + (_e3782 * _e3450));
+                                    let _e3797 = (((_e3776 * _e3454) + (_e3779 * _e3455)) + (_e3782 * _e3456));
+                                    let _e3802 = (((_e3776 * _e3451) + (_e3779 * _e3452)) + (_e3782 * _e3453));
+                                    let _e3807 = (((_e3776 * _e3459[0]) + (_e3779 * _e3459[1])) + (_e3782 * _e3459[2]));
+                                    let _e3812 = (((_e3776 * _e3475) + (_e3779 * _e3476)) + (_e3782 * _e3477));
+                                    let _e3817 = (((_e3776 * _e3481) + (_e3779 * _e3482)) + (_e3782 * _e3483));
+                                    let _e3822 = (((_e3776 * _e3478) + (_e3779 * _e3479)) + (_e3782 * _e3480));
+                                    if (_e3787 < _e3792) {
+                                        phi_6746_ = _e3787;
                                     } else {
-                                        phi_6683_ = _e3681;
+                                        phi_6746_ = _e3792;
                                     }
-                                    let _e3774 = phi_6683_;
-                                    if (_e3684 < 0f) {
-                                        phi_6690_ = -(_e3684);
+                                    let _e3825 = phi_6746_;
+                                    if (_e3797 < _e3802) {
+                                        phi_6751_ = _e3797;
                                     } else {
-                                        phi_6690_ = _e3684;
+                                        phi_6751_ = _e3802;
                                     }
-                                    let _e3779 = phi_6690_;
-                                    let _e3780 = ((_e3770 + _e3774) + _e3779);
-                                    let _e3785 = -(_e3766);
-                                    if (_e3745 > _e3785) {
-                                        phi_6701_ = _e3745;
+                                    let _e3828 = phi_6751_;
+                                    if (_e3825 < _e3828) {
+                                        phi_6756_ = _e3825;
                                     } else {
-                                        phi_6701_ = _e3785;
+                                        phi_6756_ = _e3828;
                                     }
-                                    let _e3788 = phi_6701_;
-                                    let _e3793 = (((_e3788 - ((_e3780 * _e3668) * (0.000000059604645f * (17f / 2f)))) - (_e3780 * _e3675)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3796 = ((_e3446 * _e3440) - (_e3449 * _e3439));
-                                    let _e3799 = ((_e3449 * _e3438) - (_e3443 * _e3440));
-                                    let _e3802 = ((_e3443 * _e3439) - (_e3446 * _e3438));
-                                    let _e3807 = (((_e3796 * _e3452[0]) + (_e3799 * _e3452[1])) + (_e3802 * _e3452[2]));
-                                    let _e3812 = (((_e3796 * _e3468) + (_e3799 * _e3469)) + (_e3802 * _e3470));
-                                    let _e3817 = (((_e3796 * _e3474) + (_e3799 * _e3475)) + (_e3802 * _e3476));
-                                    let _e3822 = (((_e3796 * _e3471) + (_e3799 * _e3472)) + (_e3802 * _e3473));
-                                    let _e3827 = (((_e3796 * _e3479[0]) + (_e3799 * _e3479[1])) + (_e3802 * _e3479[2]));
-                                    let _e3832 = (((_e3796 * _e3495) + (_e3799 * _e3496)) + (_e3802 * _e3497));
-                                    let _e3837 = (((_e3796 * _e3501) + (_e3799 * _e3502)) + (_e3802 * _e3503));
-                                    let _e3842 = (((_e3796 * _e3498) + (_e3799 * _e3499)) + (_e3802 * _e3500));
+                                    let _e3831 = phi_6756_;
                                     if (_e3807 < _e3812) {
-                                        phi_6772_ = _e3807;
+                                        phi_6761_ = _e3807;
                                     } else {
-                                        phi_6772_ = _e3812;
+                                        phi_6761_ = _e3812;
                                     }
-                                    let _e3845 = phi_6772_;
+                                    let _e3834 = phi_6761_;
                                     if (_e3817 < _e3822) {
-                                        phi_6777_ = _e3817;
+                                        phi_6766_ = _e3817;
                                     } else {
-                                        phi_6777_ = _e3822;
+                                        phi_6766_ = _e3822;
                                     }
-                                    let _e3848 = phi_6777_;
-                                    if (_e3845 < _e3848) {
-                                        phi_6782_ = _e3845;
+                                    let _e3837 = phi_6766_;
+                                    if (_e3834 < _e3837) {
+                                        phi_6771_ = _e3834;
                                     } else {
-                                        phi_6782_ = _e3848;
+                                        phi_6771_ = _e3837;
                                     }
-                                    let _e3851 = phi_6782_;
-                                    if (_e3827 < _e3832) {
-                                        phi_6787_ = _e3827;
+                                    let _e3840 = phi_6771_;
+                                    if (_e3831 < _e3840) {
+                                        phi_6776_ = _e3831;
                                     } else {
-                                        phi_6787_ = _e3832;
+                                        phi_6776_ = _e3840;
                                     }
-                                    let _e3854 = phi_6787_;
-                                    if (_e3837 < _e3842) {
-                                        phi_6792_ = _e3837;
+                                    let _e3843 = phi_6776_;
+                                    if (_e3787 > _e3792) {
+                                        phi_6781_ = _e3787;
                                     } else {
-                                        phi_6792_ = _e3842;
+                                        phi_6781_ = _e3792;
                                     }
-                                    let _e3857 = phi_6792_;
-                                    if (_e3854 < _e3857) {
-                                        phi_6797_ = _e3854;
+                                    let _e3846 = phi_6781_;
+                                    if (_e3797 > _e3802) {
+                                        phi_6786_ = _e3797;
                                     } else {
-                                        phi_6797_ = _e3857;
+                                        phi_6786_ = _e3802;
                                     }
-                                    let _e3860 = phi_6797_;
-                                    if (_e3851 < _e3860) {
-                                        phi_6802_ = _e3851;
+                                    let _e3849 = phi_6786_;
+                                    if (_e3846 > _e3849) {
+                                        phi_6791_ = _e3846;
                                     } else {
-                                        phi_6802_ = _e3860;
+                                        phi_6791_ = _e3849;
                                     }
-                                    let _e3863 = phi_6802_;
+                                    let _e3852 = phi_6791_;
                                     if (_e3807 > _e3812) {
-                                        phi_6807_ = _e3807;
+                                        phi_6796_ = _e3807;
                                     } else {
-                                        phi_6807_ = _e3812;
+                                        phi_6796_ = _e3812;
                                     }
-                                    let _e3866 = phi_6807_;
+                                    let _e3855 = phi_6796_;
                                     if (_e3817 > _e3822) {
-                                        phi_6812_ = _e3817;
+                                        phi_6801_ = _e3817;
                                     } else {
-                                        phi_6812_ = _e3822;
+                                        phi_6801_ = _e3822;
                                     }
-                                    let _e3869 = phi_6812_;
-                                    if (_e3866 > _e3869) {
-                                        phi_6817_ = _e3866;
+                                    let _e3858 = phi_6801_;
+                                    if (_e3855 > _e3858) {
+                                        phi_6806_ = _e3855;
                                     } else {
-                                        phi_6817_ = _e3869;
+                                        phi_6806_ = _e3858;
                                     }
-                                    let _e3872 = phi_6817_;
-                                    if (_e3827 > _e3832) {
-                                        phi_6822_ = _e3827;
+                                    let _e3861 = phi_6806_;
+                                    if (_e3852 > _e3861) {
+                                        phi_6811_ = _e3852;
                                     } else {
-                                        phi_6822_ = _e3832;
+                                        phi_6811_ = _e3861;
                                     }
-                                    let _e3875 = phi_6822_;
-                                    if (_e3837 > _e3842) {
-                                        phi_6827_ = _e3837;
+                                    let _e3864 = phi_6811_;
+                                    if (_e3776 < 0f) {
+                                        phi_6817_ = -(_e3776);
                                     } else {
-                                        phi_6827_ = _e3842;
+                                        phi_6817_ = _e3776;
                                     }
-                                    let _e3878 = phi_6827_;
-                                    if (_e3875 > _e3878) {
-                                        phi_6832_ = _e3875;
+                                    let _e3868 = phi_6817_;
+                                    if (_e3779 < 0f) {
+                                        phi_6823_ = -(_e3779);
                                     } else {
-                                        phi_6832_ = _e3878;
+                                        phi_6823_ = _e3779;
                                     }
-                                    let _e3881 = phi_6832_;
-                                    if (_e3872 > _e3881) {
-                                        phi_6837_ = _e3872;
+                                    let _e3872 = phi_6823_;
+                                    if (_e3782 < 0f) {
+                                        phi_6830_ = -(_e3782);
                                     } else {
-                                        phi_6837_ = _e3881;
+                                        phi_6830_ = _e3782;
                                     }
-                                    let _e3884 = phi_6837_;
-                                    if (_e3796 < 0f) {
-                                        phi_6843_ = -(_e3796);
+                                    let _e3877 = phi_6830_;
+                                    let _e3878 = ((_e3868 + _e3872) + _e3877);
+                                    let _e3883 = -(_e3864);
+                                    if (_e3843 > _e3883) {
+                                        phi_6841_ = _e3843;
                                     } else {
-                                        phi_6843_ = _e3796;
+                                        phi_6841_ = _e3883;
                                     }
-                                    let _e3888 = phi_6843_;
-                                    if (_e3799 < 0f) {
-                                        phi_6849_ = -(_e3799);
+                                    let _e3886 = phi_6841_;
+                                    let _e3891 = (((_e3886 - ((_e3878 * _e3648) * (0.000000059604645f * (17f / 2f)))) - (_e3878 * _e3655)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3773 > _e3891) {
+                                        phi_6851_ = _e3773;
                                     } else {
-                                        phi_6849_ = _e3799;
+                                        phi_6851_ = _e3891;
                                     }
-                                    let _e3892 = phi_6849_;
-                                    if (_e3802 < 0f) {
-                                        phi_6856_ = -(_e3802);
-                                    } else {
-                                        phi_6856_ = _e3802;
-                                    }
-                                    let _e3897 = phi_6856_;
-                                    let _e3898 = ((_e3888 + _e3892) + _e3897);
-                                    let _e3903 = -(_e3884);
-                                    if (_e3863 > _e3903) {
-                                        phi_6867_ = _e3863;
-                                    } else {
-                                        phi_6867_ = _e3903;
-                                    }
-                                    let _e3906 = phi_6867_;
-                                    let _e3911 = (((_e3906 - ((_e3898 * _e3668) * (0.000000059604645f * (17f / 2f)))) - (_e3898 * _e3675)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3793 > _e3911) {
-                                        phi_6877_ = _e3793;
-                                    } else {
-                                        phi_6877_ = _e3911;
-                                    }
-                                    let _e3914 = phi_6877_;
-                                    phi_7059_ = (_e3410 || (_e3914 > 0f));
+                                    let _e3894 = phi_6851_;
+                                    phi_7033_ = (_e3390 || (_e3894 > 0f));
                                 }
-                                let _e3918 = phi_7059_;
-                                if _e3918 {
-                                    let _e3921 = local_1.member_1[0u];
-                                    let _e3927 = local_1.member_2[0u];
-                                    let _e3933 = ((_e3921[1] * _e3927[2]) - (_e3921[2] * _e3927[1]));
-                                    let _e3936 = ((_e3921[2] * _e3927[0]) - (_e3921[0] * _e3927[2]));
-                                    let _e3939 = ((_e3921[0] * _e3927[1]) - (_e3921[1] * _e3927[0]));
-                                    let _e3942 = local_1.member_1[1u];
-                                    let _e3948 = local_1.member_2[1u];
-                                    let _e3954 = ((_e3942[1] * _e3948[2]) - (_e3942[2] * _e3948[1]));
-                                    let _e3957 = ((_e3942[2] * _e3948[0]) - (_e3942[0] * _e3948[2]));
-                                    let _e3960 = ((_e3942[0] * _e3948[1]) - (_e3942[1] * _e3948[0]));
-                                    let _e3963 = local_1.member_1[0u];
-                                    let _e3969 = local_1.member_2[1u];
-                                    let _e3984 = local_1.member_1[1u];
-                                    let _e3990 = local_1.member_2[0u];
-                                    let _e4003 = (((_e3963[1] * _e3969[2]) - (_e3963[2] * _e3969[1])) + ((_e3984[1] * _e3990[2]) - (_e3984[2] * _e3990[1])));
-                                    let _e4004 = (((_e3963[2] * _e3969[0]) - (_e3963[0] * _e3969[2])) + ((_e3984[2] * _e3990[0]) - (_e3984[0] * _e3990[2])));
-                                    let _e4005 = (((_e3963[0] * _e3969[1]) - (_e3963[1] * _e3969[0])) + ((_e3984[0] * _e3990[1]) - (_e3984[1] * _e3990[0])));
-                                    let _e4008 = local_1.member[0u];
-                                    let _e4019 = local_1.member[1u];
-                                    let _e4030 = local_1.member[0u];
-                                    let _e4039 = ((((_e4019[0] * _e3933) + (_e4019[1] * _e3936)) + (_e4019[2] * _e3939)) + (((_e4030[0] * _e4003) + (_e4030[1] * _e4004)) + (_e4030[2] * _e4005)));
-                                    let _e4042 = local_1.member[0u];
-                                    let _e4053 = local_1.member[1u];
-                                    let _e4062 = ((((_e4042[0] * _e3954) + (_e4042[1] * _e3957)) + (_e4042[2] * _e3960)) + (((_e4053[0] * _e4003) + (_e4053[1] * _e4004)) + (_e4053[2] * _e4005)));
-                                    let _e4065 = local_1.member[1u];
-                                    let _e4076 = local_1.member[0u];
-                                    if (_e4076[0] < 0f) {
-                                        phi_7304_ = -(_e4076[0]);
+                                let _e3898 = phi_7033_;
+                                if _e3898 {
+                                    let _e3901 = local_1.member_1[0u];
+                                    let _e3907 = local_1.member_2[0u];
+                                    let _e3913 = ((_e3901[1] * _e3907[2]) - (_e3901[2] * _e3907[1]));
+                                    let _e3916 = ((_e3901[2] * _e3907[0]) - (_e3901[0] * _e3907[2]));
+                                    let _e3919 = ((_e3901[0] * _e3907[1]) - (_e3901[1] * _e3907[0]));
+                                    let _e3922 = local_1.member_1[1u];
+                                    let _e3928 = local_1.member_2[1u];
+                                    let _e3934 = ((_e3922[1] * _e3928[2]) - (_e3922[2] * _e3928[1]));
+                                    let _e3937 = ((_e3922[2] * _e3928[0]) - (_e3922[0] * _e3928[2]));
+                                    let _e3940 = ((_e3922[0] * _e3928[1]) - (_e3922[1] * _e3928[0]));
+                                    let _e3943 = local_1.member_1[0u];
+                                    let _e3949 = local_1.member_2[1u];
+                                    let _e3964 = local_1.member_1[1u];
+                                    let _e3970 = local_1.member_2[0u];
+                                    let _e3983 = (((_e3943[1] * _e3949[2]) - (_e3943[2] * _e3949[1])) + ((_e3964[1] * _e3970[2]) - (_e3964[2] * _e3970[1])));
+                                    let _e3984 = (((_e3943[2] * _e3949[0]) - (_e3943[0] * _e3949[2])) + ((_e3964[2] * _e3970[0]) - (_e3964[0] * _e3970[2])));
+                                    let _e3985 = (((_e3943[0] * _e3949[1]) - (_e3943[1] * _e3949[0])) + ((_e3964[0] * _e3970[1]) - (_e3964[1] * _e3970[0])));
+                                    let _e3988 = local_1.member[0u];
+                                    let _e3999 = local_1.member[1u];
+                                    let _e4010 = local_1.member[0u];
+                                    let _e4019 = ((((_e3999[0] * _e3913) + (_e3999[1] * _e3916)) + (_e3999[2] * _e3919)) + (((_e4010[0] * _e3983) + (_e4010[1] * _e3984)) + (_e4010[2] * _e3985)));
+                                    let _e4022 = local_1.member[0u];
+                                    let _e4033 = local_1.member[1u];
+                                    let _e4042 = ((((_e4022[0] * _e3934) + (_e4022[1] * _e3937)) + (_e4022[2] * _e3940)) + (((_e4033[0] * _e3983) + (_e4033[1] * _e3984)) + (_e4033[2] * _e3985)));
+                                    let _e4045 = local_1.member[1u];
+                                    let _e4056 = local_1.member[0u];
+                                    if (_e4056[0] < 0f) {
+                                        phi_7278_ = -(_e4056[0]);
                                     } else {
-                                        phi_7304_ = _e4076[0];
+                                        phi_7278_ = _e4056[0];
                                     }
-                                    let _e4083 = phi_7304_;
-                                    if (_e4076[1] < 0f) {
-                                        phi_7311_ = -(_e4076[1]);
+                                    let _e4063 = phi_7278_;
+                                    if (_e4056[1] < 0f) {
+                                        phi_7285_ = -(_e4056[1]);
                                     } else {
-                                        phi_7311_ = _e4076[1];
+                                        phi_7285_ = _e4056[1];
                                     }
-                                    let _e4087 = phi_7311_;
-                                    if (_e4083 > _e4087) {
-                                        phi_7316_ = _e4083;
+                                    let _e4067 = phi_7285_;
+                                    if (_e4063 > _e4067) {
+                                        phi_7290_ = _e4063;
                                     } else {
-                                        phi_7316_ = _e4087;
+                                        phi_7290_ = _e4067;
                                     }
-                                    let _e4090 = phi_7316_;
-                                    if (_e4076[2] < 0f) {
-                                        phi_7323_ = -(_e4076[2]);
+                                    let _e4070 = phi_7290_;
+                                    if (_e4056[2] < 0f) {
+                                        phi_7297_ = -(_e4056[2]);
                                     } else {
-                                        phi_7323_ = _e4076[2];
+                                        phi_7297_ = _e4056[2];
                                     }
-                                    let _e4094 = phi_7323_;
-                                    if (_e4090 > _e4094) {
-                                        phi_7328_ = _e4090;
+                                    let _e4074 = phi_7297_;
+                                    if (_e4070 > _e4074) {
+                                        phi_7302_ = _e4070;
                                     } else {
-                                        phi_7328_ = _e4094;
+                                        phi_7302_ = _e4074;
                                     }
-                                    let _e4097 = phi_7328_;
-                                    let _e4100 = local_1.member[1u];
-                                    if (_e4100[0] < 0f) {
-                                        phi_7341_ = -(_e4100[0]);
+                                    let _e4077 = phi_7302_;
+                                    let _e4080 = local_1.member[1u];
+                                    if (_e4080[0] < 0f) {
+                                        phi_7315_ = -(_e4080[0]);
                                     } else {
-                                        phi_7341_ = _e4100[0];
+                                        phi_7315_ = _e4080[0];
                                     }
-                                    let _e4107 = phi_7341_;
-                                    if (_e4100[1] < 0f) {
-                                        phi_7348_ = -(_e4100[1]);
+                                    let _e4087 = phi_7315_;
+                                    if (_e4080[1] < 0f) {
+                                        phi_7322_ = -(_e4080[1]);
                                     } else {
-                                        phi_7348_ = _e4100[1];
+                                        phi_7322_ = _e4080[1];
                                     }
-                                    let _e4111 = phi_7348_;
-                                    if (_e4107 > _e4111) {
-                                        phi_7353_ = _e4107;
+                                    let _e4091 = phi_7322_;
+                                    if (_e4087 > _e4091) {
+                                        phi_7327_ = _e4087;
                                     } else {
-                                        phi_7353_ = _e4111;
+                                        phi_7327_ = _e4091;
                                     }
-                                    let _e4114 = phi_7353_;
-                                    if (_e4100[2] < 0f) {
-                                        phi_7360_ = -(_e4100[2]);
+                                    let _e4094 = phi_7327_;
+                                    if (_e4080[2] < 0f) {
+                                        phi_7334_ = -(_e4080[2]);
                                     } else {
-                                        phi_7360_ = _e4100[2];
+                                        phi_7334_ = _e4080[2];
                                     }
-                                    let _e4118 = phi_7360_;
-                                    if (_e4114 > _e4118) {
-                                        phi_7365_ = _e4114;
+                                    let _e4098 = phi_7334_;
+                                    if (_e4094 > _e4098) {
+                                        phi_7339_ = _e4094;
                                     } else {
-                                        phi_7365_ = _e4118;
+                                        phi_7339_ = _e4098;
                                     }
-                                    let _e4121 = phi_7365_;
-                                    if (_e4097 > _e4121) {
-                                        phi_7370_ = _e4097;
+                                    let _e4101 = phi_7339_;
+                                    if (_e4077 > _e4101) {
+                                        phi_7344_ = _e4077;
                                     } else {
-                                        phi_7370_ = _e4121;
+                                        phi_7344_ = _e4101;
                                     }
-                                    let _e4124 = phi_7370_;
-                                    let _e4126 = local_1.member_3;
-                                    let _e4127 = (_e4124 + _e4126);
-                                    let _e4130 = local_1.member_1[0u];
-                                    if (_e4130[0] < 0f) {
-                                        phi_7387_ = -(_e4130[0]);
+                                    let _e4104 = phi_7344_;
+                                    let _e4106 = local_1.member_3;
+                                    let _e4107 = (_e4104 + _e4106);
+                                    let _e4110 = local_1.member_1[0u];
+                                    if (_e4110[0] < 0f) {
+                                        phi_7361_ = -(_e4110[0]);
                                     } else {
-                                        phi_7387_ = _e4130[0];
+                                        phi_7361_ = _e4110[0];
                                     }
-                                    let _e4137 = phi_7387_;
-                                    if (_e4130[1] < 0f) {
-                                        phi_7394_ = -(_e4130[1]);
+                                    let _e4117 = phi_7361_;
+                                    if (_e4110[1] < 0f) {
+                                        phi_7368_ = -(_e4110[1]);
                                     } else {
-                                        phi_7394_ = _e4130[1];
+                                        phi_7368_ = _e4110[1];
                                     }
-                                    let _e4141 = phi_7394_;
-                                    if (_e4137 > _e4141) {
-                                        phi_7399_ = _e4137;
+                                    let _e4121 = phi_7368_;
+                                    if (_e4117 > _e4121) {
+                                        phi_7373_ = _e4117;
                                     } else {
-                                        phi_7399_ = _e4141;
+                                        phi_7373_ = _e4121;
                                     }
-                                    let _e4144 = phi_7399_;
-                                    if (_e4130[2] < 0f) {
-                                        phi_7406_ = -(_e4130[2]);
+                                    let _e4124 = phi_7373_;
+                                    if (_e4110[2] < 0f) {
+                                        phi_7380_ = -(_e4110[2]);
                                     } else {
-                                        phi_7406_ = _e4130[2];
+                                        phi_7380_ = _e4110[2];
                                     }
-                                    let _e4148 = phi_7406_;
-                                    if (_e4144 > _e4148) {
-                                        phi_7411_ = _e4144;
+                                    let _e4128 = phi_7380_;
+                                    if (_e4124 > _e4128) {
+                                        phi_7385_ = _e4124;
                                     } else {
-                                        phi_7411_ = _e4148;
+                                        phi_7385_ = _e4128;
                                     }
-                                    let _e4151 = phi_7411_;
-                                    let _e4154 = local_1.member_1[1u];
-                                    if (_e4154[0] < 0f) {
-                                        phi_7425_ = -(_e4154[0]);
+                                    let _e4131 = phi_7385_;
+                                    let _e4134 = local_1.member_1[1u];
+                                    if (_e4134[0] < 0f) {
+                                        phi_7399_ = -(_e4134[0]);
                                     } else {
-                                        phi_7425_ = _e4154[0];
+                                        phi_7399_ = _e4134[0];
                                     }
-                                    let _e4161 = phi_7425_;
-                                    if (_e4154[1] < 0f) {
-                                        phi_7432_ = -(_e4154[1]);
+                                    let _e4141 = phi_7399_;
+                                    if (_e4134[1] < 0f) {
+                                        phi_7406_ = -(_e4134[1]);
                                     } else {
-                                        phi_7432_ = _e4154[1];
+                                        phi_7406_ = _e4134[1];
                                     }
-                                    let _e4165 = phi_7432_;
-                                    if (_e4161 > _e4165) {
-                                        phi_7437_ = _e4161;
+                                    let _e4145 = phi_7406_;
+                                    if (_e4141 > _e4145) {
+                                        phi_7411_ = _e4141;
                                     } else {
-                                        phi_7437_ = _e4165;
+                                        phi_7411_ = _e4145;
                                     }
-                                    let _e4168 = phi_7437_;
-                                    if (_e4154[2] < 0f) {
-                                        phi_7444_ = -(_e4154[2]);
+                                    let _e4148 = phi_7411_;
+                                    if (_e4134[2] < 0f) {
+                                        phi_7418_ = -(_e4134[2]);
                                     } else {
-                                        phi_7444_ = _e4154[2];
+                                        phi_7418_ = _e4134[2];
                                     }
-                                    let _e4172 = phi_7444_;
-                                    if (_e4168 > _e4172) {
-                                        phi_7449_ = _e4168;
+                                    let _e4152 = phi_7418_;
+                                    if (_e4148 > _e4152) {
+                                        phi_7423_ = _e4148;
                                     } else {
-                                        phi_7449_ = _e4172;
+                                        phi_7423_ = _e4152;
                                     }
-                                    let _e4175 = phi_7449_;
-                                    if (_e4151 > _e4175) {
-                                        phi_7454_ = _e4151;
+                                    let _e4155 = phi_7423_;
+                                    if (_e4131 > _e4155) {
+                                        phi_7428_ = _e4131;
                                     } else {
-                                        phi_7454_ = _e4175;
+                                        phi_7428_ = _e4155;
                                     }
-                                    let _e4178 = phi_7454_;
-                                    let _e4180 = local_1.member_3;
-                                    let _e4181 = (_e4178 + _e4180);
-                                    let _e4184 = local_1.member_2[0u];
-                                    if (_e4184[0] < 0f) {
-                                        phi_7471_ = -(_e4184[0]);
+                                    let _e4158 = phi_7428_;
+                                    let _e4160 = local_1.member_3;
+                                    let _e4161 = (_e4158 + _e4160);
+                                    let _e4164 = local_1.member_2[0u];
+                                    if (_e4164[0] < 0f) {
+                                        phi_7445_ = -(_e4164[0]);
                                     } else {
-                                        phi_7471_ = _e4184[0];
+                                        phi_7445_ = _e4164[0];
                                     }
-                                    let _e4191 = phi_7471_;
-                                    if (_e4184[1] < 0f) {
-                                        phi_7478_ = -(_e4184[1]);
+                                    let _e4171 = phi_7445_;
+                                    if (_e4164[1] < 0f) {
+                                        phi_7452_ = -(_e4164[1]);
                                     } else {
-                                        phi_7478_ = _e4184[1];
+                                        phi_7452_ = _e4164[1];
                                     }
-                                    let _e4195 = phi_7478_;
-                                    if (_e4191 > _e4195) {
-                                        phi_7483_ = _e4191;
+                                    let _e4175 = phi_7452_;
+                                    if (_e4171 > _e4175) {
+                                        phi_7457_ = _e4171;
                                     } else {
-                                        phi_7483_ = _e4195;
+                                        phi_7457_ = _e4175;
                                     }
-                                    let _e4198 = phi_7483_;
-                                    if (_e4184[2] < 0f) {
-                                        phi_7490_ = -(_e4184[2]);
+                                    let _e4178 = phi_7457_;
+                                    if (_e4164[2] < 0f) {
+                                        phi_7464_ = -(_e4164[2]);
                                     } else {
-                                        phi_7490_ = _e4184[2];
+                                        phi_7464_ = _e4164[2];
                                     }
-                                    let _e4202 = phi_7490_;
-                                    if (_e4198 > _e4202) {
-                                        phi_7495_ = _e4198;
+                                    let _e4182 = phi_7464_;
+                                    if (_e4178 > _e4182) {
+                                        phi_7469_ = _e4178;
                                     } else {
-                                        phi_7495_ = _e4202;
+                                        phi_7469_ = _e4182;
                                     }
-                                    let _e4205 = phi_7495_;
-                                    let _e4208 = local_1.member_2[1u];
-                                    if (_e4208[0] < 0f) {
-                                        phi_7509_ = -(_e4208[0]);
+                                    let _e4185 = phi_7469_;
+                                    let _e4188 = local_1.member_2[1u];
+                                    if (_e4188[0] < 0f) {
+                                        phi_7483_ = -(_e4188[0]);
                                     } else {
-                                        phi_7509_ = _e4208[0];
+                                        phi_7483_ = _e4188[0];
                                     }
-                                    let _e4215 = phi_7509_;
-                                    if (_e4208[1] < 0f) {
-                                        phi_7516_ = -(_e4208[1]);
+                                    let _e4195 = phi_7483_;
+                                    if (_e4188[1] < 0f) {
+                                        phi_7490_ = -(_e4188[1]);
                                     } else {
-                                        phi_7516_ = _e4208[1];
+                                        phi_7490_ = _e4188[1];
                                     }
-                                    let _e4219 = phi_7516_;
-                                    if (_e4215 > _e4219) {
-                                        phi_7521_ = _e4215;
+                                    let _e4199 = phi_7490_;
+                                    if (_e4195 > _e4199) {
+                                        phi_7495_ = _e4195;
                                     } else {
-                                        phi_7521_ = _e4219;
+                                        phi_7495_ = _e4199;
                                     }
-                                    let _e4222 = phi_7521_;
-                                    if (_e4208[2] < 0f) {
-                                        phi_7528_ = -(_e4208[2]);
+                                    let _e4202 = phi_7495_;
+                                    if (_e4188[2] < 0f) {
+                                        phi_7502_ = -(_e4188[2]);
                                     } else {
-                                        phi_7528_ = _e4208[2];
+                                        phi_7502_ = _e4188[2];
                                     }
-                                    let _e4226 = phi_7528_;
-                                    if (_e4222 > _e4226) {
-                                        phi_7533_ = _e4222;
+                                    let _e4206 = phi_7502_;
+                                    if (_e4202 > _e4206) {
+                                        phi_7507_ = _e4202;
                                     } else {
-                                        phi_7533_ = _e4226;
+                                        phi_7507_ = _e4206;
                                     }
-                                    let _e4229 = phi_7533_;
-                                    if (_e4205 > _e4229) {
-                                        phi_7538_ = _e4205;
+                                    let _e4209 = phi_7507_;
+                                    if (_e4185 > _e4209) {
+                                        phi_7512_ = _e4185;
                                     } else {
-                                        phi_7538_ = _e4229;
+                                        phi_7512_ = _e4209;
                                     }
-                                    let _e4232 = phi_7538_;
-                                    let _e4234 = local_1.member_3;
-                                    let _e4235 = (_e4232 + _e4234);
-                                    let _e4237 = ((_e4181 * 8f) * _e4235);
-                                    let _e4244 = local_1.member_3;
-                                    if (_e3933 < 0f) {
-                                        phi_7569_ = -(_e3933);
+                                    let _e4212 = phi_7512_;
+                                    let _e4214 = local_1.member_3;
+                                    let _e4215 = (_e4212 + _e4214);
+                                    let _e4217 = ((_e4161 * 8f) * _e4215);
+                                    let _e4224 = local_1.member_3;
+                                    if (_e3913 < 0f) {
+                                        phi_7543_ = -(_e3913);
                                     } else {
-                                        phi_7569_ = _e3933;
+                                        phi_7543_ = _e3913;
                                     }
-                                    let _e4261 = phi_7569_;
-                                    if (_e3936 < 0f) {
-                                        phi_7575_ = -(_e3936);
+                                    let _e4241 = phi_7543_;
+                                    if (_e3916 < 0f) {
+                                        phi_7549_ = -(_e3916);
                                     } else {
-                                        phi_7575_ = _e3936;
+                                        phi_7549_ = _e3916;
                                     }
-                                    let _e4265 = phi_7575_;
-                                    if (_e3939 < 0f) {
-                                        phi_7582_ = -(_e3939);
+                                    let _e4245 = phi_7549_;
+                                    if (_e3919 < 0f) {
+                                        phi_7556_ = -(_e3919);
                                     } else {
-                                        phi_7582_ = _e3939;
+                                        phi_7556_ = _e3919;
                                     }
-                                    let _e4270 = phi_7582_;
-                                    let _e4271 = ((_e4261 + _e4265) + _e4270);
-                                    if (_e3954 < 0f) {
-                                        phi_7589_ = -(_e3954);
+                                    let _e4250 = phi_7556_;
+                                    let _e4251 = ((_e4241 + _e4245) + _e4250);
+                                    if (_e3934 < 0f) {
+                                        phi_7563_ = -(_e3934);
                                     } else {
-                                        phi_7589_ = _e3954;
+                                        phi_7563_ = _e3934;
                                     }
-                                    let _e4275 = phi_7589_;
-                                    if (_e3957 < 0f) {
-                                        phi_7595_ = -(_e3957);
+                                    let _e4255 = phi_7563_;
+                                    if (_e3937 < 0f) {
+                                        phi_7569_ = -(_e3937);
                                     } else {
-                                        phi_7595_ = _e3957;
+                                        phi_7569_ = _e3937;
                                     }
-                                    let _e4279 = phi_7595_;
-                                    if (_e3960 < 0f) {
-                                        phi_7602_ = -(_e3960);
+                                    let _e4259 = phi_7569_;
+                                    if (_e3940 < 0f) {
+                                        phi_7576_ = -(_e3940);
                                     } else {
-                                        phi_7602_ = _e3960;
+                                        phi_7576_ = _e3940;
                                     }
-                                    let _e4284 = phi_7602_;
-                                    let _e4285 = ((_e4275 + _e4279) + _e4284);
-                                    if (_e4271 > _e4285) {
-                                        phi_7608_ = _e4271;
+                                    let _e4264 = phi_7576_;
+                                    let _e4265 = ((_e4255 + _e4259) + _e4264);
+                                    if (_e4251 > _e4265) {
+                                        phi_7582_ = _e4251;
                                     } else {
-                                        phi_7608_ = _e4285;
+                                        phi_7582_ = _e4265;
                                     }
-                                    let _e4288 = phi_7608_;
-                                    if (_e4003 < 0f) {
-                                        phi_7614_ = -(_e4003);
+                                    let _e4268 = phi_7582_;
+                                    if (_e3983 < 0f) {
+                                        phi_7588_ = -(_e3983);
                                     } else {
-                                        phi_7614_ = _e4003;
+                                        phi_7588_ = _e3983;
                                     }
-                                    let _e4292 = phi_7614_;
-                                    if (_e4004 < 0f) {
-                                        phi_7620_ = -(_e4004);
+                                    let _e4272 = phi_7588_;
+                                    if (_e3984 < 0f) {
+                                        phi_7594_ = -(_e3984);
                                     } else {
-                                        phi_7620_ = _e4004;
+                                        phi_7594_ = _e3984;
                                     }
-                                    let _e4296 = phi_7620_;
-                                    if (_e4005 < 0f) {
-                                        phi_7627_ = -(_e4005);
+                                    let _e4276 = phi_7594_;
+                                    if (_e3985 < 0f) {
+                                        phi_7601_ = -(_e3985);
                                     } else {
-                                        phi_7627_ = _e4005;
+                                        phi_7601_ = _e3985;
                                     }
-                                    let _e4301 = phi_7627_;
-                                    let _e4303 = (((_e4292 + _e4296) + _e4301) * 0.5f);
-                                    if (_e4288 > _e4303) {
-                                        phi_7634_ = _e4288;
+                                    let _e4281 = phi_7601_;
+                                    let _e4283 = (((_e4272 + _e4276) + _e4281) * 0.5f);
+                                    if (_e4268 > _e4283) {
+                                        phi_7608_ = _e4268;
                                     } else {
-                                        phi_7634_ = _e4303;
+                                        phi_7608_ = _e4283;
                                     }
-                                    let _e4306 = phi_7634_;
-                                    let _e4311 = local_1.member_3;
-                                    let _e4324 = ((((_e4008[0] * _e3933) + (_e4008[1] * _e3936)) + (_e4008[2] * _e3939)) * 3f);
-                                    let _e4325 = ((((_e4065[0] * _e3954) + (_e4065[1] * _e3957)) + (_e4065[2] * _e3960)) * 3f);
-                                    if (_e4324 < _e4325) {
-                                        phi_7658_ = _e4324;
+                                    let _e4286 = phi_7608_;
+                                    let _e4291 = local_1.member_3;
+                                    let _e4304 = ((((_e3988[0] * _e3913) + (_e3988[1] * _e3916)) + (_e3988[2] * _e3919)) * 3f);
+                                    let _e4305 = ((((_e4045[0] * _e3934) + (_e4045[1] * _e3937)) + (_e4045[2] * _e3940)) * 3f);
+                                    if (_e4304 < _e4305) {
+                                        phi_7632_ = _e4304;
                                     } else {
-                                        phi_7658_ = _e4325;
+                                        phi_7632_ = _e4305;
                                     }
-                                    let _e4328 = phi_7658_;
-                                    if (_e4039 < _e4062) {
-                                        phi_7663_ = _e4039;
+                                    let _e4308 = phi_7632_;
+                                    if (_e4019 < _e4042) {
+                                        phi_7637_ = _e4019;
                                     } else {
-                                        phi_7663_ = _e4062;
+                                        phi_7637_ = _e4042;
                                     }
-                                    let _e4331 = phi_7663_;
-                                    if (_e4328 < _e4331) {
-                                        phi_7668_ = _e4328;
+                                    let _e4311 = phi_7637_;
+                                    if (_e4308 < _e4311) {
+                                        phi_7642_ = _e4308;
                                     } else {
-                                        phi_7668_ = _e4331;
+                                        phi_7642_ = _e4311;
                                     }
-                                    let _e4334 = phi_7668_;
-                                    if (_e4324 > _e4325) {
-                                        phi_7673_ = _e4324;
+                                    let _e4314 = phi_7642_;
+                                    if (_e4304 > _e4305) {
+                                        phi_7647_ = _e4304;
                                     } else {
-                                        phi_7673_ = _e4325;
+                                        phi_7647_ = _e4305;
                                     }
-                                    let _e4337 = phi_7673_;
-                                    if (_e4039 > _e4062) {
-                                        phi_7678_ = _e4039;
+                                    let _e4317 = phi_7647_;
+                                    if (_e4019 > _e4042) {
+                                        phi_7652_ = _e4019;
                                     } else {
-                                        phi_7678_ = _e4062;
+                                        phi_7652_ = _e4042;
                                     }
-                                    let _e4340 = phi_7678_;
-                                    if (_e4337 > _e4340) {
-                                        phi_7683_ = _e4337;
+                                    let _e4320 = phi_7652_;
+                                    if (_e4317 > _e4320) {
+                                        phi_7657_ = _e4317;
                                     } else {
-                                        phi_7683_ = _e4340;
+                                        phi_7657_ = _e4320;
                                     }
-                                    let _e4343 = phi_7683_;
-                                    let _e4348 = -(_e4343);
-                                    if (_e4334 > _e4348) {
-                                        phi_7693_ = _e4334;
+                                    let _e4323 = phi_7657_;
+                                    let _e4328 = -(_e4323);
+                                    if (_e4314 > _e4328) {
+                                        phi_7667_ = _e4314;
                                     } else {
-                                        phi_7693_ = _e4348;
+                                        phi_7667_ = _e4328;
                                     }
-                                    let _e4351 = phi_7693_;
-                                    let _e4353 = ((_e4351 - ((((((_e4127 * 8f) * _e4237) * (0.000000059604645f * (524f / 64f))) + ((_e4244 * 19f) * ((_e4127 * (_e4181 + _e4235)) + (_e4181 * _e4235)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4127) * ((1f + _e4181) * (1f + _e4235))))) + ((_e1873 * (((_e4306 + (_e4237 * (0.000000059604645f * 8f))) + ((_e4311 * 6f) * (_e4181 + _e4235))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4181) * (1f + _e4235))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4353 {
-                                        phi_8662_ = _e4353;
+                                    let _e4331 = phi_7667_;
+                                    let _e4333 = ((_e4331 - ((((((_e4107 * 8f) * _e4217) * (0.000000059604645f * (524f / 64f))) + ((_e4224 * 19f) * ((_e4107 * (_e4161 + _e4215)) + (_e4161 * _e4215)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4107) * ((1f + _e4161) * (1f + _e4215))))) + ((_e1853 * (((_e4286 + (_e4217 * (0.000000059604645f * 8f))) + ((_e4291 * 6f) * (_e4161 + _e4215))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4161) * (1f + _e4215))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4333 {
+                                        phi_8636_ = _e4333;
                                     } else {
-                                        let _e4356 = local_1.member_1[0u];
-                                        let _e4362 = local_1.member_1[1u];
-                                        let _e4366 = (_e4356[0] + _e4362[0]);
-                                        let _e4367 = (_e4356[1] + _e4362[1]);
-                                        let _e4368 = (_e4356[2] + _e4362[2]);
-                                        let _e4371 = local_1.member_2[0u];
-                                        let _e4377 = local_1.member_2[1u];
-                                        let _e4381 = (_e4371[0] + _e4377[0]);
-                                        let _e4382 = (_e4371[1] + _e4377[1]);
-                                        let _e4383 = (_e4371[2] + _e4377[2]);
-                                        let _e4386 = ((_e4367 * _e4383) - (_e4368 * _e4382));
-                                        let _e4389 = ((_e4368 * _e4381) - (_e4366 * _e4383));
-                                        let _e4392 = ((_e4366 * _e4382) - (_e4367 * _e4381));
-                                        let _e4395 = local_1.member[0u];
-                                        let _e4401 = local_1.member_1[0u];
-                                        let _e4407 = local_1.member_2[0u];
-                                        let _e4411 = (_e4395[0] - _e4401[0]);
-                                        let _e4412 = (_e4395[1] - _e4401[1]);
-                                        let _e4413 = (_e4395[2] - _e4401[2]);
-                                        let _e4414 = (_e4411 - _e4407[0]);
-                                        let _e4415 = (_e4412 - _e4407[1]);
-                                        let _e4416 = (_e4413 - _e4407[2]);
-                                        let _e4417 = (_e4395[0] - _e4407[0]);
-                                        let _e4418 = (_e4395[1] - _e4407[1]);
-                                        let _e4419 = (_e4395[2] - _e4407[2]);
-                                        let _e4422 = local_1.member[1u];
-                                        let _e4428 = local_1.member_1[1u];
-                                        let _e4434 = local_1.member_2[1u];
-                                        let _e4438 = (_e4422[0] - _e4428[0]);
-                                        let _e4439 = (_e4422[1] - _e4428[1]);
-                                        let _e4440 = (_e4422[2] - _e4428[2]);
-                                        let _e4441 = (_e4438 - _e4434[0]);
-                                        let _e4442 = (_e4439 - _e4434[1]);
-                                        let _e4443 = (_e4440 - _e4434[2]);
-                                        let _e4444 = (_e4422[0] - _e4434[0]);
-                                        let _e4445 = (_e4422[1] - _e4434[1]);
-                                        let _e4446 = (_e4422[2] - _e4434[2]);
-                                        let _e4449 = local_1.member[0u];
-                                        if (_e4449[0] < 0f) {
-                                            phi_7896_ = -(_e4449[0]);
+                                        let _e4336 = local_1.member_1[0u];
+                                        let _e4342 = local_1.member_1[1u];
+                                        let _e4346 = (_e4336[0] + _e4342[0]);
+                                        let _e4347 = (_e4336[1] + _e4342[1]);
+                                        let _e4348 = (_e4336[2] + _e4342[2]);
+                                        let _e4351 = local_1.member_2[0u];
+                                        let _e4357 = local_1.member_2[1u];
+                                        let _e4361 = (_e4351[0] + _e4357[0]);
+                                        let _e4362 = (_e4351[1] + _e4357[1]);
+                                        let _e4363 = (_e4351[2] + _e4357[2]);
+                                        let _e4366 = ((_e4347 * _e4363) - (_e4348 * _e4362));
+                                        let _e4369 = ((_e4348 * _e4361) - (_e4346 * _e4363));
+                                        let _e4372 = ((_e4346 * _e4362) - (_e4347 * _e4361));
+                                        let _e4375 = local_1.member[0u];
+                                        let _e4381 = local_1.member_1[0u];
+                                        let _e4387 = local_1.member_2[0u];
+                                        let _e4391 = (_e4375[0] - _e4381[0]);
+                                        let _e4392 = (_e4375[1] - _e4381[1]);
+                                        let _e4393 = (_e4375[2] - _e4381[2]);
+                                        let _e4394 = (_e4391 - _e4387[0]);
+                                        let _e4395 = (_e4392 - _e4387[1]);
+                                        let _e4396 = (_e4393 - _e4387[2]);
+                                        let _e4397 = (_e4375[0] - _e4387[0]);
+                                        let _e4398 = (_e4375[1] - _e4387[1]);
+                                        let _e4399 = (_e4375[2] - _e4387[2]);
+                                        let _e4402 = local_1.member[1u];
+                                        let _e4408 = local_1.member_1[1u];
+                                        let _e4414 = local_1.member_2[1u];
+                                        let _e4418 = (_e4402[0] - _e4408[0]);
+                                        let _e4419 = (_e4402[1] - _e4408[1]);
+                                        let _e4420 = (_e4402[2] - _e4408[2]);
+                                        let _e4421 = (_e4418 - _e4414[0]);
+                                        let _e4422 = (_e4419 - _e4414[1]);
+                                        let _e4423 = (_e4420 - _e4414[2]);
+                                        let _e4424 = (_e4402[0] - _e4414[0]);
+                                        let _e4425 = (_e4402[1] - _e4414[1]);
+                                        let _e4426 = (_e4402[2] - _e4414[2]);
+                                        let _e4429 = local_1.member[0u];
+                                        if (_e4429[0] < 0f) {
+                                            phi_7870_ = -(_e4429[0]);
                                         } else {
-                                            phi_7896_ = _e4449[0];
+                                            phi_7870_ = _e4429[0];
                                         }
-                                        let _e4456 = phi_7896_;
-                                        if (_e4449[1] < 0f) {
-                                            phi_7903_ = -(_e4449[1]);
+                                        let _e4436 = phi_7870_;
+                                        if (_e4429[1] < 0f) {
+                                            phi_7877_ = -(_e4429[1]);
                                         } else {
-                                            phi_7903_ = _e4449[1];
+                                            phi_7877_ = _e4429[1];
                                         }
-                                        let _e4460 = phi_7903_;
-                                        if (_e4456 > _e4460) {
-                                            phi_7908_ = _e4456;
+                                        let _e4440 = phi_7877_;
+                                        if (_e4436 > _e4440) {
+                                            phi_7882_ = _e4436;
                                         } else {
-                                            phi_7908_ = _e4460;
+                                            phi_7882_ = _e4440;
                                         }
-                                        let _e4463 = phi_7908_;
-                                        if (_e4449[2] < 0f) {
-                                            phi_7915_ = -(_e4449[2]);
+                                        let _e4443 = phi_7882_;
+                                        if (_e4429[2] < 0f) {
+                                            phi_7889_ = -(_e4429[2]);
                                         } else {
-                                            phi_7915_ = _e4449[2];
+                                            phi_7889_ = _e4429[2];
                                         }
-                                        let _e4467 = phi_7915_;
-                                        if (_e4463 > _e4467) {
-                                            phi_7920_ = _e4463;
+                                        let _e4447 = phi_7889_;
+                                        if (_e4443 > _e4447) {
+                                            phi_7894_ = _e4443;
                                         } else {
-                                            phi_7920_ = _e4467;
+                                            phi_7894_ = _e4447;
                                         }
-                                        let _e4470 = phi_7920_;
-                                        let _e4473 = local_1.member[1u];
-                                        if (_e4473[0] < 0f) {
-                                            phi_7933_ = -(_e4473[0]);
+                                        let _e4450 = phi_7894_;
+                                        let _e4453 = local_1.member[1u];
+                                        if (_e4453[0] < 0f) {
+                                            phi_7907_ = -(_e4453[0]);
                                         } else {
-                                            phi_7933_ = _e4473[0];
+                                            phi_7907_ = _e4453[0];
                                         }
-                                        let _e4480 = phi_7933_;
-                                        if (_e4473[1] < 0f) {
-                                            phi_7940_ = -(_e4473[1]);
+                                        let _e4460 = phi_7907_;
+                                        if (_e4453[1] < 0f) {
+                                            phi_7914_ = -(_e4453[1]);
                                         } else {
-                                            phi_7940_ = _e4473[1];
+                                            phi_7914_ = _e4453[1];
                                         }
-                                        let _e4484 = phi_7940_;
-                                        if (_e4480 > _e4484) {
-                                            phi_7945_ = _e4480;
+                                        let _e4464 = phi_7914_;
+                                        if (_e4460 > _e4464) {
+                                            phi_7919_ = _e4460;
                                         } else {
-                                            phi_7945_ = _e4484;
+                                            phi_7919_ = _e4464;
                                         }
-                                        let _e4487 = phi_7945_;
-                                        if (_e4473[2] < 0f) {
-                                            phi_7952_ = -(_e4473[2]);
+                                        let _e4467 = phi_7919_;
+                                        if (_e4453[2] < 0f) {
+                                            phi_7926_ = -(_e4453[2]);
                                         } else {
-                                            phi_7952_ = _e4473[2];
+                                            phi_7926_ = _e4453[2];
                                         }
-                                        let _e4491 = phi_7952_;
-                                        if (_e4487 > _e4491) {
-                                            phi_7957_ = _e4487;
+                                        let _e4471 = phi_7926_;
+                                        if (_e4467 > _e4471) {
+                                            phi_7931_ = _e4467;
                                         } else {
-                                            phi_7957_ = _e4491;
+                                            phi_7931_ = _e4471;
                                         }
-                                        let _e4494 = phi_7957_;
-                                        if (_e4470 > _e4494) {
-                                            phi_7962_ = _e4470;
+                                        let _e4474 = phi_7931_;
+                                        if (_e4450 > _e4474) {
+                                            phi_7936_ = _e4450;
                                         } else {
-                                            phi_7962_ = _e4494;
+                                            phi_7936_ = _e4474;
                                         }
-                                        let _e4497 = phi_7962_;
-                                        let _e4499 = local_1.member_3;
-                                        let _e4503 = local_1.member_1[0u];
-                                        if (_e4503[0] < 0f) {
-                                            phi_7979_ = -(_e4503[0]);
+                                        let _e4477 = phi_7936_;
+                                        let _e4479 = local_1.member_3;
+                                        let _e4483 = local_1.member_1[0u];
+                                        if (_e4483[0] < 0f) {
+                                            phi_7953_ = -(_e4483[0]);
                                         } else {
-                                            phi_7979_ = _e4503[0];
+                                            phi_7953_ = _e4483[0];
                                         }
-                                        let _e4510 = phi_7979_;
-                                        if (_e4503[1] < 0f) {
-                                            phi_7986_ = -(_e4503[1]);
+                                        let _e4490 = phi_7953_;
+                                        if (_e4483[1] < 0f) {
+                                            phi_7960_ = -(_e4483[1]);
                                         } else {
-                                            phi_7986_ = _e4503[1];
+                                            phi_7960_ = _e4483[1];
                                         }
-                                        let _e4514 = phi_7986_;
-                                        if (_e4510 > _e4514) {
-                                            phi_7991_ = _e4510;
+                                        let _e4494 = phi_7960_;
+                                        if (_e4490 > _e4494) {
+                                            phi_7965_ = _e4490;
                                         } else {
-                                            phi_7991_ = _e4514;
+                                            phi_7965_ = _e4494;
                                         }
-                                        let _e4517 = phi_7991_;
-                                        if (_e4503[2] < 0f) {
-                                            phi_7998_ = -(_e4503[2]);
+                                        let _e4497 = phi_7965_;
+                                        if (_e4483[2] < 0f) {
+                                            phi_7972_ = -(_e4483[2]);
                                         } else {
-                                            phi_7998_ = _e4503[2];
+                                            phi_7972_ = _e4483[2];
                                         }
-                                        let _e4521 = phi_7998_;
-                                        if (_e4517 > _e4521) {
-                                            phi_8003_ = _e4517;
+                                        let _e4501 = phi_7972_;
+                                        if (_e4497 > _e4501) {
+                                            phi_7977_ = _e4497;
                                         } else {
-                                            phi_8003_ = _e4521;
+                                            phi_7977_ = _e4501;
                                         }
-                                        let _e4524 = phi_8003_;
-                                        let _e4527 = local_1.member_1[1u];
-                                        if (_e4527[0] < 0f) {
-                                            phi_8017_ = -(_e4527[0]);
+                                        let _e4504 = phi_7977_;
+                                        let _e4507 = local_1.member_1[1u];
+                                        if (_e4507[0] < 0f) {
+                                            phi_7991_ = -(_e4507[0]);
                                         } else {
-                                            phi_8017_ = _e4527[0];
+                                            phi_7991_ = _e4507[0];
                                         }
-                                        let _e4534 = phi_8017_;
-                                        if (_e4527[1] < 0f) {
-                                            phi_8024_ = -(_e4527[1]);
+                                        let _e4514 = phi_7991_;
+                                        if (_e4507[1] < 0f) {
+                                            phi_7998_ = -(_e4507[1]);
                                         } else {
-                                            phi_8024_ = _e4527[1];
+                                            phi_7998_ = _e4507[1];
                                         }
-                                        let _e4538 = phi_8024_;
-                                        if (_e4534 > _e4538) {
-                                            phi_8029_ = _e4534;
+                                        let _e4518 = phi_7998_;
+                                        if (_e4514 > _e4518) {
+                                            phi_8003_ = _e4514;
                                         } else {
-                                            phi_8029_ = _e4538;
+                                            phi_8003_ = _e4518;
                                         }
-                                        let _e4541 = phi_8029_;
-                                        if (_e4527[2] < 0f) {
-                                            phi_8036_ = -(_e4527[2]);
+                                        let _e4521 = phi_8003_;
+                                        if (_e4507[2] < 0f) {
+                                            phi_8010_ = -(_e4507[2]);
                                         } else {
-                                            phi_8036_ = _e4527[2];
+                                            phi_8010_ = _e4507[2];
                                         }
-                                        let _e4545 = phi_8036_;
-                                        if (_e4541 > _e4545) {
-                                            phi_8041_ = _e4541;
+                                        let _e4525 = phi_8010_;
+                                        if (_e4521 > _e4525) {
+                                            phi_8015_ = _e4521;
                                         } else {
-                                            phi_8041_ = _e4545;
+                                            phi_8015_ = _e4525;
                                         }
-                                        let _e4548 = phi_8041_;
-                                        if (_e4524 > _e4548) {
-                                            phi_8046_ = _e4524;
+                                        let _e4528 = phi_8015_;
+                                        if (_e4504 > _e4528) {
+                                            phi_8020_ = _e4504;
                                         } else {
-                                            phi_8046_ = _e4548;
+                                            phi_8020_ = _e4528;
                                         }
-                                        let _e4551 = phi_8046_;
-                                        let _e4553 = local_1.member_3;
-                                        let _e4557 = local_1.member_2[0u];
-                                        if (_e4557[0] < 0f) {
-                                            phi_8063_ = -(_e4557[0]);
+                                        let _e4531 = phi_8020_;
+                                        let _e4533 = local_1.member_3;
+                                        let _e4537 = local_1.member_2[0u];
+                                        if (_e4537[0] < 0f) {
+                                            phi_8037_ = -(_e4537[0]);
                                         } else {
-                                            phi_8063_ = _e4557[0];
+                                            phi_8037_ = _e4537[0];
                                         }
-                                        let _e4564 = phi_8063_;
-                                        if (_e4557[1] < 0f) {
-                                            phi_8070_ = -(_e4557[1]);
+                                        let _e4544 = phi_8037_;
+                                        if (_e4537[1] < 0f) {
+                                            phi_8044_ = -(_e4537[1]);
                                         } else {
-                                            phi_8070_ = _e4557[1];
+                                            phi_8044_ = _e4537[1];
                                         }
-                                        let _e4568 = phi_8070_;
-                                        if (_e4564 > _e4568) {
-                                            phi_8075_ = _e4564;
+                                        let _e4548 = phi_8044_;
+                                        if (_e4544 > _e4548) {
+                                            phi_8049_ = _e4544;
                                         } else {
-                                            phi_8075_ = _e4568;
+                                            phi_8049_ = _e4548;
                                         }
-                                        let _e4571 = phi_8075_;
-                                        if (_e4557[2] < 0f) {
-                                            phi_8082_ = -(_e4557[2]);
+                                        let _e4551 = phi_8049_;
+                                        if (_e4537[2] < 0f) {
+                                            phi_8056_ = -(_e4537[2]);
                                         } else {
-                                            phi_8082_ = _e4557[2];
+                                            phi_8056_ = _e4537[2];
                                         }
-                                        let _e4575 = phi_8082_;
-                                        if (_e4571 > _e4575) {
-                                            phi_8087_ = _e4571;
+                                        let _e4555 = phi_8056_;
+                                        if (_e4551 > _e4555) {
+                                            phi_8061_ = _e4551;
                                         } else {
-                                            phi_8087_ = _e4575;
+                                            phi_8061_ = _e4555;
                                         }
-                                        let _e4578 = phi_8087_;
-                                        let _e4581 = local_1.member_2[1u];
-                                        if (_e4581[0] < 0f) {
-                                            phi_8101_ = -(_e4581[0]);
+                                        let _e4558 = phi_8061_;
+                                        let _e4561 = local_1.member_2[1u];
+                                        if (_e4561[0] < 0f) {
+                                            phi_8075_ = -(_e4561[0]);
                                         } else {
-                                            phi_8101_ = _e4581[0];
+                                            phi_8075_ = _e4561[0];
                                         }
-                                        let _e4588 = phi_8101_;
-                                        if (_e4581[1] < 0f) {
-                                            phi_8108_ = -(_e4581[1]);
+                                        let _e4568 = phi_8075_;
+                                        if (_e4561[1] < 0f) {
+                                            phi_8082_ = -(_e4561[1]);
                                         } else {
-                                            phi_8108_ = _e4581[1];
+                                            phi_8082_ = _e4561[1];
                                         }
-                                        let _e4592 = phi_8108_;
-                                        if (_e4588 > _e4592) {
-                                            phi_8113_ = _e4588;
+                                        let _e4572 = phi_8082_;
+                                        if (_e4568 > _e4572) {
+                                            phi_8087_ = _e4568;
                                         } else {
-                                            phi_8113_ = _e4592;
+                                            phi_8087_ = _e4572;
                                         }
-                                        let _e4595 = phi_8113_;
-                                        if (_e4581[2] < 0f) {
-                                            phi_8120_ = -(_e4581[2]);
+                                        let _e4575 = phi_8087_;
+                                        if (_e4561[2] < 0f) {
+                                            phi_8094_ = -(_e4561[2]);
                                         } else {
-                                            phi_8120_ = _e4581[2];
+                                            phi_8094_ = _e4561[2];
                                         }
-                                        let _e4599 = phi_8120_;
-                                        if (_e4595 > _e4599) {
-                                            phi_8125_ = _e4595;
+                                        let _e4579 = phi_8094_;
+                                        if (_e4575 > _e4579) {
+                                            phi_8099_ = _e4575;
                                         } else {
-                                            phi_8125_ = _e4599;
+                                            phi_8099_ = _e4579;
                                         }
-                                        let _e4602 = phi_8125_;
-                                        if (_e4578 > _e4602) {
-                                            phi_8130_ = _e4578;
+                                        let _e4582 = phi_8099_;
+                                        if (_e4558 > _e4582) {
+                                            phi_8104_ = _e4558;
                                         } else {
-                                            phi_8130_ = _e4602;
+                                            phi_8104_ = _e4582;
                                         }
-                                        let _e4605 = phi_8130_;
-                                        let _e4607 = local_1.member_3;
-                                        let _e4611 = ((((_e4497 + _e4499) + (_e4551 + _e4553)) + (_e4605 + _e4607)) * 2f);
-                                        let _e4614 = local_1.member_3;
-                                        let _e4618 = (((_e1873 * 1.0001f) + (_e4614 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4621 = ((_e4389 * _e4368) - (_e4392 * _e4367));
-                                        let _e4624 = ((_e4392 * _e4366) - (_e4386 * _e4368));
-                                        let _e4627 = ((_e4386 * _e4367) - (_e4389 * _e4366));
-                                        let _e4632 = (((_e4621 * _e4395[0]) + (_e4624 * _e4395[1])) + (_e4627 * _e4395[2]));
-                                        let _e4637 = (((_e4621 * _e4411) + (_e4624 * _e4412)) + (_e4627 * _e4413));
-                                        let _e4642 = (((_e4621 * _e4417) + (_e4624 * _e4418)) + (_e4627 * _e4419));
-                                        let _e4647 = (((_e4621 * _e4414) + (_e4624 * _e4415)) + (_e4627 * _e4416));
-                                        let _e4652 = (((_e4621 * _e4422[0]) + (_e4624 * _e4422[1])) + (_e4627 * _e4422[2]));
-                                        let _e4657 = (((_e4621 * _e4438) + (_e4624 * _e4439)) + (_e4627 * _e4440));
-                                        let _e4662 = (((_e4621 * _e4444) + (_e4624 * _e4445)) + (_e4627 * _e4446));
-                                        let _e4667 = (((_e4621 * _e4441) + (_e4624 * _e4442)) + (_e4627 * _e4443));
+                                        let _e4585 = phi_8104_;
+                                        let _e4587 = local_1.member_3;
+                                        let _e4591 = ((((_e4477 + _e4479) + (_e4531 + _e4533)) + (_e4585 + _e4587)) * 2f);
+                                        let _e4594 = local_1.member_3;
+                                        let _e4598 = (((_e1853 * 1.0001f) + (_e4594 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4601 = ((_e4369 * _e4348) - (_e4372 * _e4347));
+                                        let _e4604 = ((_e4372 * _e4346) - (_e4366 * _e4348));
+                                        let _e4607 = ((_e4366 * _e4347) - (_e4369 * _e4346));
+                                        let _e4612 = (((_e4601 * _e4375[0]) + (_e4604 * _e4375[1])) + (_e4607 * _e4375[2]));
+                                        let _e4617 = (((_e4601 * _e4391) + (_e4604 * _e4392)) + (_e4607 * _e4393));
+                                        let _e4622 = (((_e4601 * _e4397) + (_e4604 * _e4398)) + (_e4607 * _e4399));
+                                        let _e4627 = (((_e4601 * _e4394) + (_e4604 * _e4395)) + (_e4607 * _e4396));
+                                        let _e4632 = (((_e4601 * _e4402[0]) + (_e4604 * _e4402[1])) + (_e4607 * _e4402[2]));
+                                        let _e4637 = (((_e4601 * _e4418) + (_e4604 * _e4419)) + (_e4607 * _e4420));
+                                        let _e4642 = (((_e4601 * _e4424) + (_e4604 * _e4425)) + (_e4607 * _e4426));
+                                        let _e4647 = (((_e4601 * _e4421) + (_e4604 * _e4422)) + (_e4607 * _e4423));
+                                        if (_e4612 < _e4617) {
+                                            phi_8183_ = _e4612;
+                                        } else {
+                                            phi_8183_ = _e4617;
+                                        }
+                                        let _e4650 = phi_8183_;
+                                        if (_e4622 < _e4627) {
+                                            phi_8188_ = _e4622;
+                                        } else {
+                                            phi_8188_ = _e4627;
+                                        }
+                                        let _e4653 = phi_8188_;
+                                        if (_e4650 < _e4653) {
+                                            phi_8193_ = _e4650;
+                                        } else {
+                                            phi_8193_ = _e4653;
+                                        }
+                                        let _e4656 = phi_8193_;
                                         if (_e4632 < _e4637) {
-                                            phi_8209_ = _e4632;
+                                            phi_8198_ = _e4632;
                                         } else {
-                                            phi_8209_ = _e4637;
+                                            phi_8198_ = _e4637;
                                         }
-                                        let _e4670 = phi_8209_;
+                                        let _e4659 = phi_8198_;
                                         if (_e4642 < _e4647) {
-                                            phi_8214_ = _e4642;
+                                            phi_8203_ = _e4642;
                                         } else {
-                                            phi_8214_ = _e4647;
+                                            phi_8203_ = _e4647;
                                         }
-                                        let _e4673 = phi_8214_;
-                                        if (_e4670 < _e4673) {
-                                            phi_8219_ = _e4670;
+                                        let _e4662 = phi_8203_;
+                                        if (_e4659 < _e4662) {
+                                            phi_8208_ = _e4659;
                                         } else {
-                                            phi_8219_ = _e4673;
+                                            phi_8208_ = _e4662;
                                         }
-                                        let _e4676 = phi_8219_;
-                                        if (_e4652 < _e4657) {
-                                            phi_8224_ = _e4652;
+                                        let _e4665 = phi_8208_;
+                                        if (_e4656 < _e4665) {
+                                            phi_8213_ = _e4656;
                                         } else {
-                                            phi_8224_ = _e4657;
+                                            phi_8213_ = _e4665;
                                         }
-                                        let _e4679 = phi_8224_;
-                                        if (_e4662 < _e4667) {
-                                            phi_8229_ = _e4662;
+                                        let _e4668 = phi_8213_;
+                                        if (_e4612 > _e4617) {
+                                            phi_8218_ = _e4612;
                                         } else {
-                                            phi_8229_ = _e4667;
+                                            phi_8218_ = _e4617;
                                         }
-                                        let _e4682 = phi_8229_;
-                                        if (_e4679 < _e4682) {
-                                            phi_8234_ = _e4679;
+                                        let _e4671 = phi_8218_;
+                                        if (_e4622 > _e4627) {
+                                            phi_8223_ = _e4622;
                                         } else {
-                                            phi_8234_ = _e4682;
+                                            phi_8223_ = _e4627;
                                         }
-                                        let _e4685 = phi_8234_;
-                                        if (_e4676 < _e4685) {
-                                            phi_8239_ = _e4676;
+                                        let _e4674 = phi_8223_;
+                                        if (_e4671 > _e4674) {
+                                            phi_8228_ = _e4671;
                                         } else {
-                                            phi_8239_ = _e4685;
+                                            phi_8228_ = _e4674;
                                         }
-                                        let _e4688 = phi_8239_;
+                                        let _e4677 = phi_8228_;
                                         if (_e4632 > _e4637) {
-                                            phi_8244_ = _e4632;
+                                            phi_8233_ = _e4632;
                                         } else {
-                                            phi_8244_ = _e4637;
+                                            phi_8233_ = _e4637;
                                         }
-                                        let _e4691 = phi_8244_;
+                                        let _e4680 = phi_8233_;
                                         if (_e4642 > _e4647) {
-                                            phi_8249_ = _e4642;
+                                            phi_8238_ = _e4642;
                                         } else {
-                                            phi_8249_ = _e4647;
+                                            phi_8238_ = _e4647;
                                         }
-                                        let _e4694 = phi_8249_;
-                                        if (_e4691 > _e4694) {
-                                            phi_8254_ = _e4691;
+                                        let _e4683 = phi_8238_;
+                                        if (_e4680 > _e4683) {
+                                            phi_8243_ = _e4680;
                                         } else {
-                                            phi_8254_ = _e4694;
+                                            phi_8243_ = _e4683;
                                         }
-                                        let _e4697 = phi_8254_;
-                                        if (_e4652 > _e4657) {
-                                            phi_8259_ = _e4652;
+                                        let _e4686 = phi_8243_;
+                                        if (_e4677 > _e4686) {
+                                            phi_8248_ = _e4677;
                                         } else {
-                                            phi_8259_ = _e4657;
+                                            phi_8248_ = _e4686;
                                         }
-                                        let _e4700 = phi_8259_;
-                                        if (_e4662 > _e4667) {
-                                            phi_8264_ = _e4662;
+                                        let _e4689 = phi_8248_;
+                                        if (_e4601 < 0f) {
+                                            phi_8254_ = -(_e4601);
                                         } else {
-                                            phi_8264_ = _e4667;
+                                            phi_8254_ = _e4601;
                                         }
-                                        let _e4703 = phi_8264_;
-                                        if (_e4700 > _e4703) {
-                                            phi_8269_ = _e4700;
+                                        let _e4693 = phi_8254_;
+                                        if (_e4604 < 0f) {
+                                            phi_8260_ = -(_e4604);
                                         } else {
-                                            phi_8269_ = _e4703;
+                                            phi_8260_ = _e4604;
                                         }
-                                        let _e4706 = phi_8269_;
-                                        if (_e4697 > _e4706) {
-                                            phi_8274_ = _e4697;
+                                        let _e4697 = phi_8260_;
+                                        if (_e4607 < 0f) {
+                                            phi_8267_ = -(_e4607);
                                         } else {
-                                            phi_8274_ = _e4706;
+                                            phi_8267_ = _e4607;
                                         }
-                                        let _e4709 = phi_8274_;
-                                        if (_e4621 < 0f) {
-                                            phi_8280_ = -(_e4621);
+                                        let _e4702 = phi_8267_;
+                                        let _e4703 = ((_e4693 + _e4697) + _e4702);
+                                        let _e4708 = -(_e4689);
+                                        if (_e4668 > _e4708) {
+                                            phi_8278_ = _e4668;
                                         } else {
-                                            phi_8280_ = _e4621;
+                                            phi_8278_ = _e4708;
                                         }
-                                        let _e4713 = phi_8280_;
-                                        if (_e4624 < 0f) {
-                                            phi_8286_ = -(_e4624);
+                                        let _e4711 = phi_8278_;
+                                        let _e4716 = (((_e4711 - ((_e4703 * _e4591) * (0.000000059604645f * (17f / 2f)))) - (_e4703 * _e4598)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4719 = ((_e4369 * _e4363) - (_e4372 * _e4362));
+                                        let _e4722 = ((_e4372 * _e4361) - (_e4366 * _e4363));
+                                        let _e4725 = ((_e4366 * _e4362) - (_e4369 * _e4361));
+                                        let _e4730 = (((_e4719 * _e4375[0]) + (_e4722 * _e4375[1])) + (_e4725 * _e4375[2]));
+                                        let _e4735 = (((_e4719 * _e4391) + (_e4722 * _e4392)) + (_e4725 * _e4393));
+                                        let _e4740 = (((_e4719 * _e4397) + (_e4722 * _e4398)) + (_e4725 * _e4399));
+                                        let _e4745 = (((_e4719 * _e4394) + (_e4722 * _e4395)) + (_e4725 * _e4396));
+                                        let _e4750 = (((_e4719 * _e4402[0]) + (_e4722 * _e4402[1])) + (_e4725 * _e4402[2]));
+                                        let _e4755 = (((_e4719 * _e4418) + (_e4722 * _e4419)) + (_e4725 * _e4420));
+                                        let _e4760 = (((_e4719 * _e4424) + (_e4722 * _e4425)) + (_e4725 * _e4426));
+                                        let _e4765 = (((_e4719 * _e4421) + (_e4722 * _e4422)) + (_e4725 * _e4423));
+                                        if (_e4730 < _e4735) {
+                                            phi_8349_ = _e4730;
                                         } else {
-                                            phi_8286_ = _e4624;
+                                            phi_8349_ = _e4735;
                                         }
-                                        let _e4717 = phi_8286_;
-                                        if (_e4627 < 0f) {
-                                            phi_8293_ = -(_e4627);
+                                        let _e4768 = phi_8349_;
+                                        if (_e4740 < _e4745) {
+                                            phi_8354_ = _e4740;
                                         } else {
-                                            phi_8293_ = _e4627;
+                                            phi_8354_ = _e4745;
                                         }
-                                        let _e4722 = phi_8293_;
-                                        let _e4723 = ((_e4713 + _e4717) + _e4722);
-                                        let _e4728 = -(_e4709);
-                                        if (_e4688 > _e4728) {
-                                            phi_8304_ = _e4688;
+                                        let _e4771 = phi_8354_;
+                                        if (_e4768 < _e4771) {
+                                            phi_8359_ = _e4768;
                                         } else {
-                                            phi_8304_ = _e4728;
+                                            phi_8359_ = _e4771;
                                         }
-                                        let _e4731 = phi_8304_;
-                                        let _e4736 = (((_e4731 - ((_e4723 * _e4611) * (0.000000059604645f * (17f / 2f)))) - (_e4723 * _e4618)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4739 = ((_e4389 * _e4383) - (_e4392 * _e4382));
-                                        let _e4742 = ((_e4392 * _e4381) - (_e4386 * _e4383));
-                                        let _e4745 = ((_e4386 * _e4382) - (_e4389 * _e4381));
-                                        let _e4750 = (((_e4739 * _e4395[0]) + (_e4742 * _e4395[1])) + (_e4745 * _e4395[2]));
-                                        let _e4755 = (((_e4739 * _e4411) + (_e4742 * _e4412)) + (_e4745 * _e4413));
-                                        let _e4760 = (((_e4739 * _e4417) + (_e4742 * _e4418)) + (_e4745 * _e4419));
-                                        let _e4765 = (((_e4739 * _e4414) + (_e4742 * _e4415)) + (_e4745 * _e4416));
-                                        let _e4770 = (((_e4739 * _e4422[0]) + (_e4742 * _e4422[1])) + (_e4745 * _e4422[2]));
-                                        let _e4775 = (((_e4739 * _e4438) + (_e4742 * _e4439)) + (_e4745 * _e4440));
-                                        let _e4780 = (((_e4739 * _e4444) + (_e4742 * _e4445)) + (_e4745 * _e4446));
-                                        let _e4785 = (((_e4739 * _e4441) + (_e4742 * _e4442)) + (_e4745 * _e4443));
+                                        let _e4774 = phi_8359_;
                                         if (_e4750 < _e4755) {
-                                            phi_8375_ = _e4750;
+                                            phi_8364_ = _e4750;
                                         } else {
-                                            phi_8375_ = _e4755;
+                                            phi_8364_ = _e4755;
                                         }
-                                        let _e4788 = phi_8375_;
+                                        let _e4777 = phi_8364_;
                                         if (_e4760 < _e4765) {
-                                            phi_8380_ = _e4760;
+                                            phi_8369_ = _e4760;
                                         } else {
-                                            phi_8380_ = _e4765;
+                                            phi_8369_ = _e4765;
                                         }
-                                        let _e4791 = phi_8380_;
-                                        if (_e4788 < _e4791) {
-                                            phi_8385_ = _e4788;
+                                        let _e4780 = phi_8369_;
+                                        if (_e4777 < _e4780) {
+                                            phi_8374_ = _e4777;
                                         } else {
-                                            phi_8385_ = _e4791;
+                                            phi_8374_ = _e4780;
                                         }
-                                        let _e4794 = phi_8385_;
-                                        if (_e4770 < _e4775) {
-                                            phi_8390_ = _e4770;
+                                        let _e4783 = phi_8374_;
+                                        if (_e4774 < _e4783) {
+                                            phi_8379_ = _e4774;
                                         } else {
-                                            phi_8390_ = _e4775;
+                                            phi_8379_ = _e4783;
                                         }
-                                        let _e4797 = phi_8390_;
-                                        if (_e4780 < _e4785) {
-                                            phi_8395_ = _e4780;
+                                        let _e4786 = phi_8379_;
+                                        if (_e4730 > _e4735) {
+                                            phi_8384_ = _e4730;
                                         } else {
-                                            phi_8395_ = _e4785;
+                                            phi_8384_ = _e4735;
                                         }
-                                        let _e4800 = phi_8395_;
-                                        if (_e4797 < _e4800) {
-                                            phi_8400_ = _e4797;
+                                        let _e4789 = phi_8384_;
+                                        if (_e4740 > _e4745) {
+                                            phi_8389_ = _e4740;
                                         } else {
-                                            phi_8400_ = _e4800;
+                                            phi_8389_ = _e4745;
                                         }
-                                        let _e4803 = phi_8400_;
-                                        if (_e4794 < _e4803) {
-                                            phi_8405_ = _e4794;
+                                        let _e4792 = phi_8389_;
+                                        if (_e4789 > _e4792) {
+                                            phi_8394_ = _e4789;
                                         } else {
-                                            phi_8405_ = _e4803;
+                                            phi_8394_ = _e4792;
                                         }
-                                        let _e4806 = phi_8405_;
+                                        let _e4795 = phi_8394_;
                                         if (_e4750 > _e4755) {
-                                            phi_8410_ = _e4750;
+                                            phi_8399_ = _e4750;
                                         } else {
-                                            phi_8410_ = _e4755;
+                                            phi_8399_ = _e4755;
                                         }
-                                        let _e4809 = phi_8410_;
+                                        let _e4798 = phi_8399_;
                                         if (_e4760 > _e4765) {
-                                            phi_8415_ = _e4760;
+                                            phi_8404_ = _e4760;
                                         } else {
-                                            phi_8415_ = _e4765;
+                                            phi_8404_ = _e4765;
                                         }
-                                        let _e4812 = phi_8415_;
-                                        if (_e4809 > _e4812) {
-                                            phi_8420_ = _e4809;
+                                        let _e4801 = phi_8404_;
+                                        if (_e4798 > _e4801) {
+                                            phi_8409_ = _e4798;
                                         } else {
-                                            phi_8420_ = _e4812;
+                                            phi_8409_ = _e4801;
                                         }
-                                        let _e4815 = phi_8420_;
-                                        if (_e4770 > _e4775) {
-                                            phi_8425_ = _e4770;
+                                        let _e4804 = phi_8409_;
+                                        if (_e4795 > _e4804) {
+                                            phi_8414_ = _e4795;
                                         } else {
-                                            phi_8425_ = _e4775;
+                                            phi_8414_ = _e4804;
                                         }
-                                        let _e4818 = phi_8425_;
-                                        if (_e4780 > _e4785) {
-                                            phi_8430_ = _e4780;
+                                        let _e4807 = phi_8414_;
+                                        if (_e4719 < 0f) {
+                                            phi_8420_ = -(_e4719);
                                         } else {
-                                            phi_8430_ = _e4785;
+                                            phi_8420_ = _e4719;
                                         }
-                                        let _e4821 = phi_8430_;
-                                        if (_e4818 > _e4821) {
-                                            phi_8435_ = _e4818;
+                                        let _e4811 = phi_8420_;
+                                        if (_e4722 < 0f) {
+                                            phi_8426_ = -(_e4722);
                                         } else {
-                                            phi_8435_ = _e4821;
+                                            phi_8426_ = _e4722;
                                         }
-                                        let _e4824 = phi_8435_;
-                                        if (_e4815 > _e4824) {
-                                            phi_8440_ = _e4815;
+                                        let _e4815 = phi_8426_;
+                                        if (_e4725 < 0f) {
+                                            phi_8433_ = -(_e4725);
                                         } else {
-                                            phi_8440_ = _e4824;
+                                            phi_8433_ = _e4725;
                                         }
-                                        let _e4827 = phi_8440_;
-                                        if (_e4739 < 0f) {
-                                            phi_8446_ = -(_e4739);
+                                        let _e4820 = phi_8433_;
+                                        let _e4821 = ((_e4811 + _e4815) + _e4820);
+                                        let _e4826 = -(_e4807);
+                                        if (_e4786 > _e4826) {
+                                            phi_8444_ = _e4786;
                                         } else {
-                                            phi_8446_ = _e4739;
+                                            phi_8444_ = _e4826;
                                         }
-                                        let _e4831 = phi_8446_;
-                                        if (_e4742 < 0f) {
-                                            phi_8452_ = -(_e4742);
+                                        let _e4829 = phi_8444_;
+                                        let _e4834 = (((_e4829 - ((_e4821 * _e4591) * (0.000000059604645f * (17f / 2f)))) - (_e4821 * _e4598)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4716 > _e4834) {
+                                            phi_8454_ = _e4716;
                                         } else {
-                                            phi_8452_ = _e4742;
+                                            phi_8454_ = _e4834;
                                         }
-                                        let _e4835 = phi_8452_;
-                                        if (_e4745 < 0f) {
-                                            phi_8459_ = -(_e4745);
-                                        } else {
-                                            phi_8459_ = _e4745;
-                                        }
-                                        let _e4840 = phi_8459_;
-                                        let _e4841 = ((_e4831 + _e4835) + _e4840);
-                                        let _e4846 = -(_e4827);
-                                        if (_e4806 > _e4846) {
-                                            phi_8470_ = _e4806;
-                                        } else {
-                                            phi_8470_ = _e4846;
-                                        }
-                                        let _e4849 = phi_8470_;
-                                        let _e4854 = (((_e4849 - ((_e4841 * _e4611) * (0.000000059604645f * (17f / 2f)))) - (_e4841 * _e4618)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4736 > _e4854) {
-                                            phi_8480_ = _e4736;
-                                        } else {
-                                            phi_8480_ = _e4854;
-                                        }
-                                        let _e4857 = phi_8480_;
-                                        phi_8662_ = (_e4353 || (_e4857 > 0f));
+                                        let _e4837 = phi_8454_;
+                                        phi_8636_ = (_e4333 || (_e4837 > 0f));
                                     }
-                                    let _e4861 = phi_8662_;
-                                    phi_8664_ = (_e3918 && _e4861);
+                                    let _e4841 = phi_8636_;
+                                    phi_8638_ = (_e3898 && _e4841);
                                 } else {
-                                    phi_8664_ = _e3918;
+                                    phi_8638_ = _e3898;
                                 }
-                                let _e4864 = phi_8664_;
-                                phi_8666_ = (_e2885 || _e4864);
+                                let _e4844 = phi_8638_;
+                                phi_8640_ = (_e2865 || _e4844);
                             }
-                            let _e4867 = phi_8666_;
-                            if !(_e4867) {
-                                let _e4870 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1216] = ((2147483648u | (_e4870 << bitcast<u32>(12i))) | _e1219);
+                            let _e4847 = phi_8640_;
+                            if !(_e4847) {
+                                let _e4850 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1196] = ((2147483648u | (_e4850 << bitcast<u32>(12i))) | _e1199);
                             }
                         }
-                        phi_8677_ = true;
+                        phi_8651_ = true;
                     }
-                    let _e4877 = phi_8677_;
-                    phi_8678_ = _e4877;
+                    let _e4857 = phi_8651_;
+                    phi_8652_ = _e4857;
                 } else {
-                    phi_8678_ = false;
+                    phi_8652_ = false;
                 }
-                let _e4879 = phi_8678_;
+                let _e4859 = phi_8652_;
                 continue;
                 continuing {
-                    phi_2250_ = _e1208;
-                    break if !(_e4879);
+                    phi_2224_ = _e1188;
+                    break if !(_e4859);
                 }
             }
             workgroupBarrier();
-            if (_e73 == 0u) {
-                let _e4883 = atomicLoad((&counters[5u]));
-                if (_e4883 > 0u) {
-                    let _e4886 = atomicAdd((&output.member[0u]), _e4883);
-                    if ((_e4886 + _e4883) < _e4886) {
-                        let _e4890 = atomicAdd((&output.member[2u]), 1u);
+            if (_e71 == 0u) {
+                let _e4863 = atomicLoad((&counters[5u]));
+                if (_e4863 > 0u) {
+                    let _e4866 = atomicAdd((&output.member[0u]), _e4863);
+                    if ((_e4866 + _e4863) < _e4866) {
+                        let _e4870 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4886);
+                    atomicStore((&counters[6u]), _e4866);
                 }
             }
             workgroupBarrier();
-            let _e4893 = atomicLoad((&counters[6u]));
-            if (_e73 == 0u) {
-                let _e4896 = atomicLoad((&counters[7u]));
-                if (_e4896 > 0u) {
-                    let _e4899 = atomicAdd((&output.member[1u]), _e4896);
-                    if ((_e4899 + _e4896) < _e4899) {
-                        let _e4903 = atomicAdd((&output.member[3u]), 1u);
+            let _e4873 = atomicLoad((&counters[6u]));
+            if (_e71 == 0u) {
+                let _e4876 = atomicLoad((&counters[7u]));
+                if (_e4876 > 0u) {
+                    let _e4879 = atomicAdd((&output.member[1u]), _e4876);
+                    if ((_e4879 + _e4876) < _e4879) {
+                        let _e4883 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_8728_ = type_9(0u, 16u);
+            phi_8702_ = type_9(0u, 16u);
             loop {
-                let _e4905 = phi_8728_;
-                if (_e4905.member < _e4905.member_1) {
-                    phi_8729_ = type_9((_e4905.member + 1u), _e4905.member_1);
-                    phi_8752_ = type_9(1u, _e4905.member);
+                let _e4885 = phi_8702_;
+                if (_e4885.member < _e4885.member_1) {
+                    phi_8703_ = type_9((_e4885.member + 1u), _e4885.member_1);
+                    phi_8726_ = type_9(1u, _e4885.member);
                 } else {
-                    phi_8729_ = _e4905;
-                    phi_8752_ = type_9(0u, type_9().member_1);
+                    phi_8703_ = _e4885;
+                    phi_8726_ = type_9(0u, type_9().member_1);
                 }
-                let _e4917 = phi_8729_;
-                let _e4919 = phi_8752_;
-                if (bitcast<i32>(_e4919.member) != 0i) {
-                    let _e4925 = (_e73 + (_e4919.member_1 * 128u));
-                    if (_e4925 >= _e1194) {
-                        phi_8849_ = false;
+                let _e4897 = phi_8703_;
+                let _e4899 = phi_8726_;
+                if (bitcast<i32>(_e4899.member) != 0i) {
+                    let _e4905 = (_e71 + (_e4899.member_1 * 128u));
+                    if (_e4905 >= _e1174) {
+                        phi_8823_ = false;
                     } else {
-                        let _e4928 = hits[_e4925];
-                        if ((_e4928 & 2147483648u) == 0u) {
-                            phi_8775_ = 4294967295u;
+                        let _e4908 = hits[_e4905];
+                        if ((_e4908 & 2147483648u) == 0u) {
+                            phi_8749_ = 4294967295u;
                         } else {
-                            phi_8775_ = ((_e4928 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8749_ = ((_e4908 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4935 = phi_8775_;
-                        if (_e4935 != 4294967295u) {
-                            let _e4939 = ((_e4928 >> bitcast<u32>(10i)) & 3u);
-                            let _e4946 = firsts[(2u * _e4939)];
-                            let _e4949 = leaves.member[(_e4946 + ((_e4928 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4953 = firsts[((2u * _e4939) + 1u)];
-                            let _e4956 = leaves.member[(_e4953 + (_e4928 & 31u))];
-                            let _e4961 = params.member.member_1.member_3;
-                            let _e4962 = (_e4893 + _e4935);
-                            if (_e4949.member_1 < _e4956.member_1) {
-                                phi_8830_ = type_9(_e4949.member_1, _e4956.member_1);
+                        let _e4915 = phi_8749_;
+                        if (_e4915 != 4294967295u) {
+                            let _e4919 = ((_e4908 >> bitcast<u32>(10i)) & 3u);
+                            let _e4926 = firsts[(2u * _e4919)];
+                            let _e4929 = leaves.member[(_e4926 + ((_e4908 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4933 = firsts[((2u * _e4919) + 1u)];
+                            let _e4936 = leaves.member[(_e4933 + (_e4908 & 31u))];
+                            let _e4941 = params.member.member_1.member_3;
+                            let _e4942 = (_e4873 + _e4915);
+                            if (_e4929.member_1 < _e4936.member_1) {
+                                phi_8804_ = type_9(_e4929.member_1, _e4936.member_1);
                             } else {
-                                phi_8830_ = type_9(_e4956.member_1, _e4949.member_1);
+                                phi_8804_ = type_9(_e4936.member_1, _e4929.member_1);
                             }
-                            let _e4967 = phi_8830_;
-                            if (_e4962 < _e4961) {
-                                let _e4971 = (2u * _e4962);
-                                atomicStore((&output.member[(4u + _e4971)]), _e4967.member);
-                                atomicStore((&output.member[(_e4971 + 5u)]), _e4967.member_1);
+                            let _e4947 = phi_8804_;
+                            if (_e4942 < _e4941) {
+                                let _e4951 = (2u * _e4942);
+                                atomicStore((&output.member[(4u + _e4951)]), _e4947.member);
+                                atomicStore((&output.member[(_e4951 + 5u)]), _e4947.member_1);
                             }
                         }
-                        phi_8849_ = true;
+                        phi_8823_ = true;
                     }
-                    let _e4977 = phi_8849_;
-                    phi_8850_ = _e4977;
+                    let _e4957 = phi_8823_;
+                    phi_8824_ = _e4957;
                 } else {
-                    phi_8850_ = false;
+                    phi_8824_ = false;
                 }
-                let _e4979 = phi_8850_;
+                let _e4959 = phi_8824_;
                 continue;
                 continuing {
-                    phi_8728_ = _e4917;
-                    break if !(_e4979);
+                    phi_8702_ = _e4897;
+                    break if !(_e4959);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_444_ = _e159;
-            break if !(_e165);
+            phi_442_ = _e157;
+            break if !(_e163);
         }
     }
     return;

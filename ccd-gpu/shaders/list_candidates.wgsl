@@ -116,369 +116,366 @@ var<storage> keys: type_35;
 var<storage> input: type_11;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_3599_: bool;
-    var phi_3600_: bool;
-    var phi_3604_: array<u32, 2>;
+    var phi_3573_: bool;
+    var phi_3574_: bool;
+    var phi_3578_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_3600_ = true;
+        phi_3574_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_3599_ = (param_1[0] > param[0]);
+            phi_3573_ = (param_1[0] > param[0]);
         } else {
-            phi_3599_ = false;
+            phi_3573_ = false;
         }
-        let _e14 = phi_3599_;
-        phi_3600_ = _e14;
+        let _e14 = phi_3573_;
+        phi_3574_ = _e14;
     }
-    let _e16 = phi_3600_;
+    let _e16 = phi_3574_;
     if _e16 {
-        phi_3604_ = param_1;
+        phi_3578_ = param_1;
     } else {
-        phi_3604_ = param;
+        phi_3578_ = param;
     }
-    let _e18 = phi_3604_;
+    let _e18 = phi_3578_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_3575_: bool;
-    var phi_3576_: bool;
-    var phi_3580_: array<u32, 2>;
+    var phi_3549_: bool;
+    var phi_3550_: bool;
+    var phi_3554_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_3576_ = true;
+        phi_3550_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_3575_ = (param_2[0] > param_3[0]);
+            phi_3549_ = (param_2[0] > param_3[0]);
         } else {
-            phi_3575_ = false;
+            phi_3549_ = false;
         }
-        let _e14 = phi_3575_;
-        phi_3576_ = _e14;
+        let _e14 = phi_3549_;
+        phi_3550_ = _e14;
     }
-    let _e16 = phi_3576_;
+    let _e16 = phi_3550_;
     if _e16 {
-        phi_3580_ = param_3;
+        phi_3554_ = param_3;
     } else {
-        phi_3580_ = param_2;
+        phi_3554_ = param_2;
     }
-    let _e18 = phi_3580_;
+    let _e18 = phi_3554_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_3551_: bool;
-    var phi_3552_: bool;
-    var phi_3556_: array<u32, 2>;
+    var phi_3525_: bool;
+    var phi_3526_: bool;
+    var phi_3530_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_3552_ = true;
+        phi_3526_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_3551_ = (param_5[0] > param_4[0]);
+            phi_3525_ = (param_5[0] > param_4[0]);
         } else {
-            phi_3551_ = false;
+            phi_3525_ = false;
         }
-        let _e14 = phi_3551_;
-        phi_3552_ = _e14;
+        let _e14 = phi_3525_;
+        phi_3526_ = _e14;
     }
-    let _e16 = phi_3552_;
+    let _e16 = phi_3526_;
     if _e16 {
-        phi_3556_ = param_5;
+        phi_3530_ = param_5;
     } else {
-        phi_3556_ = param_4;
+        phi_3530_ = param_4;
     }
-    let _e18 = phi_3556_;
+    let _e18 = phi_3530_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_3527_: bool;
-    var phi_3528_: bool;
-    var phi_3532_: array<u32, 2>;
+    var phi_3501_: bool;
+    var phi_3502_: bool;
+    var phi_3506_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_3528_ = true;
+        phi_3502_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_3527_ = (param_6[0] > param_7[0]);
+            phi_3501_ = (param_6[0] > param_7[0]);
         } else {
-            phi_3527_ = false;
+            phi_3501_ = false;
         }
-        let _e14 = phi_3527_;
-        phi_3528_ = _e14;
+        let _e14 = phi_3501_;
+        phi_3502_ = _e14;
     }
-    let _e16 = phi_3528_;
+    let _e16 = phi_3502_;
     if _e16 {
-        phi_3532_ = param_7;
+        phi_3506_ = param_7;
     } else {
-        phi_3532_ = param_6;
+        phi_3506_ = param_6;
     }
-    let _e18 = phi_3532_;
+    let _e18 = phi_3506_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3508_: array<u32, 2>;
+    var phi_3477_: bool;
+    var phi_3478_: bool;
+    var phi_3482_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_3504_ = true;
+        phi_3478_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_3503_ = (param_9[0] > param_8[0]);
+            phi_3477_ = (param_9[0] > param_8[0]);
         } else {
-            phi_3503_ = false;
+            phi_3477_ = false;
         }
-        let _e14 = phi_3503_;
-        phi_3504_ = _e14;
+        let _e14 = phi_3477_;
+        phi_3478_ = _e14;
     }
-    let _e16 = phi_3504_;
+    let _e16 = phi_3478_;
     if _e16 {
-        phi_3508_ = param_9;
+        phi_3482_ = param_9;
     } else {
-        phi_3508_ = param_8;
+        phi_3482_ = param_8;
     }
-    let _e18 = phi_3508_;
+    let _e18 = phi_3482_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_3479_: bool;
-    var phi_3480_: bool;
-    var phi_3484_: array<u32, 2>;
+    var phi_3453_: bool;
+    var phi_3454_: bool;
+    var phi_3458_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_3480_ = true;
+        phi_3454_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_3479_ = (param_10[0] > param_11[0]);
+            phi_3453_ = (param_10[0] > param_11[0]);
         } else {
-            phi_3479_ = false;
+            phi_3453_ = false;
         }
-        let _e14 = phi_3479_;
-        phi_3480_ = _e14;
+        let _e14 = phi_3453_;
+        phi_3454_ = _e14;
     }
-    let _e16 = phi_3480_;
+    let _e16 = phi_3454_;
     if _e16 {
-        phi_3484_ = param_11;
+        phi_3458_ = param_11;
     } else {
-        phi_3484_ = param_10;
+        phi_3458_ = param_10;
     }
-    let _e18 = phi_3484_;
+    let _e18 = phi_3458_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_172_: u32;
-    var phi_184_: array<u32, 2>;
-    var phi_216_: u32;
-    var phi_217_: u32;
-    var phi_225_: u32;
-    var phi_241_: u32;
-    var phi_262_: u32;
-    var phi_263_: u32;
-    var phi_266_: type_9;
-    var phi_267_: type_9;
-    var phi_290_: type_9;
-    var phi_331_: u32;
-    var phi_332_: u32;
-    var phi_340_: u32;
-    var phi_352_: u32;
-    var phi_437_: array<u32, 2>;
-    var phi_641_: bool;
-    var phi_642_: bool;
-    var phi_646_: type_29;
-    var phi_652_: bool;
-    var phi_659_: type_9;
-    var phi_662_: u32;
-    var phi_660_: type_9;
-    var phi_685_: type_9;
+    var phi_170_: u32;
+    var phi_182_: array<u32, 2>;
+    var phi_214_: u32;
+    var phi_215_: u32;
+    var phi_223_: u32;
+    var phi_239_: u32;
+    var phi_260_: u32;
+    var phi_261_: u32;
+    var phi_264_: type_9;
+    var phi_265_: type_9;
+    var phi_288_: type_9;
+    var phi_329_: u32;
+    var phi_330_: u32;
+    var phi_338_: u32;
+    var phi_350_: u32;
+    var phi_435_: array<u32, 2>;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_644_: type_29;
+    var phi_650_: bool;
+    var phi_657_: type_9;
+    var phi_660_: u32;
+    var phi_658_: type_9;
+    var phi_683_: type_9;
+    var phi_749_: bool;
+    var phi_750_: bool;
     var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_800_: u32;
-    var phi_801_: u32;
-    var phi_663_: u32;
+    var phi_755_: bool;
+    var phi_773_: u32;
+    var phi_774_: u32;
+    var phi_775_: u32;
+    var phi_661_: u32;
+    var phi_778_: type_9;
+    var phi_781_: u32;
+    var phi_779_: type_9;
     var phi_804_: type_9;
-    var phi_807_: u32;
-    var phi_805_: type_9;
-    var phi_830_: type_9;
-    var phi_950_: bool;
-    var phi_956_: bool;
     var phi_924_: bool;
-    var phi_931_: bool;
-    var phi_939_: bool;
-    var phi_958_: bool;
-    var phi_962_: bool;
-    var phi_963_: bool;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1015_: bool;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1169_: u32;
-    var phi_1170_: u32;
-    var phi_1171_: u32;
-    var phi_1172_: u32;
-    var phi_1175_: type_15;
-    var phi_1178_: u32;
-    var phi_1180_: u32;
-    var phi_1201_: bool;
-    var phi_1207_: type_16;
-    var phi_1176_: type_15;
-    var phi_1221_: type_16;
-    var phi_1289_: bool;
-    var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1302_: u32;
-    var phi_1303_: u32;
-    var phi_1304_: u32;
-    var phi_1305_: u32;
-    var phi_1306_: bool;
-    var phi_1179_: u32;
-    var phi_1181_: u32;
-    var phi_1307_: bool;
+    var phi_930_: bool;
+    var phi_898_: bool;
+    var phi_905_: bool;
+    var phi_913_: bool;
+    var phi_932_: bool;
+    var phi_936_: bool;
+    var phi_937_: bool;
+    var phi_981_: bool;
+    var phi_982_: bool;
+    var phi_989_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1143_: u32;
+    var phi_1144_: u32;
+    var phi_1145_: u32;
+    var phi_1146_: u32;
+    var phi_1149_: type_15;
+    var phi_1152_: u32;
+    var phi_1154_: u32;
+    var phi_1175_: bool;
+    var phi_1181_: type_16;
+    var phi_1150_: type_15;
+    var phi_1195_: type_16;
+    var phi_1263_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1270_: bool;
+    var phi_1271_: bool;
+    var phi_1276_: u32;
+    var phi_1277_: u32;
+    var phi_1278_: u32;
+    var phi_1279_: u32;
+    var phi_1280_: bool;
+    var phi_1153_: u32;
+    var phi_1155_: u32;
+    var phi_1281_: bool;
     var local: u32;
     var local_1: u32;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1336_: bool;
+    var phi_1337_: bool;
+    var phi_1341_: bool;
+    var phi_1345_: bool;
+    var phi_1346_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
     var phi_1355_: bool;
     var phi_1356_: bool;
-    var phi_1357_: bool;
-    var phi_1358_: bool;
-    var phi_1362_: bool;
-    var phi_1363_: bool;
-    var phi_1367_: bool;
-    var phi_1371_: bool;
-    var phi_1372_: bool;
-    var phi_1376_: bool;
-    var phi_1377_: bool;
-    var phi_1381_: bool;
-    var phi_1382_: bool;
-    var phi_1506_: bool;
-    var phi_1507_: bool;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var phi_1789_: bool;
-    var phi_1790_: bool;
-    var phi_1885_: bool;
-    var phi_1886_: bool;
-    var phi_1979_: bool;
-    var phi_1980_: bool;
-    var phi_1984_: bool;
-    var phi_1985_: bool;
-    var phi_1986_: bool;
-    var phi_1990_: bool;
-    var phi_1991_: bool;
-    var phi_1992_: bool;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_1998_: bool;
-    var phi_2014_: type_9;
-    var phi_2019_: type_9;
-    var phi_2060_: u32;
-    var phi_2061_: bool;
-    var phi_808_: u32;
-    var phi_2062_: bool;
-    var phi_2069_: u32;
-    var phi_2072_: type_9;
-    var phi_2073_: type_9;
-    var phi_2096_: type_9;
-    var phi_2224_: bool;
-    var phi_2230_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1859_: bool;
+    var phi_1860_: bool;
+    var phi_1953_: bool;
+    var phi_1954_: bool;
+    var phi_1958_: bool;
+    var phi_1959_: bool;
+    var phi_1960_: bool;
+    var phi_1964_: bool;
+    var phi_1965_: bool;
+    var phi_1966_: bool;
+    var phi_1967_: bool;
+    var phi_1968_: bool;
+    var phi_1972_: bool;
+    var phi_1988_: type_9;
+    var phi_1993_: type_9;
+    var phi_2034_: u32;
+    var phi_2035_: bool;
+    var phi_782_: u32;
+    var phi_2036_: bool;
+    var phi_2043_: u32;
+    var phi_2046_: type_9;
+    var phi_2047_: type_9;
+    var phi_2070_: type_9;
     var phi_2198_: bool;
-    var phi_2205_: bool;
-    var phi_2213_: bool;
-    var phi_2232_: bool;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
-    var phi_2281_: bool;
-    var phi_2282_: bool;
-    var phi_2289_: bool;
-    var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2443_: u32;
-    var phi_2444_: u32;
-    var phi_2445_: u32;
-    var phi_2446_: u32;
-    var phi_2449_: type_15;
-    var phi_2452_: u32;
-    var phi_2454_: u32;
-    var phi_2475_: bool;
-    var phi_2481_: type_16;
-    var phi_2450_: type_15;
-    var phi_2495_: type_16;
-    var phi_2563_: bool;
-    var phi_2564_: bool;
-    var phi_2565_: bool;
-    var phi_2566_: bool;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2576_: u32;
-    var phi_2577_: u32;
-    var phi_2578_: u32;
-    var phi_2579_: u32;
-    var phi_2580_: bool;
-    var phi_2453_: u32;
-    var phi_2455_: u32;
-    var phi_2581_: bool;
+    var phi_2204_: bool;
+    var phi_2172_: bool;
+    var phi_2179_: bool;
+    var phi_2187_: bool;
+    var phi_2206_: bool;
+    var phi_2210_: bool;
+    var phi_2211_: bool;
+    var phi_2255_: bool;
+    var phi_2256_: bool;
+    var phi_2263_: bool;
+    var phi_2379_: bool;
+    var phi_2380_: bool;
+    var phi_2417_: u32;
+    var phi_2418_: u32;
+    var phi_2419_: u32;
+    var phi_2420_: u32;
+    var phi_2423_: type_15;
+    var phi_2426_: u32;
+    var phi_2428_: u32;
+    var phi_2449_: bool;
+    var phi_2455_: type_16;
+    var phi_2424_: type_15;
+    var phi_2469_: type_16;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_2539_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
+    var phi_2550_: u32;
+    var phi_2551_: u32;
+    var phi_2552_: u32;
+    var phi_2553_: u32;
+    var phi_2554_: bool;
+    var phi_2427_: u32;
+    var phi_2429_: u32;
+    var phi_2555_: bool;
     var local_2: u32;
     var local_3: u32;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var phi_2605_: bool;
+    var phi_2606_: bool;
+    var phi_2610_: bool;
+    var phi_2611_: bool;
+    var phi_2615_: bool;
+    var phi_2619_: bool;
+    var phi_2620_: bool;
+    var phi_2624_: bool;
+    var phi_2625_: bool;
     var phi_2629_: bool;
     var phi_2630_: bool;
-    var phi_2631_: bool;
-    var phi_2632_: bool;
-    var phi_2636_: bool;
-    var phi_2637_: bool;
-    var phi_2641_: bool;
-    var phi_2645_: bool;
-    var phi_2646_: bool;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
-    var phi_2655_: bool;
-    var phi_2656_: bool;
-    var phi_2780_: bool;
-    var phi_2781_: bool;
-    var phi_2874_: bool;
-    var phi_2875_: bool;
-    var phi_2969_: bool;
-    var phi_2970_: bool;
-    var phi_3063_: bool;
-    var phi_3064_: bool;
-    var phi_3159_: bool;
-    var phi_3160_: bool;
-    var phi_3253_: bool;
-    var phi_3254_: bool;
-    var phi_3258_: bool;
-    var phi_3259_: bool;
-    var phi_3260_: bool;
-    var phi_3264_: bool;
-    var phi_3265_: bool;
-    var phi_3266_: bool;
-    var phi_3267_: bool;
-    var phi_3268_: bool;
-    var phi_3272_: bool;
-    var phi_3287_: bool;
-    var phi_3288_: bool;
-    var phi_3338_: type_9;
-    var phi_3339_: type_9;
-    var phi_3362_: type_9;
-    var phi_3385_: u32;
-    var phi_3440_: type_9;
-    var phi_3445_: type_9;
-    var phi_3459_: bool;
-    var phi_3460_: bool;
+    var phi_2754_: bool;
+    var phi_2755_: bool;
+    var phi_2848_: bool;
+    var phi_2849_: bool;
+    var phi_2943_: bool;
+    var phi_2944_: bool;
+    var phi_3037_: bool;
+    var phi_3038_: bool;
+    var phi_3133_: bool;
+    var phi_3134_: bool;
+    var phi_3227_: bool;
+    var phi_3228_: bool;
+    var phi_3232_: bool;
+    var phi_3233_: bool;
+    var phi_3234_: bool;
+    var phi_3238_: bool;
+    var phi_3239_: bool;
+    var phi_3240_: bool;
+    var phi_3241_: bool;
+    var phi_3242_: bool;
+    var phi_3246_: bool;
+    var phi_3261_: bool;
+    var phi_3262_: bool;
+    var phi_3312_: type_9;
+    var phi_3313_: type_9;
+    var phi_3336_: type_9;
+    var phi_3359_: u32;
+    var phi_3414_: type_9;
+    var phi_3419_: type_9;
+    var phi_3433_: bool;
+    var phi_3434_: bool;
     var local_4: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -487,1494 +484,1475 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e65 = ((_e51.y * _e52.x) + _e51.x);
-    let _e68 = (_e52.x * _e52.y);
-    let _e71 = params.member.member_1.member_2;
-    let _e73 = input.member[0u];
-    if (_e71 < _e73) {
-        phi_172_ = _e71;
+    let _e49 = id_2;
+    let _e50 = n_2;
+    let _e51 = lane_2;
+    let _e63 = ((_e49.y * _e50.x) + _e49.x);
+    let _e66 = (_e50.x * _e50.y);
+    let _e69 = params.member.member_1.member_2;
+    let _e71 = input.member[0u];
+    if (_e69 < _e71) {
+        phi_170_ = _e69;
     } else {
-        phi_172_ = _e73;
+        phi_170_ = _e71;
     }
-    let _e76 = phi_172_;
-    let _e77 = (_e53 / 32u);
-    let _e78 = (_e53 % 32u);
-    let _e81 = params.member.member_2.member_1;
-    if (_e81 == 0u) {
-        phi_184_ = array<u32, 2>(0u, 2u);
+    let _e74 = phi_170_;
+    let _e75 = (_e51 / 32u);
+    let _e76 = (_e51 % 32u);
+    let _e79 = params.member.member_2.member_1;
+    if (_e79 == 0u) {
+        phi_182_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_184_ = array<u32, 2>(1u, 1u);
+        phi_182_ = array<u32, 2>(1u, 1u);
     }
-    let _e84 = phi_184_;
-    let _e89 = params.member.member_1.member_1;
-    if (_e76 > _e89) {
-        let _e93 = params.member.member_1.member_1;
-        let _e94 = (_e76 - _e93);
-        let _e97 = params.member.member_2.member_3;
-        if (_e97 == 0u) {
+    let _e82 = phi_182_;
+    let _e87 = params.member.member_1.member_1;
+    if (_e74 > _e87) {
+        let _e91 = params.member.member_1.member_1;
+        let _e92 = (_e74 - _e91);
+        let _e95 = params.member.member_2.member_3;
+        if (_e95 == 0u) {
             return;
         }
-        let _e99 = (_e94 / _e97);
-        if (_e97 == 0u) {
+        let _e97 = (_e92 / _e95);
+        if (_e95 == 0u) {
             return;
         }
-        if ((_e94 % _e97) > 0u) {
-            phi_216_ = (_e99 + 1u);
+        if ((_e92 % _e95) > 0u) {
+            phi_214_ = (_e97 + 1u);
         } else {
-            phi_216_ = _e99;
+            phi_214_ = _e97;
         }
-        let _e105 = phi_216_;
-        phi_217_ = _e105;
+        let _e103 = phi_214_;
+        phi_215_ = _e103;
     } else {
-        phi_217_ = 0u;
+        phi_215_ = 0u;
     }
-    let _e107 = phi_217_;
-    let _e110 = params.member.member_2.member_4;
-    if (_e110 < _e107) {
-        phi_225_ = _e110;
+    let _e105 = phi_215_;
+    let _e108 = params.member.member_2.member_4;
+    if (_e108 < _e105) {
+        phi_223_ = _e108;
     } else {
-        phi_225_ = _e107;
+        phi_223_ = _e105;
     }
-    let _e113 = phi_225_;
-    let _e114 = (_e113 / 4u);
-    if ((_e113 % 4u) > 0u) {
-        phi_241_ = (_e114 + 1u);
+    let _e111 = phi_223_;
+    let _e112 = (_e111 / 4u);
+    if ((_e111 % 4u) > 0u) {
+        phi_239_ = (_e112 + 1u);
     } else {
-        phi_241_ = _e114;
+        phi_239_ = _e112;
     }
-    let _e119 = phi_241_;
-    if (_e119 > _e65) {
-        let _e121 = (_e119 - _e65);
-        if (_e68 == 0u) {
+    let _e117 = phi_239_;
+    if (_e117 > _e63) {
+        let _e119 = (_e117 - _e63);
+        if (_e66 == 0u) {
             return;
         }
-        let _e123 = (_e121 / _e68);
-        if (_e68 == 0u) {
+        let _e121 = (_e119 / _e66);
+        if (_e66 == 0u) {
             return;
         }
-        if ((_e121 % _e68) > 0u) {
-            phi_262_ = (_e123 + 1u);
+        if ((_e119 % _e66) > 0u) {
+            phi_260_ = (_e121 + 1u);
         } else {
-            phi_262_ = _e123;
+            phi_260_ = _e121;
         }
-        let _e129 = phi_262_;
-        phi_263_ = _e129;
+        let _e127 = phi_260_;
+        phi_261_ = _e127;
     } else {
-        phi_263_ = 0u;
+        phi_261_ = 0u;
     }
-    let _e131 = phi_263_;
-    phi_266_ = type_9(0u, _e131);
+    let _e129 = phi_261_;
+    phi_264_ = type_9(0u, _e129);
     loop {
-        let _e134 = phi_266_;
-        if (_e134.member < _e134.member_1) {
-            phi_267_ = type_9((_e134.member + 1u), _e134.member_1);
-            phi_290_ = type_9(1u, _e134.member);
+        let _e132 = phi_264_;
+        if (_e132.member < _e132.member_1) {
+            phi_265_ = type_9((_e132.member + 1u), _e132.member_1);
+            phi_288_ = type_9(1u, _e132.member);
         } else {
-            phi_267_ = _e134;
-            phi_290_ = type_9(0u, type_9().member_1);
+            phi_265_ = _e132;
+            phi_288_ = type_9(0u, type_9().member_1);
         }
-        let _e146 = phi_267_;
-        let _e148 = phi_290_;
-        let _e152 = (bitcast<i32>(_e148.member) != 0i);
-        if _e152 {
-            let _e156 = (((_e65 + (_e148.member_1 * _e68)) * 4u) + _e77);
-            let _e159 = params.member.member_1.member_1;
-            if (_e76 > _e159) {
-                let _e163 = params.member.member_1.member_1;
-                let _e164 = (_e76 - _e163);
-                let _e167 = params.member.member_2.member_3;
-                if (_e167 == 0u) {
+        let _e144 = phi_265_;
+        let _e146 = phi_288_;
+        let _e150 = (bitcast<i32>(_e146.member) != 0i);
+        if _e150 {
+            let _e154 = (((_e63 + (_e146.member_1 * _e66)) * 4u) + _e75);
+            let _e157 = params.member.member_1.member_1;
+            if (_e74 > _e157) {
+                let _e161 = params.member.member_1.member_1;
+                let _e162 = (_e74 - _e161);
+                let _e165 = params.member.member_2.member_3;
+                if (_e165 == 0u) {
                     return;
                 }
-                let _e169 = (_e164 / _e167);
-                if (_e167 == 0u) {
+                let _e167 = (_e162 / _e165);
+                if (_e165 == 0u) {
                     return;
                 }
-                if ((_e164 % _e167) > 0u) {
-                    phi_331_ = (_e169 + 1u);
+                if ((_e162 % _e165) > 0u) {
+                    phi_329_ = (_e167 + 1u);
                 } else {
-                    phi_331_ = _e169;
+                    phi_329_ = _e167;
                 }
-                let _e175 = phi_331_;
-                phi_332_ = _e175;
+                let _e173 = phi_329_;
+                phi_330_ = _e173;
             } else {
-                phi_332_ = 0u;
+                phi_330_ = 0u;
             }
-            let _e177 = phi_332_;
-            let _e180 = params.member.member_2.member_4;
-            if (_e180 < _e177) {
-                phi_340_ = _e180;
+            let _e175 = phi_330_;
+            let _e178 = params.member.member_2.member_4;
+            if (_e178 < _e175) {
+                phi_338_ = _e178;
             } else {
-                phi_340_ = _e177;
+                phi_338_ = _e175;
             }
-            let _e183 = phi_340_;
-            let _e184 = (_e156 < _e183);
-            let _e187 = params.member.member_1.member_1;
-            if _e184 {
-                let _e190 = params.member.member_2.member_3;
-                phi_352_ = (_e156 * _e190);
+            let _e181 = phi_338_;
+            let _e182 = (_e154 < _e181);
+            let _e185 = params.member.member_1.member_1;
+            if _e182 {
+                let _e188 = params.member.member_2.member_3;
+                phi_350_ = (_e154 * _e188);
             } else {
-                phi_352_ = 0u;
+                phi_350_ = 0u;
             }
-            let _e193 = phi_352_;
-            let _e195 = (2u * (_e187 + _e193));
-            let _e198 = input.member[(4u + _e195)];
-            let _e201 = input.member[(_e195 + 5u)];
-            if (_e53 < 8u) {
-                atomicStore((&counters[_e53]), 0u);
+            let _e191 = phi_350_;
+            let _e193 = (2u * (_e185 + _e191));
+            let _e196 = input.member[(4u + _e193)];
+            let _e199 = input.member[(_e193 + 5u)];
+            if (_e51 < 8u) {
+                atomicStore((&counters[_e51]), 0u);
             }
             workgroupBarrier();
-            let _e209 = params.member.member_2.member[0u][_e84[0]];
-            let _e210 = (_e209 + (_e198 * 32u));
-            let _e216 = params.member.member_2.member[0u][_e84[1]];
-            let _e217 = (_e216 + (_e201 * 32u));
-            if (_e78 == 0u) {
-                firsts[(2u * _e77)] = _e210;
-                firsts[((2u * _e77) + 1u)] = _e217;
+            let _e207 = params.member.member_2.member[0u][_e82[0]];
+            let _e208 = (_e207 + (_e196 * 32u));
+            let _e214 = params.member.member_2.member[0u][_e82[1]];
+            let _e215 = (_e214 + (_e199 * 32u));
+            if (_e76 == 0u) {
+                firsts[(2u * _e75)] = _e208;
+                firsts[((2u * _e75) + 1u)] = _e215;
             }
-            let _e226 = params.member.member_2.member_1;
-            if (_e226 == 0u) {
-                phi_437_ = array<u32, 2>(0u, 2u);
+            let _e224 = params.member.member_2.member_1;
+            if (_e224 == 0u) {
+                phi_435_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_437_ = array<u32, 2>(1u, 1u);
+                phi_435_ = array<u32, 2>(1u, 1u);
             }
-            let _e229 = phi_437_;
-            let _e232 = (_e53 / 32u);
-            let _e233 = (_e53 % 32u);
-            let _e237 = params.member.member_2.member_2;
-            let _e241 = params.member.member_2.member[_e237][_e229[0]];
-            let _e244 = nodes.member[(_e241 + _e198)];
-            let _e260 = params.member.member_2.member_2;
-            let _e264 = params.member.member_2.member[_e260][_e229[1]];
-            let _e267 = nodes.member[(_e264 + _e201)];
-            let _e283 = params.member.member_2.member_2;
-            let _e290 = params.member.member_2.member[(_e283 - 1u)][_e229[0]];
-            let _e293 = nodes.member[(_e290 + ((_e198 * 32u) + _e233))];
-            let _e312 = params.member.member_2.member_2;
-            let _e319 = params.member.member_2.member[(_e312 - 1u)][_e229[1]];
-            let _e322 = nodes.member[(_e319 + ((_e201 * 32u) + _e233))];
-            if _e184 {
-                if ((((((_e322.member.x <= _e244.member_1.y) && (_e244.member.x <= _e322.member_1.y)) && (_e322.member.y <= _e244.member_2.x)) && (_e244.member.y <= _e322.member_2.x)) && (_e322.member_1.x <= _e244.member_2.y)) && (_e244.member_1.x <= _e322.member_2.y)) {
-                    let _e348 = atomicAdd((&counters[_e232]), 1u);
-                    let _e349 = ((_e232 * 32u) + _e348);
-                    columns[_e349] = type_29(array<f32, 3>(_e322.member.x, _e322.member.y, _e322.member_1.x), array<f32, 3>(_e322.member_1.y, _e322.member_2.x, _e322.member_2.y));
-                    names[_e349] = _e233;
+            let _e227 = phi_435_;
+            let _e230 = (_e51 / 32u);
+            let _e231 = (_e51 % 32u);
+            let _e235 = params.member.member_2.member_2;
+            let _e239 = params.member.member_2.member[_e235][_e227[0]];
+            let _e242 = nodes.member[(_e239 + _e196)];
+            let _e258 = params.member.member_2.member_2;
+            let _e262 = params.member.member_2.member[_e258][_e227[1]];
+            let _e265 = nodes.member[(_e262 + _e199)];
+            let _e281 = params.member.member_2.member_2;
+            let _e288 = params.member.member_2.member[(_e281 - 1u)][_e227[0]];
+            let _e291 = nodes.member[(_e288 + ((_e196 * 32u) + _e231))];
+            let _e310 = params.member.member_2.member_2;
+            let _e317 = params.member.member_2.member[(_e310 - 1u)][_e227[1]];
+            let _e320 = nodes.member[(_e317 + ((_e199 * 32u) + _e231))];
+            if _e182 {
+                if ((((((_e320.member.x <= _e242.member_1.y) && (_e242.member.x <= _e320.member_1.y)) && (_e320.member.y <= _e242.member_2.x)) && (_e242.member.y <= _e320.member_2.x)) && (_e320.member_1.x <= _e242.member_2.y)) && (_e242.member_1.x <= _e320.member_2.y)) {
+                    let _e346 = atomicAdd((&counters[_e230]), 1u);
+                    let _e347 = ((_e230 * 32u) + _e346);
+                    columns[_e347] = type_29(array<f32, 3>(_e320.member.x, _e320.member.y, _e320.member_1.x), array<f32, 3>(_e320.member_1.y, _e320.member_2.x, _e320.member_2.y));
+                    names[_e347] = _e231;
                 }
             }
             workgroupBarrier();
-            if _e184 {
-                if ((((((_e293.member.x <= _e267.member_1.y) && (_e267.member.x <= _e293.member_1.y)) && (_e293.member.y <= _e267.member_2.x)) && (_e267.member.y <= _e293.member_2.x)) && (_e293.member_1.x <= _e267.member_2.y)) && (_e267.member_1.x <= _e293.member_2.y)) {
-                    phi_641_ = false;
+            if _e182 {
+                if ((((((_e291.member.x <= _e265.member_1.y) && (_e265.member.x <= _e291.member_1.y)) && (_e291.member.y <= _e265.member_2.x)) && (_e265.member.y <= _e291.member_2.x)) && (_e291.member_1.x <= _e265.member_2.y)) && (_e265.member_1.x <= _e291.member_2.y)) {
+                    phi_639_ = false;
                 } else {
-                    phi_641_ = true;
+                    phi_639_ = true;
                 }
-                let _e367 = phi_641_;
-                phi_642_ = _e367;
+                let _e365 = phi_639_;
+                phi_640_ = _e365;
             } else {
-                phi_642_ = true;
+                phi_640_ = true;
             }
-            let _e369 = phi_642_;
-            if _e369 {
-                phi_646_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e367 = phi_640_;
+            if _e367 {
+                phi_644_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_646_ = type_29(array<f32, 3>(_e293.member.x, _e293.member.y, _e293.member_1.x), array<f32, 3>(_e293.member_1.y, _e293.member_2.x, _e293.member_2.y));
+                phi_644_ = type_29(array<f32, 3>(_e291.member.x, _e291.member.y, _e291.member_1.x), array<f32, 3>(_e291.member_1.y, _e291.member_2.x, _e291.member_2.y));
             }
-            let _e371 = phi_646_;
-            if (_e84[0] == _e84[1]) {
-                phi_652_ = (_e198 == _e201);
+            let _e369 = phi_644_;
+            if (_e82[0] == _e82[1]) {
+                phi_650_ = (_e196 == _e199);
             } else {
-                phi_652_ = false;
+                phi_650_ = false;
             }
-            let _e375 = phi_652_;
-            let _e376 = (_e53 / 32u);
-            let _e377 = (_e53 % 32u);
-            let _e379 = atomicLoad((&counters[_e376]));
-            phi_659_ = type_9(0u, _e379);
-            phi_662_ = 0u;
+            let _e373 = phi_650_;
+            let _e374 = (_e51 / 32u);
+            let _e375 = (_e51 % 32u);
+            let _e377 = atomicLoad((&counters[_e374]));
+            phi_657_ = type_9(0u, _e377);
+            phi_660_ = 0u;
             loop {
-                let _e382 = phi_659_;
-                let _e384 = phi_662_;
-                local_4 = _e384;
-                if (_e382.member < _e382.member_1) {
-                    phi_660_ = type_9((_e382.member + 1u), _e382.member_1);
-                    phi_685_ = type_9(1u, _e382.member);
+                let _e380 = phi_657_;
+                let _e382 = phi_660_;
+                local_4 = _e382;
+                if (_e380.member < _e380.member_1) {
+                    phi_658_ = type_9((_e380.member + 1u), _e380.member_1);
+                    phi_683_ = type_9(1u, _e380.member);
                 } else {
-                    phi_660_ = _e382;
-                    phi_685_ = type_9(0u, type_9().member_1);
+                    phi_658_ = _e380;
+                    phi_683_ = type_9(0u, type_9().member_1);
                 }
-                let _e396 = phi_660_;
-                let _e398 = phi_685_;
-                let _e402 = (bitcast<i32>(_e398.member) != 0i);
-                if _e402 {
-                    let _e406 = names[((_e376 * 32u) + _e398.member_1)];
-                    let _e410 = columns[((_e376 * 32u) + _e398.member_1)];
-                    if ((((((_e371.member[0] <= _e410.member_1[0]) && (_e410.member[0] <= _e371.member_1[0])) && (_e371.member[1] <= _e410.member_1[1])) && (_e410.member[1] <= _e371.member_1[1])) && (_e371.member[2] <= _e410.member_1[2])) && (_e410.member[2] <= _e371.member_1[2])) {
-                        if _e375 {
-                            let _e442 = (_e377 < _e406);
-                            if _e442 {
-                                phi_751_ = bool();
+                let _e394 = phi_658_;
+                let _e396 = phi_683_;
+                let _e400 = (bitcast<i32>(_e396.member) != 0i);
+                if _e400 {
+                    let _e404 = names[((_e374 * 32u) + _e396.member_1)];
+                    let _e408 = columns[((_e374 * 32u) + _e396.member_1)];
+                    if ((((((_e369.member[0] <= _e408.member_1[0]) && (_e408.member[0] <= _e369.member_1[0])) && (_e369.member[1] <= _e408.member_1[1])) && (_e408.member[1] <= _e369.member_1[1])) && (_e369.member[2] <= _e408.member_1[2])) && (_e408.member[2] <= _e369.member_1[2])) {
+                        if _e373 {
+                            let _e440 = (_e375 < _e404);
+                            if _e440 {
+                                phi_749_ = bool();
                             } else {
-                                phi_751_ = false;
+                                phi_749_ = false;
                             }
-                            let _e444 = phi_751_;
-                            phi_752_ = _e444;
-                            phi_753_ = _e442;
+                            let _e442 = phi_749_;
+                            phi_750_ = _e442;
+                            phi_751_ = _e440;
                         } else {
-                            phi_752_ = bool();
-                            phi_753_ = true;
+                            phi_750_ = bool();
+                            phi_751_ = true;
                         }
-                        let _e446 = phi_752_;
-                        let _e448 = phi_753_;
+                        let _e444 = phi_750_;
+                        let _e446 = phi_751_;
+                        if _e446 {
+                            phi_755_ = true;
+                        } else {
+                            phi_755_ = _e444;
+                        }
+                        let _e448 = phi_755_;
                         if _e448 {
-                            phi_757_ = true;
-                        } else {
-                            phi_757_ = _e446;
-                        }
-                        let _e450 = phi_757_;
-                        phi_758_ = _e450;
-                    } else {
-                        phi_758_ = false;
-                    }
-                    let _e452 = phi_758_;
-                    if false {
-                        if _e452 {
-                            let _e456 = firsts[((_e376 * 32u) + _e406)];
-                            if ((u32() >> bitcast<u32>(16i)) <= (_e456 & 65535u)) {
-                                phi_780_ = ((_e456 >> bitcast<u32>(16i)) <= (u32() & 65535u));
+                            let _e450 = atomicAdd((&counters[4u]), 1u);
+                            if (_e450 < 2048u) {
+                                hits[_e450] = (((_e374 << bitcast<u32>(10i)) | (_e375 << bitcast<u32>(5i))) | _e404);
+                                phi_773_ = _e382;
                             } else {
-                                phi_780_ = false;
+                                phi_773_ = (_e382 | (1u << bitcast<u32>((_e396.member_1 & 31u))));
                             }
-                            let _e466 = phi_780_;
-                            phi_781_ = _e466;
+                            let _e464 = phi_773_;
+                            phi_774_ = _e464;
                         } else {
-                            phi_781_ = false;
+                            phi_774_ = _e382;
                         }
-                        let _e468 = phi_781_;
-                        phi_782_ = _e468;
+                        let _e466 = phi_774_;
+                        phi_775_ = _e466;
                     } else {
-                        phi_782_ = _e452;
+                        phi_775_ = _e382;
                     }
-                    let _e470 = phi_782_;
-                    if _e470 {
-                        let _e472 = atomicAdd((&counters[4u]), 1u);
-                        if (_e472 < 2048u) {
-                            hits[_e472] = (((_e376 << bitcast<u32>(10i)) | (_e377 << bitcast<u32>(5i))) | _e406);
-                            phi_800_ = _e384;
-                        } else {
-                            phi_800_ = (_e384 | (1u << bitcast<u32>((_e398.member_1 & 31u))));
-                        }
-                        let _e486 = phi_800_;
-                        phi_801_ = _e486;
-                    } else {
-                        phi_801_ = _e384;
-                    }
-                    let _e488 = phi_801_;
-                    phi_663_ = _e488;
+                    let _e468 = phi_775_;
+                    phi_661_ = _e468;
                 } else {
-                    phi_663_ = u32();
+                    phi_661_ = u32();
                 }
-                let _e490 = phi_663_;
+                let _e470 = phi_661_;
                 continue;
                 continuing {
-                    phi_659_ = _e396;
-                    phi_662_ = _e490;
-                    break if !(_e402);
+                    phi_657_ = _e394;
+                    phi_660_ = _e470;
+                    break if !(_e400);
                 }
             }
-            phi_804_ = type_9(0u, 32u);
-            let _e2059 = local_4;
-            phi_807_ = _e2059;
+            phi_778_ = type_9(0u, 32u);
+            let _e2036 = local_4;
+            phi_781_ = _e2036;
             loop {
-                let _e493 = phi_804_;
-                let _e495 = phi_807_;
-                if (_e493.member < _e493.member_1) {
-                    phi_805_ = type_9((_e493.member + 1u), _e493.member_1);
-                    phi_830_ = type_9(1u, _e493.member);
+                let _e473 = phi_778_;
+                let _e475 = phi_781_;
+                if (_e473.member < _e473.member_1) {
+                    phi_779_ = type_9((_e473.member + 1u), _e473.member_1);
+                    phi_804_ = type_9(1u, _e473.member);
                 } else {
-                    phi_805_ = _e493;
-                    phi_830_ = type_9(0u, type_9().member_1);
+                    phi_779_ = _e473;
+                    phi_804_ = type_9(0u, type_9().member_1);
                 }
-                let _e507 = phi_805_;
-                let _e509 = phi_830_;
-                if (bitcast<i32>(_e509.member) != 0i) {
-                    if (_e495 == 0u) {
-                        phi_2060_ = u32();
-                        phi_2061_ = false;
+                let _e487 = phi_779_;
+                let _e489 = phi_804_;
+                if (bitcast<i32>(_e489.member) != 0i) {
+                    if (_e475 == 0u) {
+                        phi_2034_ = u32();
+                        phi_2035_ = false;
                     } else {
-                        let _e520 = names[((_e77 * 32u) + select(firstTrailingBit(_e495), 32u, (_e495 == 0u)))];
-                        let _e523 = (_e210 + _e78);
-                        let _e524 = (_e217 + _e520);
-                        let _e526 = leaves.member[_e523];
-                        let _e528 = leaves.member[_e524];
-                        let _e530 = nodes.member[_e523];
-                        let _e544 = nodes.member[_e524];
-                        let _e559 = params.member.member.member_1;
-                        if ((_e559 & 1u) != 0u) {
-                            if (_e81 == 0u) {
-                                if (_e528.member[0] == _e526.member[0]) {
+                        let _e500 = names[((_e75 * 32u) + select(firstTrailingBit(_e475), 32u, (_e475 == 0u)))];
+                        let _e503 = (_e208 + _e76);
+                        let _e504 = (_e215 + _e500);
+                        let _e506 = leaves.member[_e503];
+                        let _e508 = leaves.member[_e504];
+                        let _e510 = nodes.member[_e503];
+                        let _e524 = nodes.member[_e504];
+                        let _e539 = params.member.member.member_1;
+                        if ((_e539 & 1u) != 0u) {
+                            if (_e79 == 0u) {
+                                if (_e508.member[0] == _e506.member[0]) {
+                                    phi_898_ = true;
+                                } else {
+                                    phi_898_ = (_e508.member[0] == _e506.member[0]);
+                                }
+                                let _e567 = phi_898_;
+                                if (_e508.member[1] == _e506.member[0]) {
+                                    phi_905_ = true;
+                                } else {
+                                    phi_905_ = (_e508.member[1] == _e506.member[0]);
+                                }
+                                let _e572 = phi_905_;
+                                if (_e508.member[2] == _e506.member[0]) {
+                                    phi_913_ = true;
+                                } else {
+                                    phi_913_ = (_e508.member[2] == _e506.member[0]);
+                                }
+                                let _e578 = phi_913_;
+                                phi_932_ = ((_e567 || _e572) || _e578);
+                            } else {
+                                if (_e508.member[0] == _e506.member[0]) {
                                     phi_924_ = true;
                                 } else {
-                                    phi_924_ = (_e528.member[0] == _e526.member[0]);
+                                    phi_924_ = (_e508.member[0] == _e506.member[1]);
                                 }
-                                let _e587 = phi_924_;
-                                if (_e528.member[1] == _e526.member[0]) {
-                                    phi_931_ = true;
+                                let _e554 = phi_924_;
+                                if (_e508.member[1] == _e506.member[0]) {
+                                    phi_930_ = true;
                                 } else {
-                                    phi_931_ = (_e528.member[1] == _e526.member[0]);
+                                    phi_930_ = (_e508.member[1] == _e506.member[1]);
                                 }
-                                let _e592 = phi_931_;
-                                if (_e528.member[2] == _e526.member[0]) {
-                                    phi_939_ = true;
-                                } else {
-                                    phi_939_ = (_e528.member[2] == _e526.member[0]);
-                                }
-                                let _e598 = phi_939_;
-                                phi_958_ = ((_e587 || _e592) || _e598);
-                            } else {
-                                if (_e528.member[0] == _e526.member[0]) {
-                                    phi_950_ = true;
-                                } else {
-                                    phi_950_ = (_e528.member[0] == _e526.member[1]);
-                                }
-                                let _e574 = phi_950_;
-                                if (_e528.member[1] == _e526.member[0]) {
-                                    phi_956_ = true;
-                                } else {
-                                    phi_956_ = (_e528.member[1] == _e526.member[1]);
-                                }
-                                let _e578 = phi_956_;
-                                phi_958_ = (_e574 || _e578);
+                                let _e558 = phi_930_;
+                                phi_932_ = (_e554 || _e558);
                             }
-                            let _e601 = phi_958_;
-                            if _e601 {
-                                phi_962_ = false;
+                            let _e581 = phi_932_;
+                            if _e581 {
+                                phi_936_ = false;
                             } else {
-                                phi_962_ = true;
+                                phi_936_ = true;
                             }
-                            let _e603 = phi_962_;
-                            phi_963_ = _e603;
+                            let _e583 = phi_936_;
+                            phi_937_ = _e583;
                         } else {
-                            phi_963_ = true;
+                            phi_937_ = true;
                         }
-                        let _e605 = phi_963_;
-                        if _e605 {
-                            let _e607 = params.member.member.member_1;
-                            if ((_e607 & 2u) != 0u) {
-                                let _e613 = bodies.member[_e526.member[0]];
-                                let _e617 = bodies.member[_e528.member[0]];
-                                if ((_e613 / 4u) != (_e617 / 4u)) {
-                                    phi_1008_ = true;
+                        let _e585 = phi_937_;
+                        if _e585 {
+                            let _e587 = params.member.member.member_1;
+                            if ((_e587 & 2u) != 0u) {
+                                let _e593 = bodies.member[_e506.member[0]];
+                                let _e597 = bodies.member[_e508.member[0]];
+                                if ((_e593 / 4u) != (_e597 / 4u)) {
+                                    phi_982_ = true;
                                 } else {
-                                    if ((_e613 & 2u) == 0u) {
-                                        phi_1007_ = false;
+                                    if ((_e593 & 2u) == 0u) {
+                                        phi_981_ = false;
                                     } else {
-                                        phi_1007_ = true;
+                                        phi_981_ = true;
                                     }
-                                    let _e624 = phi_1007_;
-                                    phi_1008_ = _e624;
+                                    let _e604 = phi_981_;
+                                    phi_982_ = _e604;
                                 }
-                                let _e626 = phi_1008_;
-                                if _e626 {
-                                    phi_1015_ = (((_e613 & _e617) & 1u) == 0u);
+                                let _e606 = phi_982_;
+                                if _e606 {
+                                    phi_989_ = (((_e593 & _e597) & 1u) == 0u);
                                 } else {
-                                    phi_1015_ = false;
+                                    phi_989_ = false;
                                 }
-                                let _e631 = phi_1015_;
-                                if _e631 {
-                                    let _e633 = params.member.member.member_1;
-                                    if ((_e633 & 4u) != 0u) {
-                                        let _e638 = params.member.member.member[0u];
-                                        let _e640 = bodies.member[_e638];
-                                        let _e643 = bodies.member[(_e638 + 1u)];
-                                        let _e648 = ((_e638 + 4u) + (2u * (_e613 >> bitcast<u32>(2i))));
-                                        let _e653 = ((_e638 + 4u) + (2u * (_e617 >> bitcast<u32>(2i))));
-                                        let _e655 = bodies.member[_e648];
-                                        let _e657 = bodies.member[_e653];
-                                        let _e666 = bodies.member[((((_e638 + 4u) + (2u * _e640)) + (_e655 * _e643)) + (_e657 / 32u))];
-                                        let _e669 = bodies.member[(_e648 + 1u)];
-                                        let _e672 = bodies.member[(_e653 + 1u)];
-                                        if (_e669 == _e672) {
-                                            if (((_e666 >> bitcast<u32>(((_e657 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_1131_ = true;
+                                let _e611 = phi_989_;
+                                if _e611 {
+                                    let _e613 = params.member.member.member_1;
+                                    if ((_e613 & 4u) != 0u) {
+                                        let _e618 = params.member.member.member[0u];
+                                        let _e620 = bodies.member[_e618];
+                                        let _e623 = bodies.member[(_e618 + 1u)];
+                                        let _e628 = ((_e618 + 4u) + (2u * (_e593 >> bitcast<u32>(2i))));
+                                        let _e633 = ((_e618 + 4u) + (2u * (_e597 >> bitcast<u32>(2i))));
+                                        let _e635 = bodies.member[_e628];
+                                        let _e637 = bodies.member[_e633];
+                                        let _e646 = bodies.member[((((_e618 + 4u) + (2u * _e620)) + (_e635 * _e623)) + (_e637 / 32u))];
+                                        let _e649 = bodies.member[(_e628 + 1u)];
+                                        let _e652 = bodies.member[(_e633 + 1u)];
+                                        if (_e649 == _e652) {
+                                            if (((_e646 >> bitcast<u32>(((_e637 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_1105_ = true;
                                             } else {
-                                                phi_1131_ = ((_e613 >> bitcast<u32>(2i)) == (_e617 >> bitcast<u32>(2i)));
+                                                phi_1105_ = ((_e593 >> bitcast<u32>(2i)) == (_e597 >> bitcast<u32>(2i)));
                                             }
-                                            let _e686 = phi_1131_;
-                                            phi_1132_ = _e686;
+                                            let _e666 = phi_1105_;
+                                            phi_1106_ = _e666;
                                         } else {
-                                            phi_1132_ = false;
+                                            phi_1106_ = false;
                                         }
-                                        let _e688 = phi_1132_;
-                                        if _e688 {
-                                            let _e693 = bodies.member[(_e638 + 2u)];
-                                            let _e696 = bodies.member[(_e638 + 3u)];
-                                            let _e697 = (_e696 + _e638);
-                                            if (_e81 == 1u) {
-                                                if (_e528.member_1 < _e526.member_1) {
-                                                    phi_1169_ = _e526.member_1;
-                                                    phi_1170_ = _e528.member_1;
+                                        let _e668 = phi_1106_;
+                                        if _e668 {
+                                            let _e673 = bodies.member[(_e618 + 2u)];
+                                            let _e676 = bodies.member[(_e618 + 3u)];
+                                            let _e677 = (_e676 + _e618);
+                                            if (_e79 == 1u) {
+                                                if (_e508.member_1 < _e506.member_1) {
+                                                    phi_1143_ = _e506.member_1;
+                                                    phi_1144_ = _e508.member_1;
                                                 } else {
-                                                    phi_1169_ = _e528.member_1;
-                                                    phi_1170_ = _e526.member_1;
+                                                    phi_1143_ = _e508.member_1;
+                                                    phi_1144_ = _e506.member_1;
                                                 }
-                                                let _e701 = phi_1169_;
-                                                let _e703 = phi_1170_;
-                                                phi_1171_ = _e701;
-                                                phi_1172_ = _e703;
+                                                let _e681 = phi_1143_;
+                                                let _e683 = phi_1144_;
+                                                phi_1145_ = _e681;
+                                                phi_1146_ = _e683;
                                             } else {
-                                                phi_1171_ = _e528.member_1;
-                                                phi_1172_ = _e526.member_1;
+                                                phi_1145_ = _e508.member_1;
+                                                phi_1146_ = _e506.member_1;
                                             }
-                                            let _e705 = phi_1171_;
-                                            let _e707 = phi_1172_;
-                                            phi_1175_ = type_15(0i, 32i);
-                                            phi_1178_ = _e693;
-                                            phi_1180_ = 0u;
+                                            let _e685 = phi_1145_;
+                                            let _e687 = phi_1146_;
+                                            phi_1149_ = type_15(0i, 32i);
+                                            phi_1152_ = _e673;
+                                            phi_1154_ = 0u;
                                             loop {
-                                                let _e709 = phi_1175_;
-                                                let _e711 = phi_1178_;
-                                                let _e713 = phi_1180_;
-                                                local = _e713;
-                                                local_1 = _e713;
-                                                if (_e709.member < _e709.member_1) {
-                                                    let _e720 = (_e709.member + 1i);
-                                                    if ((false == (_e720 > _e709.member)) != false) {
-                                                        phi_1201_ = true;
+                                                let _e689 = phi_1149_;
+                                                let _e691 = phi_1152_;
+                                                let _e693 = phi_1154_;
+                                                local = _e693;
+                                                local_1 = _e693;
+                                                if (_e689.member < _e689.member_1) {
+                                                    let _e700 = (_e689.member + 1i);
+                                                    if ((false == (_e700 > _e689.member)) != false) {
+                                                        phi_1175_ = true;
                                                     } else {
-                                                        phi_1201_ = false;
+                                                        phi_1175_ = false;
                                                     }
-                                                    let _e725 = phi_1201_;
-                                                    if _e725 {
-                                                        phi_1207_ = type_16(0u, type_16().member_1);
+                                                    let _e705 = phi_1175_;
+                                                    if _e705 {
+                                                        phi_1181_ = type_16(0u, type_16().member_1);
                                                     } else {
-                                                        phi_1207_ = type_16(1u, _e720);
+                                                        phi_1181_ = type_16(1u, _e700);
                                                     }
-                                                    let _e730 = phi_1207_;
-                                                    phi_1176_ = type_15(_e730.member_1, _e709.member_1);
-                                                    phi_1221_ = type_16(1u, _e709.member);
+                                                    let _e710 = phi_1181_;
+                                                    phi_1150_ = type_15(_e710.member_1, _e689.member_1);
+                                                    phi_1195_ = type_16(1u, _e689.member);
                                                 } else {
-                                                    phi_1176_ = _e709;
-                                                    phi_1221_ = type_16(0u, type_16().member_1);
+                                                    phi_1150_ = _e689;
+                                                    phi_1195_ = type_16(0u, type_16().member_1);
                                                 }
-                                                let _e736 = phi_1176_;
-                                                let _e738 = phi_1221_;
-                                                if (bitcast<i32>(_e738.member) != 0i) {
-                                                    if (_e713 >= _e711) {
-                                                        phi_1304_ = u32();
-                                                        phi_1305_ = u32();
-                                                        phi_1306_ = false;
+                                                let _e716 = phi_1150_;
+                                                let _e718 = phi_1195_;
+                                                if (bitcast<i32>(_e718.member) != 0i) {
+                                                    if (_e693 >= _e691) {
+                                                        phi_1278_ = u32();
+                                                        phi_1279_ = u32();
+                                                        phi_1280_ = false;
                                                     } else {
-                                                        let _e745 = (_e713 + ((_e711 - _e713) / 2u));
-                                                        let _e747 = (_e697 + (3u * _e745));
-                                                        let _e749 = bodies.member[_e747];
-                                                        let _e752 = bodies.member[(_e747 + 1u)];
-                                                        let _e755 = bodies.member[(_e747 + 2u)];
-                                                        if (_e749 < _e81) {
-                                                            phi_1297_ = true;
+                                                        let _e725 = (_e693 + ((_e691 - _e693) / 2u));
+                                                        let _e727 = (_e677 + (3u * _e725));
+                                                        let _e729 = bodies.member[_e727];
+                                                        let _e732 = bodies.member[(_e727 + 1u)];
+                                                        let _e735 = bodies.member[(_e727 + 2u)];
+                                                        if (_e729 < _e79) {
+                                                            phi_1271_ = true;
                                                         } else {
-                                                            if (_e749 == _e81) {
-                                                                if (_e752 < _e707) {
-                                                                    phi_1291_ = false;
+                                                            if (_e729 == _e79) {
+                                                                if (_e732 < _e687) {
+                                                                    phi_1265_ = false;
                                                                 } else {
-                                                                    if (_e752 == _e707) {
-                                                                        if (_e755 < _e705) {
-                                                                            phi_1289_ = false;
+                                                                    if (_e732 == _e687) {
+                                                                        if (_e735 < _e685) {
+                                                                            phi_1263_ = false;
                                                                         } else {
-                                                                            phi_1289_ = true;
+                                                                            phi_1263_ = true;
                                                                         }
-                                                                        let _e762 = phi_1289_;
-                                                                        phi_1290_ = _e762;
+                                                                        let _e742 = phi_1263_;
+                                                                        phi_1264_ = _e742;
                                                                     } else {
-                                                                        phi_1290_ = true;
+                                                                        phi_1264_ = true;
                                                                     }
-                                                                    let _e764 = phi_1290_;
-                                                                    phi_1291_ = _e764;
+                                                                    let _e744 = phi_1264_;
+                                                                    phi_1265_ = _e744;
                                                                 }
-                                                                let _e766 = phi_1291_;
-                                                                phi_1292_ = _e766;
+                                                                let _e746 = phi_1265_;
+                                                                phi_1266_ = _e746;
                                                             } else {
-                                                                phi_1292_ = true;
+                                                                phi_1266_ = true;
                                                             }
-                                                            let _e768 = phi_1292_;
-                                                            if _e768 {
-                                                                phi_1296_ = false;
+                                                            let _e748 = phi_1266_;
+                                                            if _e748 {
+                                                                phi_1270_ = false;
                                                             } else {
-                                                                phi_1296_ = true;
+                                                                phi_1270_ = true;
                                                             }
-                                                            let _e770 = phi_1296_;
-                                                            phi_1297_ = _e770;
+                                                            let _e750 = phi_1270_;
+                                                            phi_1271_ = _e750;
                                                         }
-                                                        let _e772 = phi_1297_;
-                                                        if _e772 {
-                                                            phi_1302_ = _e711;
-                                                            phi_1303_ = (_e745 + 1u);
+                                                        let _e752 = phi_1271_;
+                                                        if _e752 {
+                                                            phi_1276_ = _e691;
+                                                            phi_1277_ = (_e725 + 1u);
                                                         } else {
-                                                            phi_1302_ = _e745;
-                                                            phi_1303_ = _e713;
+                                                            phi_1276_ = _e725;
+                                                            phi_1277_ = _e693;
                                                         }
-                                                        let _e775 = phi_1302_;
-                                                        let _e777 = phi_1303_;
-                                                        phi_1304_ = _e775;
-                                                        phi_1305_ = _e777;
-                                                        phi_1306_ = true;
+                                                        let _e755 = phi_1276_;
+                                                        let _e757 = phi_1277_;
+                                                        phi_1278_ = _e755;
+                                                        phi_1279_ = _e757;
+                                                        phi_1280_ = true;
                                                     }
-                                                    let _e779 = phi_1304_;
-                                                    let _e781 = phi_1305_;
-                                                    let _e783 = phi_1306_;
-                                                    phi_1179_ = _e779;
-                                                    phi_1181_ = _e781;
-                                                    phi_1307_ = _e783;
+                                                    let _e759 = phi_1278_;
+                                                    let _e761 = phi_1279_;
+                                                    let _e763 = phi_1280_;
+                                                    phi_1153_ = _e759;
+                                                    phi_1155_ = _e761;
+                                                    phi_1281_ = _e763;
                                                 } else {
-                                                    phi_1179_ = u32();
-                                                    phi_1181_ = u32();
-                                                    phi_1307_ = false;
+                                                    phi_1153_ = u32();
+                                                    phi_1155_ = u32();
+                                                    phi_1281_ = false;
                                                 }
-                                                let _e785 = phi_1179_;
-                                                let _e787 = phi_1181_;
-                                                let _e789 = phi_1307_;
+                                                let _e765 = phi_1153_;
+                                                let _e767 = phi_1155_;
+                                                let _e769 = phi_1281_;
                                                 continue;
                                                 continuing {
-                                                    phi_1175_ = _e736;
-                                                    phi_1178_ = _e785;
-                                                    phi_1180_ = _e787;
-                                                    break if !(_e789);
+                                                    phi_1149_ = _e716;
+                                                    phi_1152_ = _e765;
+                                                    phi_1154_ = _e767;
+                                                    break if !(_e769);
                                                 }
                                             }
-                                            let _e792 = local;
-                                            if (_e792 < _e693) {
-                                                let _e795 = local_1;
-                                                let _e797 = (_e697 + (3u * _e795));
-                                                let _e799 = bodies.member[_e797];
-                                                if (_e799 == _e81) {
-                                                    let _e803 = bodies.member[(_e797 + 1u)];
-                                                    if (_e803 == _e707) {
-                                                        let _e807 = bodies.member[(_e797 + 2u)];
-                                                        phi_1355_ = (_e807 == _e705);
-                                                        phi_1356_ = false;
+                                            let _e772 = local;
+                                            if (_e772 < _e673) {
+                                                let _e775 = local_1;
+                                                let _e777 = (_e677 + (3u * _e775));
+                                                let _e779 = bodies.member[_e777];
+                                                if (_e779 == _e79) {
+                                                    let _e783 = bodies.member[(_e777 + 1u)];
+                                                    if (_e783 == _e687) {
+                                                        let _e787 = bodies.member[(_e777 + 2u)];
+                                                        phi_1329_ = (_e787 == _e685);
+                                                        phi_1330_ = false;
                                                     } else {
-                                                        phi_1355_ = bool();
-                                                        phi_1356_ = true;
+                                                        phi_1329_ = bool();
+                                                        phi_1330_ = true;
                                                     }
-                                                    let _e810 = phi_1355_;
-                                                    let _e812 = phi_1356_;
-                                                    phi_1357_ = _e810;
-                                                    phi_1358_ = _e812;
+                                                    let _e790 = phi_1329_;
+                                                    let _e792 = phi_1330_;
+                                                    phi_1331_ = _e790;
+                                                    phi_1332_ = _e792;
                                                 } else {
-                                                    phi_1357_ = bool();
-                                                    phi_1358_ = true;
+                                                    phi_1331_ = bool();
+                                                    phi_1332_ = true;
                                                 }
-                                                let _e814 = phi_1357_;
-                                                let _e816 = phi_1358_;
-                                                if _e816 {
-                                                    phi_1362_ = false;
+                                                let _e794 = phi_1331_;
+                                                let _e796 = phi_1332_;
+                                                if _e796 {
+                                                    phi_1336_ = false;
                                                 } else {
-                                                    phi_1362_ = _e814;
+                                                    phi_1336_ = _e794;
                                                 }
-                                                let _e818 = phi_1362_;
-                                                phi_1363_ = _e818;
+                                                let _e798 = phi_1336_;
+                                                phi_1337_ = _e798;
                                             } else {
-                                                phi_1363_ = false;
+                                                phi_1337_ = false;
                                             }
-                                            let _e820 = phi_1363_;
-                                            phi_1367_ = _e820;
+                                            let _e800 = phi_1337_;
+                                            phi_1341_ = _e800;
                                         } else {
-                                            phi_1367_ = true;
+                                            phi_1341_ = true;
                                         }
-                                        let _e822 = phi_1367_;
-                                        if _e822 {
-                                            phi_1371_ = false;
+                                        let _e802 = phi_1341_;
+                                        if _e802 {
+                                            phi_1345_ = false;
                                         } else {
-                                            phi_1371_ = true;
+                                            phi_1345_ = true;
                                         }
-                                        let _e824 = phi_1371_;
-                                        phi_1372_ = _e824;
+                                        let _e804 = phi_1345_;
+                                        phi_1346_ = _e804;
                                     } else {
-                                        phi_1372_ = true;
+                                        phi_1346_ = true;
                                     }
-                                    let _e826 = phi_1372_;
-                                    if _e826 {
-                                        phi_1376_ = false;
+                                    let _e806 = phi_1346_;
+                                    if _e806 {
+                                        phi_1350_ = false;
                                     } else {
-                                        phi_1376_ = true;
+                                        phi_1350_ = true;
                                     }
-                                    let _e828 = phi_1376_;
-                                    phi_1377_ = _e828;
+                                    let _e808 = phi_1350_;
+                                    phi_1351_ = _e808;
                                 } else {
-                                    phi_1377_ = true;
+                                    phi_1351_ = true;
                                 }
-                                let _e830 = phi_1377_;
-                                if _e830 {
-                                    phi_1381_ = false;
+                                let _e810 = phi_1351_;
+                                if _e810 {
+                                    phi_1355_ = false;
                                 } else {
-                                    phi_1381_ = true;
+                                    phi_1355_ = true;
                                 }
-                                let _e832 = phi_1381_;
-                                phi_1382_ = _e832;
+                                let _e812 = phi_1355_;
+                                phi_1356_ = _e812;
                             } else {
-                                phi_1382_ = true;
+                                phi_1356_ = true;
                             }
-                            let _e834 = phi_1382_;
-                            if _e834 {
-                                let _e836 = params.member.member.member_1;
-                                if ((_e836 & 32u) != 0u) {
-                                    let _e840 = params.member.member.member_6;
-                                    let _e857 = (((((_e530.member_1.y - _e544.member.x) > _e840) && ((_e544.member_1.y - _e530.member.x) > _e840)) && (((_e530.member_2.x - _e544.member.y) > _e840) && ((_e544.member_2.x - _e530.member.y) > _e840))) && (((_e530.member_2.y - _e544.member_1.x) > _e840) && ((_e544.member_2.y - _e530.member_1.x) > _e840)));
-                                    if _e857 {
-                                        phi_1984_ = bool();
+                            let _e814 = phi_1356_;
+                            if _e814 {
+                                let _e816 = params.member.member.member_1;
+                                if ((_e816 & 32u) != 0u) {
+                                    let _e820 = params.member.member.member_6;
+                                    let _e837 = (((((_e510.member_1.y - _e524.member.x) > _e820) && ((_e524.member_1.y - _e510.member.x) > _e820)) && (((_e510.member_2.x - _e524.member.y) > _e820) && ((_e524.member_2.x - _e510.member.y) > _e820))) && (((_e510.member_2.y - _e524.member_1.x) > _e820) && ((_e524.member_2.y - _e510.member_1.x) > _e820)));
+                                    if _e837 {
+                                        phi_1958_ = bool();
                                     } else {
-                                        let _e861 = keys.member[_e526.member[0]];
-                                        let _e866 = keys.member[_e526.member[1]];
-                                        let _e868 = function_5(_e861[0], _e866[0]);
-                                        let _e872 = keys.member[_e526.member[2]];
-                                        let _e874 = function_5(_e868, _e872[0]);
-                                        let _e878 = keys.member[_e528.member[0]];
-                                        let _e883 = keys.member[_e528.member[1]];
-                                        let _e885 = function_4(_e878[3], _e883[3]);
-                                        let _e889 = keys.member[_e528.member[2]];
-                                        let _e891 = function_4(_e885, _e889[3]);
-                                        if (_e874[1] > _e891[1]) {
-                                            phi_1507_ = true;
+                                        let _e841 = keys.member[_e506.member[0]];
+                                        let _e846 = keys.member[_e506.member[1]];
+                                        let _e848 = function_5(_e841[0], _e846[0]);
+                                        let _e852 = keys.member[_e506.member[2]];
+                                        let _e854 = function_5(_e848, _e852[0]);
+                                        let _e858 = keys.member[_e508.member[0]];
+                                        let _e863 = keys.member[_e508.member[1]];
+                                        let _e865 = function_4(_e858[3], _e863[3]);
+                                        let _e869 = keys.member[_e508.member[2]];
+                                        let _e871 = function_4(_e865, _e869[3]);
+                                        if (_e854[1] > _e871[1]) {
+                                            phi_1481_ = true;
                                         } else {
-                                            if (_e874[1] == _e891[1]) {
-                                                phi_1506_ = (_e874[0] > _e891[0]);
+                                            if (_e854[1] == _e871[1]) {
+                                                phi_1480_ = (_e854[0] > _e871[0]);
                                             } else {
-                                                phi_1506_ = false;
+                                                phi_1480_ = false;
                                             }
-                                            let _e902 = phi_1506_;
-                                            phi_1507_ = _e902;
+                                            let _e882 = phi_1480_;
+                                            phi_1481_ = _e882;
                                         }
-                                        let _e904 = phi_1507_;
-                                        let _e909 = keys.member[_e528.member[0]];
-                                        let _e914 = keys.member[_e528.member[1]];
-                                        let _e916 = function_5(_e909[0], _e914[0]);
-                                        let _e920 = keys.member[_e528.member[2]];
-                                        let _e922 = function_5(_e916, _e920[0]);
-                                        let _e926 = keys.member[_e526.member[0]];
-                                        let _e931 = keys.member[_e526.member[1]];
-                                        let _e933 = function_4(_e926[3], _e931[3]);
-                                        let _e937 = keys.member[_e526.member[2]];
-                                        let _e939 = function_4(_e933, _e937[3]);
-                                        if (_e922[1] > _e939[1]) {
-                                            phi_1601_ = true;
+                                        let _e884 = phi_1481_;
+                                        let _e889 = keys.member[_e508.member[0]];
+                                        let _e894 = keys.member[_e508.member[1]];
+                                        let _e896 = function_5(_e889[0], _e894[0]);
+                                        let _e900 = keys.member[_e508.member[2]];
+                                        let _e902 = function_5(_e896, _e900[0]);
+                                        let _e906 = keys.member[_e506.member[0]];
+                                        let _e911 = keys.member[_e506.member[1]];
+                                        let _e913 = function_4(_e906[3], _e911[3]);
+                                        let _e917 = keys.member[_e506.member[2]];
+                                        let _e919 = function_4(_e913, _e917[3]);
+                                        if (_e902[1] > _e919[1]) {
+                                            phi_1575_ = true;
                                         } else {
-                                            if (_e922[1] == _e939[1]) {
-                                                phi_1600_ = (_e922[0] > _e939[0]);
+                                            if (_e902[1] == _e919[1]) {
+                                                phi_1574_ = (_e902[0] > _e919[0]);
                                             } else {
-                                                phi_1600_ = false;
+                                                phi_1574_ = false;
                                             }
-                                            let _e950 = phi_1600_;
-                                            phi_1601_ = _e950;
+                                            let _e930 = phi_1574_;
+                                            phi_1575_ = _e930;
                                         }
-                                        let _e952 = phi_1601_;
-                                        let _e958 = keys.member[_e526.member[0]];
-                                        let _e963 = keys.member[_e526.member[1]];
-                                        let _e965 = function_3(_e958[1], _e963[1]);
-                                        let _e969 = keys.member[_e526.member[2]];
-                                        let _e971 = function_3(_e965, _e969[1]);
-                                        let _e975 = keys.member[_e528.member[0]];
-                                        let _e980 = keys.member[_e528.member[1]];
-                                        let _e982 = function_2(_e975[4], _e980[4]);
-                                        let _e986 = keys.member[_e528.member[2]];
-                                        let _e988 = function_2(_e982, _e986[4]);
-                                        if (_e971[1] > _e988[1]) {
-                                            phi_1696_ = true;
+                                        let _e932 = phi_1575_;
+                                        let _e938 = keys.member[_e506.member[0]];
+                                        let _e943 = keys.member[_e506.member[1]];
+                                        let _e945 = function_3(_e938[1], _e943[1]);
+                                        let _e949 = keys.member[_e506.member[2]];
+                                        let _e951 = function_3(_e945, _e949[1]);
+                                        let _e955 = keys.member[_e508.member[0]];
+                                        let _e960 = keys.member[_e508.member[1]];
+                                        let _e962 = function_2(_e955[4], _e960[4]);
+                                        let _e966 = keys.member[_e508.member[2]];
+                                        let _e968 = function_2(_e962, _e966[4]);
+                                        if (_e951[1] > _e968[1]) {
+                                            phi_1670_ = true;
                                         } else {
-                                            if (_e971[1] == _e988[1]) {
-                                                phi_1695_ = (_e971[0] > _e988[0]);
+                                            if (_e951[1] == _e968[1]) {
+                                                phi_1669_ = (_e951[0] > _e968[0]);
                                             } else {
-                                                phi_1695_ = false;
+                                                phi_1669_ = false;
                                             }
-                                            let _e999 = phi_1695_;
-                                            phi_1696_ = _e999;
+                                            let _e979 = phi_1669_;
+                                            phi_1670_ = _e979;
                                         }
-                                        let _e1001 = phi_1696_;
-                                        let _e1006 = keys.member[_e528.member[0]];
-                                        let _e1011 = keys.member[_e528.member[1]];
-                                        let _e1013 = function_3(_e1006[1], _e1011[1]);
-                                        let _e1017 = keys.member[_e528.member[2]];
-                                        let _e1019 = function_3(_e1013, _e1017[1]);
-                                        let _e1023 = keys.member[_e526.member[0]];
-                                        let _e1028 = keys.member[_e526.member[1]];
-                                        let _e1030 = function_2(_e1023[4], _e1028[4]);
-                                        let _e1034 = keys.member[_e526.member[2]];
-                                        let _e1036 = function_2(_e1030, _e1034[4]);
-                                        if (_e1019[1] > _e1036[1]) {
-                                            phi_1790_ = true;
+                                        let _e981 = phi_1670_;
+                                        let _e986 = keys.member[_e508.member[0]];
+                                        let _e991 = keys.member[_e508.member[1]];
+                                        let _e993 = function_3(_e986[1], _e991[1]);
+                                        let _e997 = keys.member[_e508.member[2]];
+                                        let _e999 = function_3(_e993, _e997[1]);
+                                        let _e1003 = keys.member[_e506.member[0]];
+                                        let _e1008 = keys.member[_e506.member[1]];
+                                        let _e1010 = function_2(_e1003[4], _e1008[4]);
+                                        let _e1014 = keys.member[_e506.member[2]];
+                                        let _e1016 = function_2(_e1010, _e1014[4]);
+                                        if (_e999[1] > _e1016[1]) {
+                                            phi_1764_ = true;
                                         } else {
-                                            if (_e1019[1] == _e1036[1]) {
-                                                phi_1789_ = (_e1019[0] > _e1036[0]);
+                                            if (_e999[1] == _e1016[1]) {
+                                                phi_1763_ = (_e999[0] > _e1016[0]);
                                             } else {
-                                                phi_1789_ = false;
+                                                phi_1763_ = false;
                                             }
-                                            let _e1047 = phi_1789_;
-                                            phi_1790_ = _e1047;
+                                            let _e1027 = phi_1763_;
+                                            phi_1764_ = _e1027;
                                         }
-                                        let _e1049 = phi_1790_;
-                                        let _e1056 = keys.member[_e526.member[0]];
-                                        let _e1061 = keys.member[_e526.member[1]];
-                                        let _e1063 = function_1(_e1056[2], _e1061[2]);
-                                        let _e1067 = keys.member[_e526.member[2]];
-                                        let _e1069 = function_1(_e1063, _e1067[2]);
-                                        let _e1073 = keys.member[_e528.member[0]];
-                                        let _e1078 = keys.member[_e528.member[1]];
-                                        let _e1080 = function_(_e1073[5], _e1078[5]);
-                                        let _e1084 = keys.member[_e528.member[2]];
-                                        let _e1086 = function_(_e1080, _e1084[5]);
-                                        if (_e1069[1] > _e1086[1]) {
-                                            phi_1886_ = true;
+                                        let _e1029 = phi_1764_;
+                                        let _e1036 = keys.member[_e506.member[0]];
+                                        let _e1041 = keys.member[_e506.member[1]];
+                                        let _e1043 = function_1(_e1036[2], _e1041[2]);
+                                        let _e1047 = keys.member[_e506.member[2]];
+                                        let _e1049 = function_1(_e1043, _e1047[2]);
+                                        let _e1053 = keys.member[_e508.member[0]];
+                                        let _e1058 = keys.member[_e508.member[1]];
+                                        let _e1060 = function_(_e1053[5], _e1058[5]);
+                                        let _e1064 = keys.member[_e508.member[2]];
+                                        let _e1066 = function_(_e1060, _e1064[5]);
+                                        if (_e1049[1] > _e1066[1]) {
+                                            phi_1860_ = true;
                                         } else {
-                                            if (_e1069[1] == _e1086[1]) {
-                                                phi_1885_ = (_e1069[0] > _e1086[0]);
+                                            if (_e1049[1] == _e1066[1]) {
+                                                phi_1859_ = (_e1049[0] > _e1066[0]);
                                             } else {
-                                                phi_1885_ = false;
+                                                phi_1859_ = false;
                                             }
-                                            let _e1097 = phi_1885_;
-                                            phi_1886_ = _e1097;
+                                            let _e1077 = phi_1859_;
+                                            phi_1860_ = _e1077;
                                         }
-                                        let _e1099 = phi_1886_;
-                                        let _e1104 = keys.member[_e528.member[0]];
-                                        let _e1109 = keys.member[_e528.member[1]];
-                                        let _e1111 = function_1(_e1104[2], _e1109[2]);
-                                        let _e1115 = keys.member[_e528.member[2]];
-                                        let _e1117 = function_1(_e1111, _e1115[2]);
-                                        let _e1121 = keys.member[_e526.member[0]];
-                                        let _e1126 = keys.member[_e526.member[1]];
-                                        let _e1128 = function_(_e1121[5], _e1126[5]);
-                                        let _e1132 = keys.member[_e526.member[2]];
-                                        let _e1134 = function_(_e1128, _e1132[5]);
-                                        if (_e1117[1] > _e1134[1]) {
-                                            phi_1980_ = true;
+                                        let _e1079 = phi_1860_;
+                                        let _e1084 = keys.member[_e508.member[0]];
+                                        let _e1089 = keys.member[_e508.member[1]];
+                                        let _e1091 = function_1(_e1084[2], _e1089[2]);
+                                        let _e1095 = keys.member[_e508.member[2]];
+                                        let _e1097 = function_1(_e1091, _e1095[2]);
+                                        let _e1101 = keys.member[_e506.member[0]];
+                                        let _e1106 = keys.member[_e506.member[1]];
+                                        let _e1108 = function_(_e1101[5], _e1106[5]);
+                                        let _e1112 = keys.member[_e506.member[2]];
+                                        let _e1114 = function_(_e1108, _e1112[5]);
+                                        if (_e1097[1] > _e1114[1]) {
+                                            phi_1954_ = true;
                                         } else {
-                                            if (_e1117[1] == _e1134[1]) {
-                                                phi_1979_ = (_e1117[0] > _e1134[0]);
+                                            if (_e1097[1] == _e1114[1]) {
+                                                phi_1953_ = (_e1097[0] > _e1114[0]);
                                             } else {
-                                                phi_1979_ = false;
+                                                phi_1953_ = false;
                                             }
-                                            let _e1145 = phi_1979_;
-                                            phi_1980_ = _e1145;
+                                            let _e1125 = phi_1953_;
+                                            phi_1954_ = _e1125;
                                         }
-                                        let _e1147 = phi_1980_;
-                                        phi_1984_ = (((!(_e904) && !(_e952)) && (!(_e1001) && !(_e1049))) && (!(_e1099) && !(_e1147)));
+                                        let _e1127 = phi_1954_;
+                                        phi_1958_ = (((!(_e884) && !(_e932)) && (!(_e981) && !(_e1029))) && (!(_e1079) && !(_e1127)));
                                     }
-                                    let _e1152 = phi_1984_;
-                                    phi_1985_ = _e1152;
-                                    phi_1986_ = _e857;
+                                    let _e1132 = phi_1958_;
+                                    phi_1959_ = _e1132;
+                                    phi_1960_ = _e837;
                                 } else {
-                                    phi_1985_ = bool();
-                                    phi_1986_ = true;
+                                    phi_1959_ = bool();
+                                    phi_1960_ = true;
                                 }
-                                let _e1154 = phi_1985_;
-                                let _e1156 = phi_1986_;
-                                if _e1156 {
-                                    phi_1990_ = false;
+                                let _e1134 = phi_1959_;
+                                let _e1136 = phi_1960_;
+                                if _e1136 {
+                                    phi_1964_ = false;
                                 } else {
-                                    phi_1990_ = true;
+                                    phi_1964_ = true;
                                 }
-                                let _e1158 = phi_1990_;
-                                phi_1991_ = _e1154;
-                                phi_1992_ = _e1158;
+                                let _e1138 = phi_1964_;
+                                phi_1965_ = _e1134;
+                                phi_1966_ = _e1138;
                             } else {
-                                phi_1991_ = false;
-                                phi_1992_ = true;
+                                phi_1965_ = false;
+                                phi_1966_ = true;
                             }
-                            let _e1160 = phi_1991_;
-                            let _e1162 = phi_1992_;
-                            phi_1993_ = _e1160;
-                            phi_1994_ = _e1162;
+                            let _e1140 = phi_1965_;
+                            let _e1142 = phi_1966_;
+                            phi_1967_ = _e1140;
+                            phi_1968_ = _e1142;
                         } else {
-                            phi_1993_ = false;
-                            phi_1994_ = true;
+                            phi_1967_ = false;
+                            phi_1968_ = true;
                         }
-                        let _e1164 = phi_1993_;
-                        let _e1166 = phi_1994_;
-                        if _e1166 {
-                            phi_1998_ = _e1164;
+                        let _e1144 = phi_1967_;
+                        let _e1146 = phi_1968_;
+                        if _e1146 {
+                            phi_1972_ = _e1144;
                         } else {
-                            phi_1998_ = true;
+                            phi_1972_ = true;
                         }
-                        let _e1168 = phi_1998_;
-                        if _e1168 {
-                            if (_e84[0] == _e84[1]) {
-                                if (_e526.member_1 < _e528.member_1) {
-                                    phi_2014_ = type_9(_e526.member_1, _e528.member_1);
+                        let _e1148 = phi_1972_;
+                        if _e1148 {
+                            if (_e82[0] == _e82[1]) {
+                                if (_e506.member_1 < _e508.member_1) {
+                                    phi_1988_ = type_9(_e506.member_1, _e508.member_1);
                                 } else {
-                                    phi_2014_ = type_9(_e528.member_1, _e526.member_1);
+                                    phi_1988_ = type_9(_e508.member_1, _e506.member_1);
                                 }
-                                let _e1177 = phi_2014_;
-                                phi_2019_ = _e1177;
+                                let _e1157 = phi_1988_;
+                                phi_1993_ = _e1157;
                             } else {
-                                phi_2019_ = type_9(_e526.member_1, _e528.member_1);
+                                phi_1993_ = type_9(_e506.member_1, _e508.member_1);
                             }
-                            let _e1179 = phi_2019_;
-                            let _e1184 = params.member.member_1.member_3;
-                            let _e1186 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1186 + 1u) < _e1186) {
-                                let _e1190 = atomicAdd((&output.member[2u]), 1u);
+                            let _e1159 = phi_1993_;
+                            let _e1164 = params.member.member_1.member_3;
+                            let _e1166 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1166 + 1u) < _e1166) {
+                                let _e1170 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e1186 < _e1184) {
-                                let _e1192 = (2u * _e1186);
-                                atomicStore((&output.member[(4u + _e1192)]), _e1179.member);
-                                atomicStore((&output.member[(_e1192 + 5u)]), _e1179.member_1);
+                            if (_e1166 < _e1164) {
+                                let _e1172 = (2u * _e1166);
+                                atomicStore((&output.member[(4u + _e1172)]), _e1159.member);
+                                atomicStore((&output.member[(_e1172 + 5u)]), _e1159.member_1);
                             }
-                            let _e1198 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1198 + 1u) < _e1198) {
-                                let _e1202 = atomicAdd((&output.member[3u]), 1u);
+                            let _e1178 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1178 + 1u) < _e1178) {
+                                let _e1182 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_2060_ = (_e495 & (_e495 - 1u));
-                        phi_2061_ = true;
+                        phi_2034_ = (_e475 & (_e475 - 1u));
+                        phi_2035_ = true;
                     }
-                    let _e1204 = phi_2060_;
-                    let _e1206 = phi_2061_;
-                    phi_808_ = _e1204;
-                    phi_2062_ = _e1206;
+                    let _e1184 = phi_2034_;
+                    let _e1186 = phi_2035_;
+                    phi_782_ = _e1184;
+                    phi_2036_ = _e1186;
                 } else {
-                    phi_808_ = u32();
-                    phi_2062_ = false;
+                    phi_782_ = u32();
+                    phi_2036_ = false;
                 }
-                let _e1208 = phi_808_;
-                let _e1210 = phi_2062_;
+                let _e1188 = phi_782_;
+                let _e1190 = phi_2036_;
                 continue;
                 continuing {
-                    phi_804_ = _e507;
-                    phi_807_ = _e1208;
-                    break if !(_e1210);
+                    phi_778_ = _e487;
+                    phi_781_ = _e1188;
+                    break if !(_e1190);
                 }
             }
             workgroupBarrier();
-            let _e1213 = atomicLoad((&counters[4u]));
-            if (2048u < _e1213) {
-                phi_2069_ = 2048u;
+            let _e1193 = atomicLoad((&counters[4u]));
+            if (2048u < _e1193) {
+                phi_2043_ = 2048u;
             } else {
-                phi_2069_ = _e1213;
+                phi_2043_ = _e1193;
             }
-            let _e1216 = phi_2069_;
-            phi_2072_ = type_9(0u, 16u);
+            let _e1196 = phi_2043_;
+            phi_2046_ = type_9(0u, 16u);
             loop {
-                let _e1218 = phi_2072_;
-                if (_e1218.member < _e1218.member_1) {
-                    phi_2073_ = type_9((_e1218.member + 1u), _e1218.member_1);
-                    phi_2096_ = type_9(1u, _e1218.member);
+                let _e1198 = phi_2046_;
+                if (_e1198.member < _e1198.member_1) {
+                    phi_2047_ = type_9((_e1198.member + 1u), _e1198.member_1);
+                    phi_2070_ = type_9(1u, _e1198.member);
                 } else {
-                    phi_2073_ = _e1218;
-                    phi_2096_ = type_9(0u, type_9().member_1);
+                    phi_2047_ = _e1198;
+                    phi_2070_ = type_9(0u, type_9().member_1);
                 }
-                let _e1230 = phi_2073_;
-                let _e1232 = phi_2096_;
-                if (bitcast<i32>(_e1232.member) != 0i) {
-                    let _e1238 = (_e53 + (_e1232.member_1 * 128u));
-                    if (_e1238 >= _e1216) {
-                        phi_3287_ = false;
+                let _e1210 = phi_2047_;
+                let _e1212 = phi_2070_;
+                if (bitcast<i32>(_e1212.member) != 0i) {
+                    let _e1218 = (_e51 + (_e1212.member_1 * 128u));
+                    if (_e1218 >= _e1196) {
+                        phi_3261_ = false;
                     } else {
-                        let _e1241 = hits[_e1238];
-                        let _e1244 = ((_e1241 >> bitcast<u32>(10i)) & 3u);
-                        let _e1251 = firsts[(2u * _e1244)];
-                        let _e1252 = (_e1251 + ((_e1241 >> bitcast<u32>(5i)) & 31u));
-                        let _e1256 = firsts[((2u * _e1244) + 1u)];
-                        let _e1257 = (_e1256 + (_e1241 & 31u));
-                        let _e1259 = leaves.member[_e1252];
-                        let _e1261 = leaves.member[_e1257];
-                        let _e1263 = nodes.member[_e1252];
-                        let _e1277 = nodes.member[_e1257];
-                        let _e1292 = params.member.member.member_1;
-                        if ((_e1292 & 1u) != 0u) {
-                            if (_e81 == 0u) {
-                                if (_e1261.member[0] == _e1259.member[0]) {
+                        let _e1221 = hits[_e1218];
+                        let _e1224 = ((_e1221 >> bitcast<u32>(10i)) & 3u);
+                        let _e1231 = firsts[(2u * _e1224)];
+                        let _e1232 = (_e1231 + ((_e1221 >> bitcast<u32>(5i)) & 31u));
+                        let _e1236 = firsts[((2u * _e1224) + 1u)];
+                        let _e1237 = (_e1236 + (_e1221 & 31u));
+                        let _e1239 = leaves.member[_e1232];
+                        let _e1241 = leaves.member[_e1237];
+                        let _e1243 = nodes.member[_e1232];
+                        let _e1257 = nodes.member[_e1237];
+                        let _e1272 = params.member.member.member_1;
+                        if ((_e1272 & 1u) != 0u) {
+                            if (_e79 == 0u) {
+                                if (_e1241.member[0] == _e1239.member[0]) {
+                                    phi_2172_ = true;
+                                } else {
+                                    phi_2172_ = (_e1241.member[0] == _e1239.member[0]);
+                                }
+                                let _e1300 = phi_2172_;
+                                if (_e1241.member[1] == _e1239.member[0]) {
+                                    phi_2179_ = true;
+                                } else {
+                                    phi_2179_ = (_e1241.member[1] == _e1239.member[0]);
+                                }
+                                let _e1305 = phi_2179_;
+                                if (_e1241.member[2] == _e1239.member[0]) {
+                                    phi_2187_ = true;
+                                } else {
+                                    phi_2187_ = (_e1241.member[2] == _e1239.member[0]);
+                                }
+                                let _e1311 = phi_2187_;
+                                phi_2206_ = ((_e1300 || _e1305) || _e1311);
+                            } else {
+                                if (_e1241.member[0] == _e1239.member[0]) {
                                     phi_2198_ = true;
                                 } else {
-                                    phi_2198_ = (_e1261.member[0] == _e1259.member[0]);
+                                    phi_2198_ = (_e1241.member[0] == _e1239.member[1]);
                                 }
-                                let _e1320 = phi_2198_;
-                                if (_e1261.member[1] == _e1259.member[0]) {
-                                    phi_2205_ = true;
+                                let _e1287 = phi_2198_;
+                                if (_e1241.member[1] == _e1239.member[0]) {
+                                    phi_2204_ = true;
                                 } else {
-                                    phi_2205_ = (_e1261.member[1] == _e1259.member[0]);
+                                    phi_2204_ = (_e1241.member[1] == _e1239.member[1]);
                                 }
-                                let _e1325 = phi_2205_;
-                                if (_e1261.member[2] == _e1259.member[0]) {
-                                    phi_2213_ = true;
-                                } else {
-                                    phi_2213_ = (_e1261.member[2] == _e1259.member[0]);
-                                }
-                                let _e1331 = phi_2213_;
-                                phi_2232_ = ((_e1320 || _e1325) || _e1331);
-                            } else {
-                                if (_e1261.member[0] == _e1259.member[0]) {
-                                    phi_2224_ = true;
-                                } else {
-                                    phi_2224_ = (_e1261.member[0] == _e1259.member[1]);
-                                }
-                                let _e1307 = phi_2224_;
-                                if (_e1261.member[1] == _e1259.member[0]) {
-                                    phi_2230_ = true;
-                                } else {
-                                    phi_2230_ = (_e1261.member[1] == _e1259.member[1]);
-                                }
-                                let _e1311 = phi_2230_;
-                                phi_2232_ = (_e1307 || _e1311);
+                                let _e1291 = phi_2204_;
+                                phi_2206_ = (_e1287 || _e1291);
                             }
-                            let _e1334 = phi_2232_;
-                            if _e1334 {
-                                phi_2236_ = false;
+                            let _e1314 = phi_2206_;
+                            if _e1314 {
+                                phi_2210_ = false;
                             } else {
-                                phi_2236_ = true;
+                                phi_2210_ = true;
                             }
-                            let _e1336 = phi_2236_;
-                            phi_2237_ = _e1336;
+                            let _e1316 = phi_2210_;
+                            phi_2211_ = _e1316;
                         } else {
-                            phi_2237_ = true;
+                            phi_2211_ = true;
                         }
-                        let _e1338 = phi_2237_;
-                        if _e1338 {
-                            let _e1340 = params.member.member.member_1;
-                            if ((_e1340 & 2u) != 0u) {
-                                let _e1346 = bodies.member[_e1259.member[0]];
-                                let _e1350 = bodies.member[_e1261.member[0]];
-                                if ((_e1346 / 4u) != (_e1350 / 4u)) {
-                                    phi_2282_ = true;
+                        let _e1318 = phi_2211_;
+                        if _e1318 {
+                            let _e1320 = params.member.member.member_1;
+                            if ((_e1320 & 2u) != 0u) {
+                                let _e1326 = bodies.member[_e1239.member[0]];
+                                let _e1330 = bodies.member[_e1241.member[0]];
+                                if ((_e1326 / 4u) != (_e1330 / 4u)) {
+                                    phi_2256_ = true;
                                 } else {
-                                    if ((_e1346 & 2u) == 0u) {
-                                        phi_2281_ = false;
+                                    if ((_e1326 & 2u) == 0u) {
+                                        phi_2255_ = false;
                                     } else {
-                                        phi_2281_ = true;
+                                        phi_2255_ = true;
                                     }
-                                    let _e1357 = phi_2281_;
-                                    phi_2282_ = _e1357;
+                                    let _e1337 = phi_2255_;
+                                    phi_2256_ = _e1337;
                                 }
-                                let _e1359 = phi_2282_;
-                                if _e1359 {
-                                    phi_2289_ = (((_e1346 & _e1350) & 1u) == 0u);
+                                let _e1339 = phi_2256_;
+                                if _e1339 {
+                                    phi_2263_ = (((_e1326 & _e1330) & 1u) == 0u);
                                 } else {
-                                    phi_2289_ = false;
+                                    phi_2263_ = false;
                                 }
-                                let _e1364 = phi_2289_;
-                                if _e1364 {
-                                    let _e1366 = params.member.member.member_1;
-                                    if ((_e1366 & 4u) != 0u) {
-                                        let _e1371 = params.member.member.member[0u];
-                                        let _e1373 = bodies.member[_e1371];
-                                        let _e1376 = bodies.member[(_e1371 + 1u)];
-                                        let _e1381 = ((_e1371 + 4u) + (2u * (_e1346 >> bitcast<u32>(2i))));
-                                        let _e1386 = ((_e1371 + 4u) + (2u * (_e1350 >> bitcast<u32>(2i))));
-                                        let _e1388 = bodies.member[_e1381];
-                                        let _e1390 = bodies.member[_e1386];
-                                        let _e1399 = bodies.member[((((_e1371 + 4u) + (2u * _e1373)) + (_e1388 * _e1376)) + (_e1390 / 32u))];
-                                        let _e1402 = bodies.member[(_e1381 + 1u)];
-                                        let _e1405 = bodies.member[(_e1386 + 1u)];
-                                        if (_e1402 == _e1405) {
-                                            if (((_e1399 >> bitcast<u32>(((_e1390 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_2405_ = true;
+                                let _e1344 = phi_2263_;
+                                if _e1344 {
+                                    let _e1346 = params.member.member.member_1;
+                                    if ((_e1346 & 4u) != 0u) {
+                                        let _e1351 = params.member.member.member[0u];
+                                        let _e1353 = bodies.member[_e1351];
+                                        let _e1356 = bodies.member[(_e1351 + 1u)];
+                                        let _e1361 = ((_e1351 + 4u) + (2u * (_e1326 >> bitcast<u32>(2i))));
+                                        let _e1366 = ((_e1351 + 4u) + (2u * (_e1330 >> bitcast<u32>(2i))));
+                                        let _e1368 = bodies.member[_e1361];
+                                        let _e1370 = bodies.member[_e1366];
+                                        let _e1379 = bodies.member[((((_e1351 + 4u) + (2u * _e1353)) + (_e1368 * _e1356)) + (_e1370 / 32u))];
+                                        let _e1382 = bodies.member[(_e1361 + 1u)];
+                                        let _e1385 = bodies.member[(_e1366 + 1u)];
+                                        if (_e1382 == _e1385) {
+                                            if (((_e1379 >> bitcast<u32>(((_e1370 % 32u) & 31u))) & 1u) == 1u) {
+                                                phi_2379_ = true;
                                             } else {
-                                                phi_2405_ = ((_e1346 >> bitcast<u32>(2i)) == (_e1350 >> bitcast<u32>(2i)));
+                                                phi_2379_ = ((_e1326 >> bitcast<u32>(2i)) == (_e1330 >> bitcast<u32>(2i)));
                                             }
-                                            let _e1419 = phi_2405_;
-                                            phi_2406_ = _e1419;
+                                            let _e1399 = phi_2379_;
+                                            phi_2380_ = _e1399;
                                         } else {
-                                            phi_2406_ = false;
+                                            phi_2380_ = false;
                                         }
-                                        let _e1421 = phi_2406_;
-                                        if _e1421 {
-                                            let _e1426 = bodies.member[(_e1371 + 2u)];
-                                            let _e1429 = bodies.member[(_e1371 + 3u)];
-                                            let _e1430 = (_e1429 + _e1371);
-                                            if (_e81 == 1u) {
-                                                if (_e1261.member_1 < _e1259.member_1) {
-                                                    phi_2443_ = _e1259.member_1;
-                                                    phi_2444_ = _e1261.member_1;
+                                        let _e1401 = phi_2380_;
+                                        if _e1401 {
+                                            let _e1406 = bodies.member[(_e1351 + 2u)];
+                                            let _e1409 = bodies.member[(_e1351 + 3u)];
+                                            let _e1410 = (_e1409 + _e1351);
+                                            if (_e79 == 1u) {
+                                                if (_e1241.member_1 < _e1239.member_1) {
+                                                    phi_2417_ = _e1239.member_1;
+                                                    phi_2418_ = _e1241.member_1;
                                                 } else {
-                                                    phi_2443_ = _e1261.member_1;
-                                                    phi_2444_ = _e1259.member_1;
+                                                    phi_2417_ = _e1241.member_1;
+                                                    phi_2418_ = _e1239.member_1;
                                                 }
-                                                let _e1434 = phi_2443_;
-                                                let _e1436 = phi_2444_;
-                                                phi_2445_ = _e1434;
-                                                phi_2446_ = _e1436;
+                                                let _e1414 = phi_2417_;
+                                                let _e1416 = phi_2418_;
+                                                phi_2419_ = _e1414;
+                                                phi_2420_ = _e1416;
                                             } else {
-                                                phi_2445_ = _e1261.member_1;
-                                                phi_2446_ = _e1259.member_1;
+                                                phi_2419_ = _e1241.member_1;
+                                                phi_2420_ = _e1239.member_1;
                                             }
-                                            let _e1438 = phi_2445_;
-                                            let _e1440 = phi_2446_;
-                                            phi_2449_ = type_15(0i, 32i);
-                                            phi_2452_ = _e1426;
-                                            phi_2454_ = 0u;
+                                            let _e1418 = phi_2419_;
+                                            let _e1420 = phi_2420_;
+                                            phi_2423_ = type_15(0i, 32i);
+                                            phi_2426_ = _e1406;
+                                            phi_2428_ = 0u;
                                             loop {
-                                                let _e1442 = phi_2449_;
-                                                let _e1444 = phi_2452_;
-                                                let _e1446 = phi_2454_;
-                                                local_2 = _e1446;
-                                                local_3 = _e1446;
-                                                if (_e1442.member < _e1442.member_1) {
-                                                    let _e1453 = (_e1442.member + 1i);
-                                                    if ((false == (_e1453 > _e1442.member)) != false) {
-                                                        phi_2475_ = true;
+                                                let _e1422 = phi_2423_;
+                                                let _e1424 = phi_2426_;
+                                                let _e1426 = phi_2428_;
+                                                local_2 = _e1426;
+                                                local_3 = _e1426;
+                                                if (_e1422.member < _e1422.member_1) {
+                                                    let _e1433 = (_e1422.member + 1i);
+                                                    if ((false == (_e1433 > _e1422.member)) != false) {
+                                                        phi_2449_ = true;
                                                     } else {
-                                                        phi_2475_ = false;
+                                                        phi_2449_ = false;
                                                     }
-                                                    let _e1458 = phi_2475_;
-                                                    if _e1458 {
-                                                        phi_2481_ = type_16(0u, type_16().member_1);
+                                                    let _e1438 = phi_2449_;
+                                                    if _e1438 {
+                                                        phi_2455_ = type_16(0u, type_16().member_1);
                                                     } else {
-                                                        phi_2481_ = type_16(1u, _e1453);
+                                                        phi_2455_ = type_16(1u, _e1433);
                                                     }
-                                                    let _e1463 = phi_2481_;
-                                                    phi_2450_ = type_15(_e1463.member_1, _e1442.member_1);
-                                                    phi_2495_ = type_16(1u, _e1442.member);
+                                                    let _e1443 = phi_2455_;
+                                                    phi_2424_ = type_15(_e1443.member_1, _e1422.member_1);
+                                                    phi_2469_ = type_16(1u, _e1422.member);
                                                 } else {
-                                                    phi_2450_ = _e1442;
-                                                    phi_2495_ = type_16(0u, type_16().member_1);
+                                                    phi_2424_ = _e1422;
+                                                    phi_2469_ = type_16(0u, type_16().member_1);
                                                 }
-                                                let _e1469 = phi_2450_;
-                                                let _e1471 = phi_2495_;
-                                                if (bitcast<i32>(_e1471.member) != 0i) {
-                                                    if (_e1446 >= _e1444) {
-                                                        phi_2578_ = u32();
-                                                        phi_2579_ = u32();
-                                                        phi_2580_ = false;
+                                                let _e1449 = phi_2424_;
+                                                let _e1451 = phi_2469_;
+                                                if (bitcast<i32>(_e1451.member) != 0i) {
+                                                    if (_e1426 >= _e1424) {
+                                                        phi_2552_ = u32();
+                                                        phi_2553_ = u32();
+                                                        phi_2554_ = false;
                                                     } else {
-                                                        let _e1478 = (_e1446 + ((_e1444 - _e1446) / 2u));
-                                                        let _e1480 = (_e1430 + (3u * _e1478));
-                                                        let _e1482 = bodies.member[_e1480];
-                                                        let _e1485 = bodies.member[(_e1480 + 1u)];
-                                                        let _e1488 = bodies.member[(_e1480 + 2u)];
-                                                        if (_e1482 < _e81) {
-                                                            phi_2571_ = true;
+                                                        let _e1458 = (_e1426 + ((_e1424 - _e1426) / 2u));
+                                                        let _e1460 = (_e1410 + (3u * _e1458));
+                                                        let _e1462 = bodies.member[_e1460];
+                                                        let _e1465 = bodies.member[(_e1460 + 1u)];
+                                                        let _e1468 = bodies.member[(_e1460 + 2u)];
+                                                        if (_e1462 < _e79) {
+                                                            phi_2545_ = true;
                                                         } else {
-                                                            if (_e1482 == _e81) {
-                                                                if (_e1485 < _e1440) {
-                                                                    phi_2565_ = false;
+                                                            if (_e1462 == _e79) {
+                                                                if (_e1465 < _e1420) {
+                                                                    phi_2539_ = false;
                                                                 } else {
-                                                                    if (_e1485 == _e1440) {
-                                                                        if (_e1488 < _e1438) {
-                                                                            phi_2563_ = false;
+                                                                    if (_e1465 == _e1420) {
+                                                                        if (_e1468 < _e1418) {
+                                                                            phi_2537_ = false;
                                                                         } else {
-                                                                            phi_2563_ = true;
+                                                                            phi_2537_ = true;
                                                                         }
-                                                                        let _e1495 = phi_2563_;
-                                                                        phi_2564_ = _e1495;
+                                                                        let _e1475 = phi_2537_;
+                                                                        phi_2538_ = _e1475;
                                                                     } else {
-                                                                        phi_2564_ = true;
+                                                                        phi_2538_ = true;
                                                                     }
-                                                                    let _e1497 = phi_2564_;
-                                                                    phi_2565_ = _e1497;
+                                                                    let _e1477 = phi_2538_;
+                                                                    phi_2539_ = _e1477;
                                                                 }
-                                                                let _e1499 = phi_2565_;
-                                                                phi_2566_ = _e1499;
+                                                                let _e1479 = phi_2539_;
+                                                                phi_2540_ = _e1479;
                                                             } else {
-                                                                phi_2566_ = true;
+                                                                phi_2540_ = true;
                                                             }
-                                                            let _e1501 = phi_2566_;
-                                                            if _e1501 {
-                                                                phi_2570_ = false;
+                                                            let _e1481 = phi_2540_;
+                                                            if _e1481 {
+                                                                phi_2544_ = false;
                                                             } else {
-                                                                phi_2570_ = true;
+                                                                phi_2544_ = true;
                                                             }
-                                                            let _e1503 = phi_2570_;
-                                                            phi_2571_ = _e1503;
+                                                            let _e1483 = phi_2544_;
+                                                            phi_2545_ = _e1483;
                                                         }
-                                                        let _e1505 = phi_2571_;
-                                                        if _e1505 {
-                                                            phi_2576_ = _e1444;
-                                                            phi_2577_ = (_e1478 + 1u);
+                                                        let _e1485 = phi_2545_;
+                                                        if _e1485 {
+                                                            phi_2550_ = _e1424;
+                                                            phi_2551_ = (_e1458 + 1u);
                                                         } else {
-                                                            phi_2576_ = _e1478;
-                                                            phi_2577_ = _e1446;
+                                                            phi_2550_ = _e1458;
+                                                            phi_2551_ = _e1426;
                                                         }
-                                                        let _e1508 = phi_2576_;
-                                                        let _e1510 = phi_2577_;
-                                                        phi_2578_ = _e1508;
-                                                        phi_2579_ = _e1510;
-                                                        phi_2580_ = true;
+                                                        let _e1488 = phi_2550_;
+                                                        let _e1490 = phi_2551_;
+                                                        phi_2552_ = _e1488;
+                                                        phi_2553_ = _e1490;
+                                                        phi_2554_ = true;
                                                     }
-                                                    let _e1512 = phi_2578_;
-                                                    let _e1514 = phi_2579_;
-                                                    let _e1516 = phi_2580_;
-                                                    phi_2453_ = _e1512;
-                                                    phi_2455_ = _e1514;
-                                                    phi_2581_ = _e1516;
+                                                    let _e1492 = phi_2552_;
+                                                    let _e1494 = phi_2553_;
+                                                    let _e1496 = phi_2554_;
+                                                    phi_2427_ = _e1492;
+                                                    phi_2429_ = _e1494;
+                                                    phi_2555_ = _e1496;
                                                 } else {
-                                                    phi_2453_ = u32();
-                                                    phi_2455_ = u32();
-                                                    phi_2581_ = false;
+                                                    phi_2427_ = u32();
+                                                    phi_2429_ = u32();
+                                                    phi_2555_ = false;
                                                 }
-                                                let _e1518 = phi_2453_;
-                                                let _e1520 = phi_2455_;
-                                                let _e1522 = phi_2581_;
+                                                let _e1498 = phi_2427_;
+                                                let _e1500 = phi_2429_;
+                                                let _e1502 = phi_2555_;
                                                 continue;
                                                 continuing {
-                                                    phi_2449_ = _e1469;
-                                                    phi_2452_ = _e1518;
-                                                    phi_2454_ = _e1520;
-                                                    break if !(_e1522);
+                                                    phi_2423_ = _e1449;
+                                                    phi_2426_ = _e1498;
+                                                    phi_2428_ = _e1500;
+                                                    break if !(_e1502);
                                                 }
                                             }
-                                            let _e1525 = local_2;
-                                            if (_e1525 < _e1426) {
-                                                let _e1528 = local_3;
-                                                let _e1530 = (_e1430 + (3u * _e1528));
-                                                let _e1532 = bodies.member[_e1530];
-                                                if (_e1532 == _e81) {
-                                                    let _e1536 = bodies.member[(_e1530 + 1u)];
-                                                    if (_e1536 == _e1440) {
-                                                        let _e1540 = bodies.member[(_e1530 + 2u)];
-                                                        phi_2629_ = (_e1540 == _e1438);
-                                                        phi_2630_ = false;
+                                            let _e1505 = local_2;
+                                            if (_e1505 < _e1406) {
+                                                let _e1508 = local_3;
+                                                let _e1510 = (_e1410 + (3u * _e1508));
+                                                let _e1512 = bodies.member[_e1510];
+                                                if (_e1512 == _e79) {
+                                                    let _e1516 = bodies.member[(_e1510 + 1u)];
+                                                    if (_e1516 == _e1420) {
+                                                        let _e1520 = bodies.member[(_e1510 + 2u)];
+                                                        phi_2603_ = (_e1520 == _e1418);
+                                                        phi_2604_ = false;
                                                     } else {
-                                                        phi_2629_ = bool();
-                                                        phi_2630_ = true;
+                                                        phi_2603_ = bool();
+                                                        phi_2604_ = true;
                                                     }
-                                                    let _e1543 = phi_2629_;
-                                                    let _e1545 = phi_2630_;
-                                                    phi_2631_ = _e1543;
-                                                    phi_2632_ = _e1545;
+                                                    let _e1523 = phi_2603_;
+                                                    let _e1525 = phi_2604_;
+                                                    phi_2605_ = _e1523;
+                                                    phi_2606_ = _e1525;
                                                 } else {
-                                                    phi_2631_ = bool();
-                                                    phi_2632_ = true;
+                                                    phi_2605_ = bool();
+                                                    phi_2606_ = true;
                                                 }
-                                                let _e1547 = phi_2631_;
-                                                let _e1549 = phi_2632_;
-                                                if _e1549 {
-                                                    phi_2636_ = false;
+                                                let _e1527 = phi_2605_;
+                                                let _e1529 = phi_2606_;
+                                                if _e1529 {
+                                                    phi_2610_ = false;
                                                 } else {
-                                                    phi_2636_ = _e1547;
+                                                    phi_2610_ = _e1527;
                                                 }
-                                                let _e1551 = phi_2636_;
-                                                phi_2637_ = _e1551;
+                                                let _e1531 = phi_2610_;
+                                                phi_2611_ = _e1531;
                                             } else {
-                                                phi_2637_ = false;
+                                                phi_2611_ = false;
                                             }
-                                            let _e1553 = phi_2637_;
-                                            phi_2641_ = _e1553;
+                                            let _e1533 = phi_2611_;
+                                            phi_2615_ = _e1533;
                                         } else {
-                                            phi_2641_ = true;
+                                            phi_2615_ = true;
                                         }
-                                        let _e1555 = phi_2641_;
-                                        if _e1555 {
-                                            phi_2645_ = false;
+                                        let _e1535 = phi_2615_;
+                                        if _e1535 {
+                                            phi_2619_ = false;
                                         } else {
-                                            phi_2645_ = true;
+                                            phi_2619_ = true;
                                         }
-                                        let _e1557 = phi_2645_;
-                                        phi_2646_ = _e1557;
+                                        let _e1537 = phi_2619_;
+                                        phi_2620_ = _e1537;
                                     } else {
-                                        phi_2646_ = true;
+                                        phi_2620_ = true;
                                     }
-                                    let _e1559 = phi_2646_;
-                                    if _e1559 {
-                                        phi_2650_ = false;
+                                    let _e1539 = phi_2620_;
+                                    if _e1539 {
+                                        phi_2624_ = false;
                                     } else {
-                                        phi_2650_ = true;
+                                        phi_2624_ = true;
                                     }
-                                    let _e1561 = phi_2650_;
-                                    phi_2651_ = _e1561;
+                                    let _e1541 = phi_2624_;
+                                    phi_2625_ = _e1541;
                                 } else {
-                                    phi_2651_ = true;
+                                    phi_2625_ = true;
                                 }
-                                let _e1563 = phi_2651_;
-                                if _e1563 {
-                                    phi_2655_ = false;
+                                let _e1543 = phi_2625_;
+                                if _e1543 {
+                                    phi_2629_ = false;
                                 } else {
-                                    phi_2655_ = true;
+                                    phi_2629_ = true;
                                 }
-                                let _e1565 = phi_2655_;
-                                phi_2656_ = _e1565;
+                                let _e1545 = phi_2629_;
+                                phi_2630_ = _e1545;
                             } else {
-                                phi_2656_ = true;
+                                phi_2630_ = true;
                             }
-                            let _e1567 = phi_2656_;
-                            if _e1567 {
-                                let _e1569 = params.member.member.member_1;
-                                if ((_e1569 & 32u) != 0u) {
-                                    let _e1573 = params.member.member.member_6;
-                                    let _e1590 = (((((_e1263.member_1.y - _e1277.member.x) > _e1573) && ((_e1277.member_1.y - _e1263.member.x) > _e1573)) && (((_e1263.member_2.x - _e1277.member.y) > _e1573) && ((_e1277.member_2.x - _e1263.member.y) > _e1573))) && (((_e1263.member_2.y - _e1277.member_1.x) > _e1573) && ((_e1277.member_2.y - _e1263.member_1.x) > _e1573)));
-                                    if _e1590 {
-                                        phi_3258_ = bool();
+                            let _e1547 = phi_2630_;
+                            if _e1547 {
+                                let _e1549 = params.member.member.member_1;
+                                if ((_e1549 & 32u) != 0u) {
+                                    let _e1553 = params.member.member.member_6;
+                                    let _e1570 = (((((_e1243.member_1.y - _e1257.member.x) > _e1553) && ((_e1257.member_1.y - _e1243.member.x) > _e1553)) && (((_e1243.member_2.x - _e1257.member.y) > _e1553) && ((_e1257.member_2.x - _e1243.member.y) > _e1553))) && (((_e1243.member_2.y - _e1257.member_1.x) > _e1553) && ((_e1257.member_2.y - _e1243.member_1.x) > _e1553)));
+                                    if _e1570 {
+                                        phi_3232_ = bool();
                                     } else {
-                                        let _e1594 = keys.member[_e1259.member[0]];
-                                        let _e1599 = keys.member[_e1259.member[1]];
-                                        let _e1601 = function_5(_e1594[0], _e1599[0]);
-                                        let _e1605 = keys.member[_e1259.member[2]];
-                                        let _e1607 = function_5(_e1601, _e1605[0]);
-                                        let _e1611 = keys.member[_e1261.member[0]];
-                                        let _e1616 = keys.member[_e1261.member[1]];
-                                        let _e1618 = function_4(_e1611[3], _e1616[3]);
-                                        let _e1622 = keys.member[_e1261.member[2]];
-                                        let _e1624 = function_4(_e1618, _e1622[3]);
-                                        if (_e1607[1] > _e1624[1]) {
-                                            phi_2781_ = true;
+                                        let _e1574 = keys.member[_e1239.member[0]];
+                                        let _e1579 = keys.member[_e1239.member[1]];
+                                        let _e1581 = function_5(_e1574[0], _e1579[0]);
+                                        let _e1585 = keys.member[_e1239.member[2]];
+                                        let _e1587 = function_5(_e1581, _e1585[0]);
+                                        let _e1591 = keys.member[_e1241.member[0]];
+                                        let _e1596 = keys.member[_e1241.member[1]];
+                                        let _e1598 = function_4(_e1591[3], _e1596[3]);
+                                        let _e1602 = keys.member[_e1241.member[2]];
+                                        let _e1604 = function_4(_e1598, _e1602[3]);
+                                        if (_e1587[1] > _e1604[1]) {
+                                            phi_2755_ = true;
                                         } else {
-                                            if (_e1607[1] == _e1624[1]) {
-                                                phi_2780_ = (_e1607[0] > _e1624[0]);
+                                            if (_e1587[1] == _e1604[1]) {
+                                                phi_2754_ = (_e1587[0] > _e1604[0]);
                                             } else {
-                                                phi_2780_ = false;
+                                                phi_2754_ = false;
                                             }
-                                            let _e1635 = phi_2780_;
-                                            phi_2781_ = _e1635;
+                                            let _e1615 = phi_2754_;
+                                            phi_2755_ = _e1615;
                                         }
-                                        let _e1637 = phi_2781_;
-                                        let _e1642 = keys.member[_e1261.member[0]];
-                                        let _e1647 = keys.member[_e1261.member[1]];
-                                        let _e1649 = function_5(_e1642[0], _e1647[0]);
-                                        let _e1653 = keys.member[_e1261.member[2]];
-                                        let _e1655 = function_5(_e1649, _e1653[0]);
-                                        let _e1659 = keys.member[_e1259.member[0]];
-                                        let _e1664 = keys.member[_e1259.member[1]];
-                                        let _e1666 = function_4(_e1659[3], _e1664[3]);
-                                        let _e1670 = keys.member[_e1259.member[2]];
-                                        let _e1672 = function_4(_e1666, _e1670[3]);
-                                        if (_e1655[1] > _e1672[1]) {
-                                            phi_2875_ = true;
+                                        let _e1617 = phi_2755_;
+                                        let _e1622 = keys.member[_e1241.member[0]];
+                                        let _e1627 = keys.member[_e1241.member[1]];
+                                        let _e1629 = function_5(_e1622[0], _e1627[0]);
+                                        let _e1633 = keys.member[_e1241.member[2]];
+                                        let _e1635 = function_5(_e1629, _e1633[0]);
+                                        let _e1639 = keys.member[_e1239.member[0]];
+                                        let _e1644 = keys.member[_e1239.member[1]];
+                                        let _e1646 = function_4(_e1639[3], _e1644[3]);
+                                        let _e1650 = keys.member[_e1239.member[2]];
+                                        let _e1652 = function_4(_e1646, _e1650[3]);
+                                        if (_e1635[1] > _e1652[1]) {
+                                            phi_2849_ = true;
                                         } else {
-                                            if (_e1655[1] == _e1672[1]) {
-                                                phi_2874_ = (_e1655[0] > _e1672[0]);
+                                            if (_e1635[1] == _e1652[1]) {
+                                                phi_2848_ = (_e1635[0] > _e1652[0]);
                                             } else {
-                                                phi_2874_ = false;
+                                                phi_2848_ = false;
                                             }
-                                            let _e1683 = phi_2874_;
-                                            phi_2875_ = _e1683;
+                                            let _e1663 = phi_2848_;
+                                            phi_2849_ = _e1663;
                                         }
-                                        let _e1685 = phi_2875_;
-                                        let _e1691 = keys.member[_e1259.member[0]];
-                                        let _e1696 = keys.member[_e1259.member[1]];
-                                        let _e1698 = function_3(_e1691[1], _e1696[1]);
-                                        let _e1702 = keys.member[_e1259.member[2]];
-                                        let _e1704 = function_3(_e1698, _e1702[1]);
-                                        let _e1708 = keys.member[_e1261.member[0]];
-                                        let _e1713 = keys.member[_e1261.member[1]];
-                                        let _e1715 = function_2(_e1708[4], _e1713[4]);
-                                        let _e1719 = keys.member[_e1261.member[2]];
-                                        let _e1721 = function_2(_e1715, _e1719[4]);
-                                        if (_e1704[1] > _e1721[1]) {
-                                            phi_2970_ = true;
+                                        let _e1665 = phi_2849_;
+                                        let _e1671 = keys.member[_e1239.member[0]];
+                                        let _e1676 = keys.member[_e1239.member[1]];
+                                        let _e1678 = function_3(_e1671[1], _e1676[1]);
+                                        let _e1682 = keys.member[_e1239.member[2]];
+                                        let _e1684 = function_3(_e1678, _e1682[1]);
+                                        let _e1688 = keys.member[_e1241.member[0]];
+                                        let _e1693 = keys.member[_e1241.member[1]];
+                                        let _e1695 = function_2(_e1688[4], _e1693[4]);
+                                        let _e1699 = keys.member[_e1241.member[2]];
+                                        let _e1701 = function_2(_e1695, _e1699[4]);
+                                        if (_e1684[1] > _e1701[1]) {
+                                            phi_2944_ = true;
                                         } else {
-                                            if (_e1704[1] == _e1721[1]) {
-                                                phi_2969_ = (_e1704[0] > _e1721[0]);
+                                            if (_e1684[1] == _e1701[1]) {
+                                                phi_2943_ = (_e1684[0] > _e1701[0]);
                                             } else {
-                                                phi_2969_ = false;
+                                                phi_2943_ = false;
                                             }
-                                            let _e1732 = phi_2969_;
-                                            phi_2970_ = _e1732;
+                                            let _e1712 = phi_2943_;
+                                            phi_2944_ = _e1712;
                                         }
-                                        let _e1734 = phi_2970_;
-                                        let _e1739 = keys.member[_e1261.member[0]];
-                                        let _e1744 = keys.member[_e1261.member[1]];
-                                        let _e1746 = function_3(_e1739[1], _e1744[1]);
-                                        let _e1750 = keys.member[_e1261.member[2]];
-                                        let _e1752 = function_3(_e1746, _e1750[1]);
-                                        let _e1756 = keys.member[_e1259.member[0]];
-                                        let _e1761 = keys.member[_e1259.member[1]];
-                                        let _e1763 = function_2(_e1756[4], _e1761[4]);
-                                        let _e1767 = keys.member[_e1259.member[2]];
-                                        let _e1769 = function_2(_e1763, _e1767[4]);
-                                        if (_e1752[1] > _e1769[1]) {
-                                            phi_3064_ = true;
+                                        let _e1714 = phi_2944_;
+                                        let _e1719 = keys.member[_e1241.member[0]];
+                                        let _e1724 = keys.member[_e1241.member[1]];
+                                        let _e1726 = function_3(_e1719[1], _e1724[1]);
+                                        let _e1730 = keys.member[_e1241.member[2]];
+                                        let _e1732 = function_3(_e1726, _e1730[1]);
+                                        let _e1736 = keys.member[_e1239.member[0]];
+                                        let _e1741 = keys.member[_e1239.member[1]];
+                                        let _e1743 = function_2(_e1736[4], _e1741[4]);
+                                        let _e1747 = keys.member[_e1239.member[2]];
+                                        let _e1749 = function_2(_e1743, _e1747[4]);
+                                        if (_e1732[1] > _e1749[1]) {
+                                            phi_3038_ = true;
                                         } else {
-                                            if (_e1752[1] == _e1769[1]) {
-                                                phi_3063_ = (_e1752[0] > _e1769[0]);
+                                            if (_e1732[1] == _e1749[1]) {
+                                                phi_3037_ = (_e1732[0] > _e1749[0]);
                                             } else {
-                                                phi_3063_ = false;
+                                                phi_3037_ = false;
                                             }
-                                            let _e1780 = phi_3063_;
-                                            phi_3064_ = _e1780;
+                                            let _e1760 = phi_3037_;
+                                            phi_3038_ = _e1760;
                                         }
-                                        let _e1782 = phi_3064_;
-                                        let _e1789 = keys.member[_e1259.member[0]];
-                                        let _e1794 = keys.member[_e1259.member[1]];
-                                        let _e1796 = function_1(_e1789[2], _e1794[2]);
-                                        let _e1800 = keys.member[_e1259.member[2]];
-                                        let _e1802 = function_1(_e1796, _e1800[2]);
-                                        let _e1806 = keys.member[_e1261.member[0]];
-                                        let _e1811 = keys.member[_e1261.member[1]];
-                                        let _e1813 = function_(_e1806[5], _e1811[5]);
-                                        let _e1817 = keys.member[_e1261.member[2]];
-                                        let _e1819 = function_(_e1813, _e1817[5]);
-                                        if (_e1802[1] > _e1819[1]) {
-                                            phi_3160_ = true;
+                                        let _e1762 = phi_3038_;
+                                        let _e1769 = keys.member[_e1239.member[0]];
+                                        let _e1774 = keys.member[_e1239.member[1]];
+                                        let _e1776 = function_1(_e1769[2], _e1774[2]);
+                                        let _e1780 = keys.member[_e1239.member[2]];
+                                        let _e1782 = function_1(_e1776, _e1780[2]);
+                                        let _e1786 = keys.member[_e1241.member[0]];
+                                        let _e1791 = keys.member[_e1241.member[1]];
+                                        let _e1793 = function_(_e1786[5], _e1791[5]);
+                                        let _e1797 = keys.member[_e1241.member[2]];
+                                        let _e1799 = function_(_e1793, _e1797[5]);
+                                        if (_e1782[1] > _e1799[1]) {
+                                            phi_3134_ = true;
                                         } else {
-                                            if (_e1802[1] == _e1819[1]) {
-                                                phi_3159_ = (_e1802[0] > _e1819[0]);
+                                            if (_e1782[1] == _e1799[1]) {
+                                                phi_3133_ = (_e1782[0] > _e1799[0]);
                                             } else {
-                                                phi_3159_ = false;
+                                                phi_3133_ = false;
                                             }
-                                            let _e1830 = phi_3159_;
-                                            phi_3160_ = _e1830;
+                                            let _e1810 = phi_3133_;
+                                            phi_3134_ = _e1810;
                                         }
-                                        let _e1832 = phi_3160_;
-                                        let _e1837 = keys.member[_e1261.member[0]];
-                                        let _e1842 = keys.member[_e1261.member[1]];
-                                        let _e1844 = function_1(_e1837[2], _e1842[2]);
-                                        let _e1848 = keys.member[_e1261.member[2]];
-                                        let _e1850 = function_1(_e1844, _e1848[2]);
-                                        let _e1854 = keys.member[_e1259.member[0]];
-                                        let _e1859 = keys.member[_e1259.member[1]];
-                                        let _e1861 = function_(_e1854[5], _e1859[5]);
-                                        let _e1865 = keys.member[_e1259.member[2]];
-                                        let _e1867 = function_(_e1861, _e1865[5]);
-                                        if (_e1850[1] > _e1867[1]) {
-                                            phi_3254_ = true;
+                                        let _e1812 = phi_3134_;
+                                        let _e1817 = keys.member[_e1241.member[0]];
+                                        let _e1822 = keys.member[_e1241.member[1]];
+                                        let _e1824 = function_1(_e1817[2], _e1822[2]);
+                                        let _e1828 = keys.member[_e1241.member[2]];
+                                        let _e1830 = function_1(_e1824, _e1828[2]);
+                                        let _e1834 = keys.member[_e1239.member[0]];
+                                        let _e1839 = keys.member[_e1239.member[1]];
+                                        let _e1841 = function_(_e1834[5], _e1839[5]);
+                                        let _e1845 = keys.member[_e1239.member[2]];
+                                        let _e1847 = function_(_e1841, _e1845[5]);
+                                        if (_e1830[1] > _e1847[1]) {
+                                            phi_3228_ = true;
                                         } else {
-                                            if (_e1850[1] == _e1867[1]) {
-                                                phi_3253_ = (_e1850[0] > _e1867[0]);
+                                            if (_e1830[1] == _e1847[1]) {
+                                                phi_3227_ = (_e1830[0] > _e1847[0]);
                                             } else {
-                                                phi_3253_ = false;
+                                                phi_3227_ = false;
                                             }
-                                            let _e1878 = phi_3253_;
-                                            phi_3254_ = _e1878;
+                                            let _e1858 = phi_3227_;
+                                            phi_3228_ = _e1858;
                                         }
-                                        let _e1880 = phi_3254_;
-                                        phi_3258_ = (((!(_e1637) && !(_e1685)) && (!(_e1734) && !(_e1782))) && (!(_e1832) && !(_e1880)));
+                                        let _e1860 = phi_3228_;
+                                        phi_3232_ = (((!(_e1617) && !(_e1665)) && (!(_e1714) && !(_e1762))) && (!(_e1812) && !(_e1860)));
                                     }
-                                    let _e1885 = phi_3258_;
-                                    phi_3259_ = _e1885;
-                                    phi_3260_ = _e1590;
+                                    let _e1865 = phi_3232_;
+                                    phi_3233_ = _e1865;
+                                    phi_3234_ = _e1570;
                                 } else {
-                                    phi_3259_ = bool();
-                                    phi_3260_ = true;
+                                    phi_3233_ = bool();
+                                    phi_3234_ = true;
                                 }
-                                let _e1887 = phi_3259_;
-                                let _e1889 = phi_3260_;
-                                if _e1889 {
-                                    phi_3264_ = false;
+                                let _e1867 = phi_3233_;
+                                let _e1869 = phi_3234_;
+                                if _e1869 {
+                                    phi_3238_ = false;
                                 } else {
-                                    phi_3264_ = true;
+                                    phi_3238_ = true;
                                 }
-                                let _e1891 = phi_3264_;
-                                phi_3265_ = _e1887;
-                                phi_3266_ = _e1891;
+                                let _e1871 = phi_3238_;
+                                phi_3239_ = _e1867;
+                                phi_3240_ = _e1871;
                             } else {
-                                phi_3265_ = false;
-                                phi_3266_ = true;
+                                phi_3239_ = false;
+                                phi_3240_ = true;
                             }
-                            let _e1893 = phi_3265_;
-                            let _e1895 = phi_3266_;
-                            phi_3267_ = _e1893;
-                            phi_3268_ = _e1895;
+                            let _e1873 = phi_3239_;
+                            let _e1875 = phi_3240_;
+                            phi_3241_ = _e1873;
+                            phi_3242_ = _e1875;
                         } else {
-                            phi_3267_ = false;
-                            phi_3268_ = true;
+                            phi_3241_ = false;
+                            phi_3242_ = true;
                         }
-                        let _e1897 = phi_3267_;
-                        let _e1899 = phi_3268_;
-                        if _e1899 {
-                            phi_3272_ = _e1897;
+                        let _e1877 = phi_3241_;
+                        let _e1879 = phi_3242_;
+                        if _e1879 {
+                            phi_3246_ = _e1877;
                         } else {
-                            phi_3272_ = true;
+                            phi_3246_ = true;
                         }
-                        let _e1901 = phi_3272_;
-                        if _e1901 {
-                            let _e1903 = atomicAdd((&counters[7u]), 1u);
-                            let _e1905 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1238] = ((2147483648u | (_e1905 << bitcast<u32>(12i))) | _e1241);
+                        let _e1881 = phi_3246_;
+                        if _e1881 {
+                            let _e1883 = atomicAdd((&counters[7u]), 1u);
+                            let _e1885 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1218] = ((2147483648u | (_e1885 << bitcast<u32>(12i))) | _e1221);
                         }
-                        phi_3287_ = true;
+                        phi_3261_ = true;
                     }
-                    let _e1912 = phi_3287_;
-                    phi_3288_ = _e1912;
+                    let _e1892 = phi_3261_;
+                    phi_3262_ = _e1892;
                 } else {
-                    phi_3288_ = false;
+                    phi_3262_ = false;
                 }
-                let _e1914 = phi_3288_;
+                let _e1894 = phi_3262_;
                 continue;
                 continuing {
-                    phi_2072_ = _e1230;
-                    break if !(_e1914);
+                    phi_2046_ = _e1210;
+                    break if !(_e1894);
                 }
             }
             workgroupBarrier();
-            if (_e53 == 0u) {
-                let _e1918 = atomicLoad((&counters[5u]));
-                if (_e1918 > 0u) {
-                    let _e1921 = atomicAdd((&output.member[0u]), _e1918);
-                    if ((_e1921 + _e1918) < _e1921) {
-                        let _e1925 = atomicAdd((&output.member[2u]), 1u);
+            if (_e51 == 0u) {
+                let _e1898 = atomicLoad((&counters[5u]));
+                if (_e1898 > 0u) {
+                    let _e1901 = atomicAdd((&output.member[0u]), _e1898);
+                    if ((_e1901 + _e1898) < _e1901) {
+                        let _e1905 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e1921);
+                    atomicStore((&counters[6u]), _e1901);
                 }
             }
             workgroupBarrier();
-            let _e1928 = atomicLoad((&counters[6u]));
-            if (_e53 == 0u) {
-                let _e1931 = atomicLoad((&counters[7u]));
-                if (_e1931 > 0u) {
-                    let _e1934 = atomicAdd((&output.member[1u]), _e1931);
-                    if ((_e1934 + _e1931) < _e1934) {
-                        let _e1938 = atomicAdd((&output.member[3u]), 1u);
+            let _e1908 = atomicLoad((&counters[6u]));
+            if (_e51 == 0u) {
+                let _e1911 = atomicLoad((&counters[7u]));
+                if (_e1911 > 0u) {
+                    let _e1914 = atomicAdd((&output.member[1u]), _e1911);
+                    if ((_e1914 + _e1911) < _e1914) {
+                        let _e1918 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_3338_ = type_9(0u, 16u);
+            phi_3312_ = type_9(0u, 16u);
             loop {
-                let _e1940 = phi_3338_;
-                if (_e1940.member < _e1940.member_1) {
-                    phi_3339_ = type_9((_e1940.member + 1u), _e1940.member_1);
-                    phi_3362_ = type_9(1u, _e1940.member);
+                let _e1920 = phi_3312_;
+                if (_e1920.member < _e1920.member_1) {
+                    phi_3313_ = type_9((_e1920.member + 1u), _e1920.member_1);
+                    phi_3336_ = type_9(1u, _e1920.member);
                 } else {
-                    phi_3339_ = _e1940;
-                    phi_3362_ = type_9(0u, type_9().member_1);
+                    phi_3313_ = _e1920;
+                    phi_3336_ = type_9(0u, type_9().member_1);
                 }
-                let _e1952 = phi_3339_;
-                let _e1954 = phi_3362_;
-                if (bitcast<i32>(_e1954.member) != 0i) {
-                    let _e1960 = (_e53 + (_e1954.member_1 * 128u));
-                    if (_e1960 >= _e1216) {
-                        phi_3459_ = false;
+                let _e1932 = phi_3313_;
+                let _e1934 = phi_3336_;
+                if (bitcast<i32>(_e1934.member) != 0i) {
+                    let _e1940 = (_e51 + (_e1934.member_1 * 128u));
+                    if (_e1940 >= _e1196) {
+                        phi_3433_ = false;
                     } else {
-                        let _e1963 = hits[_e1960];
-                        if ((_e1963 & 2147483648u) == 0u) {
-                            phi_3385_ = 4294967295u;
+                        let _e1943 = hits[_e1940];
+                        if ((_e1943 & 2147483648u) == 0u) {
+                            phi_3359_ = 4294967295u;
                         } else {
-                            phi_3385_ = ((_e1963 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_3359_ = ((_e1943 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e1970 = phi_3385_;
-                        if (_e1970 != 4294967295u) {
-                            let _e1974 = ((_e1963 >> bitcast<u32>(10i)) & 3u);
-                            let _e1981 = firsts[(2u * _e1974)];
-                            let _e1984 = leaves.member[(_e1981 + ((_e1963 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1988 = firsts[((2u * _e1974) + 1u)];
-                            let _e1991 = leaves.member[(_e1988 + (_e1963 & 31u))];
-                            let _e1996 = params.member.member_1.member_3;
-                            let _e1997 = (_e1928 + _e1970);
-                            if (_e84[0] == _e84[1]) {
-                                if (_e1984.member_1 < _e1991.member_1) {
-                                    phi_3440_ = type_9(_e1984.member_1, _e1991.member_1);
+                        let _e1950 = phi_3359_;
+                        if (_e1950 != 4294967295u) {
+                            let _e1954 = ((_e1943 >> bitcast<u32>(10i)) & 3u);
+                            let _e1961 = firsts[(2u * _e1954)];
+                            let _e1964 = leaves.member[(_e1961 + ((_e1943 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1968 = firsts[((2u * _e1954) + 1u)];
+                            let _e1971 = leaves.member[(_e1968 + (_e1943 & 31u))];
+                            let _e1976 = params.member.member_1.member_3;
+                            let _e1977 = (_e1908 + _e1950);
+                            if (_e82[0] == _e82[1]) {
+                                if (_e1964.member_1 < _e1971.member_1) {
+                                    phi_3414_ = type_9(_e1964.member_1, _e1971.member_1);
                                 } else {
-                                    phi_3440_ = type_9(_e1991.member_1, _e1984.member_1);
+                                    phi_3414_ = type_9(_e1971.member_1, _e1964.member_1);
                                 }
-                                let _e2004 = phi_3440_;
-                                phi_3445_ = _e2004;
+                                let _e1984 = phi_3414_;
+                                phi_3419_ = _e1984;
                             } else {
-                                phi_3445_ = type_9(_e1984.member_1, _e1991.member_1);
+                                phi_3419_ = type_9(_e1964.member_1, _e1971.member_1);
                             }
-                            let _e2006 = phi_3445_;
-                            if (_e1997 < _e1996) {
-                                let _e2010 = (2u * _e1997);
-                                atomicStore((&output.member[(4u + _e2010)]), _e2006.member);
-                                atomicStore((&output.member[(_e2010 + 5u)]), _e2006.member_1);
+                            let _e1986 = phi_3419_;
+                            if (_e1977 < _e1976) {
+                                let _e1990 = (2u * _e1977);
+                                atomicStore((&output.member[(4u + _e1990)]), _e1986.member);
+                                atomicStore((&output.member[(_e1990 + 5u)]), _e1986.member_1);
                             }
                         }
-                        phi_3459_ = true;
+                        phi_3433_ = true;
                     }
-                    let _e2016 = phi_3459_;
-                    phi_3460_ = _e2016;
+                    let _e1996 = phi_3433_;
+                    phi_3434_ = _e1996;
                 } else {
-                    phi_3460_ = false;
+                    phi_3434_ = false;
                 }
-                let _e2018 = phi_3460_;
+                let _e1998 = phi_3434_;
                 continue;
                 continuing {
-                    phi_3338_ = _e1952;
-                    break if !(_e2018);
+                    phi_3312_ = _e1932;
+                    break if !(_e1998);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_266_ = _e146;
-            break if !(_e152);
+            phi_264_ = _e144;
+            break if !(_e150);
         }
     }
     return;

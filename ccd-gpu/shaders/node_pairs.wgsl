@@ -68,7 +68,7 @@ struct type_24 {
     member_1: array<f32, 3>,
 }
 
-struct type_31 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
@@ -79,64 +79,60 @@ var<storage> nodes: type_22;
 @group(0) @binding(2) 
 var<storage> input: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_31;
+var<storage, read_write> output: type_30;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> ranges: array<u32, 1>;
 var<workgroup> hits: array<u32, 2048>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_135_: u32;
-    var phi_167_: u32;
-    var phi_168_: u32;
-    var phi_176_: u32;
-    var phi_192_: u32;
-    var phi_213_: u32;
-    var phi_214_: u32;
-    var phi_217_: type_9;
-    var phi_218_: type_9;
-    var phi_241_: type_9;
-    var phi_282_: u32;
-    var phi_283_: u32;
-    var phi_291_: u32;
-    var phi_303_: u32;
-    var phi_358_: array<u32, 2>;
-    var phi_562_: bool;
-    var phi_563_: bool;
-    var phi_567_: type_24;
-    var phi_576_: bool;
-    var phi_583_: type_9;
-    var phi_586_: u32;
-    var phi_584_: type_9;
-    var phi_609_: type_9;
-    var phi_674_: bool;
-    var phi_675_: bool;
+    var phi_130_: u32;
+    var phi_162_: u32;
+    var phi_163_: u32;
+    var phi_171_: u32;
+    var phi_187_: u32;
+    var phi_208_: u32;
+    var phi_209_: u32;
+    var phi_212_: type_9;
+    var phi_213_: type_9;
+    var phi_236_: type_9;
+    var phi_277_: u32;
+    var phi_278_: u32;
+    var phi_286_: u32;
+    var phi_298_: u32;
+    var phi_353_: array<u32, 2>;
+    var phi_557_: bool;
+    var phi_558_: bool;
+    var phi_562_: type_24;
+    var phi_571_: bool;
+    var phi_578_: type_9;
+    var phi_581_: u32;
+    var phi_579_: type_9;
+    var phi_604_: type_9;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
     var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_724_: u32;
-    var phi_725_: u32;
-    var phi_587_: u32;
-    var phi_728_: type_9;
-    var phi_731_: u32;
-    var phi_729_: type_9;
-    var phi_754_: type_9;
-    var phi_804_: u32;
-    var phi_805_: bool;
-    var phi_732_: u32;
-    var phi_806_: bool;
-    var phi_813_: u32;
-    var phi_846_: type_9;
-    var phi_847_: type_9;
-    var phi_870_: type_9;
-    var phi_915_: bool;
-    var phi_916_: bool;
+    var phi_694_: u32;
+    var phi_695_: u32;
+    var phi_696_: u32;
+    var phi_582_: u32;
+    var phi_699_: type_9;
+    var phi_702_: u32;
+    var phi_700_: type_9;
+    var phi_725_: type_9;
+    var phi_775_: u32;
+    var phi_776_: bool;
+    var phi_703_: u32;
+    var phi_777_: bool;
+    var phi_784_: u32;
+    var phi_817_: type_9;
+    var phi_818_: type_9;
+    var phi_841_: type_9;
+    var phi_886_: bool;
+    var phi_887_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -145,422 +141,403 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e40 = id_2;
-    let _e41 = n_2;
-    let _e42 = lane_2;
-    let _e51 = ((_e40.y * _e41.x) + _e40.x);
-    let _e54 = (_e41.x * _e41.y);
-    let _e57 = params.member.member_1.member_2;
-    let _e59 = input.member[0u];
-    if (_e57 < _e59) {
-        phi_135_ = _e57;
+    let _e37 = id_2;
+    let _e38 = n_2;
+    let _e39 = lane_2;
+    let _e48 = ((_e37.y * _e38.x) + _e37.x);
+    let _e51 = (_e38.x * _e38.y);
+    let _e54 = params.member.member_1.member_2;
+    let _e56 = input.member[0u];
+    if (_e54 < _e56) {
+        phi_130_ = _e54;
     } else {
-        phi_135_ = _e59;
+        phi_130_ = _e56;
     }
-    let _e62 = phi_135_;
-    let _e63 = (_e42 / 32u);
-    let _e64 = (_e42 % 32u);
-    let _e67 = params.member.member_1.member_1;
-    if (_e62 > _e67) {
-        let _e71 = params.member.member_1.member_1;
-        let _e72 = (_e62 - _e71);
-        let _e75 = params.member.member_2.member_3;
-        if (_e75 == 0u) {
+    let _e59 = phi_130_;
+    let _e60 = (_e39 / 32u);
+    let _e61 = (_e39 % 32u);
+    let _e64 = params.member.member_1.member_1;
+    if (_e59 > _e64) {
+        let _e68 = params.member.member_1.member_1;
+        let _e69 = (_e59 - _e68);
+        let _e72 = params.member.member_2.member_3;
+        if (_e72 == 0u) {
             return;
         }
-        let _e77 = (_e72 / _e75);
-        if (_e75 == 0u) {
+        let _e74 = (_e69 / _e72);
+        if (_e72 == 0u) {
             return;
         }
-        if ((_e72 % _e75) > 0u) {
-            phi_167_ = (_e77 + 1u);
+        if ((_e69 % _e72) > 0u) {
+            phi_162_ = (_e74 + 1u);
         } else {
-            phi_167_ = _e77;
+            phi_162_ = _e74;
         }
-        let _e83 = phi_167_;
-        phi_168_ = _e83;
+        let _e80 = phi_162_;
+        phi_163_ = _e80;
     } else {
-        phi_168_ = 0u;
+        phi_163_ = 0u;
     }
-    let _e85 = phi_168_;
-    let _e88 = params.member.member_2.member_4;
-    if (_e88 < _e85) {
-        phi_176_ = _e88;
+    let _e82 = phi_163_;
+    let _e85 = params.member.member_2.member_4;
+    if (_e85 < _e82) {
+        phi_171_ = _e85;
     } else {
-        phi_176_ = _e85;
+        phi_171_ = _e82;
     }
-    let _e91 = phi_176_;
-    let _e92 = (_e91 / 4u);
-    if ((_e91 % 4u) > 0u) {
-        phi_192_ = (_e92 + 1u);
+    let _e88 = phi_171_;
+    let _e89 = (_e88 / 4u);
+    if ((_e88 % 4u) > 0u) {
+        phi_187_ = (_e89 + 1u);
     } else {
-        phi_192_ = _e92;
+        phi_187_ = _e89;
     }
-    let _e97 = phi_192_;
-    if (_e97 > _e51) {
-        let _e99 = (_e97 - _e51);
-        if (_e54 == 0u) {
+    let _e94 = phi_187_;
+    if (_e94 > _e48) {
+        let _e96 = (_e94 - _e48);
+        if (_e51 == 0u) {
             return;
         }
-        let _e101 = (_e99 / _e54);
-        if (_e54 == 0u) {
+        let _e98 = (_e96 / _e51);
+        if (_e51 == 0u) {
             return;
         }
-        if ((_e99 % _e54) > 0u) {
-            phi_213_ = (_e101 + 1u);
+        if ((_e96 % _e51) > 0u) {
+            phi_208_ = (_e98 + 1u);
         } else {
-            phi_213_ = _e101;
+            phi_208_ = _e98;
         }
-        let _e107 = phi_213_;
-        phi_214_ = _e107;
+        let _e104 = phi_208_;
+        phi_209_ = _e104;
     } else {
-        phi_214_ = 0u;
+        phi_209_ = 0u;
     }
-    let _e109 = phi_214_;
-    phi_217_ = type_9(0u, _e109);
+    let _e106 = phi_209_;
+    phi_212_ = type_9(0u, _e106);
     loop {
-        let _e112 = phi_217_;
-        if (_e112.member < _e112.member_1) {
-            phi_218_ = type_9((_e112.member + 1u), _e112.member_1);
-            phi_241_ = type_9(1u, _e112.member);
+        let _e109 = phi_212_;
+        if (_e109.member < _e109.member_1) {
+            phi_213_ = type_9((_e109.member + 1u), _e109.member_1);
+            phi_236_ = type_9(1u, _e109.member);
         } else {
-            phi_218_ = _e112;
-            phi_241_ = type_9(0u, type_9().member_1);
+            phi_213_ = _e109;
+            phi_236_ = type_9(0u, type_9().member_1);
         }
-        let _e124 = phi_218_;
-        let _e126 = phi_241_;
-        let _e130 = (bitcast<i32>(_e126.member) != 0i);
-        if _e130 {
-            let _e134 = (((_e51 + (_e126.member_1 * _e54)) * 4u) + _e63);
-            let _e137 = params.member.member_1.member_1;
-            if (_e62 > _e137) {
-                let _e141 = params.member.member_1.member_1;
-                let _e142 = (_e62 - _e141);
-                let _e145 = params.member.member_2.member_3;
-                if (_e145 == 0u) {
+        let _e121 = phi_213_;
+        let _e123 = phi_236_;
+        let _e127 = (bitcast<i32>(_e123.member) != 0i);
+        if _e127 {
+            let _e131 = (((_e48 + (_e123.member_1 * _e51)) * 4u) + _e60);
+            let _e134 = params.member.member_1.member_1;
+            if (_e59 > _e134) {
+                let _e138 = params.member.member_1.member_1;
+                let _e139 = (_e59 - _e138);
+                let _e142 = params.member.member_2.member_3;
+                if (_e142 == 0u) {
                     return;
                 }
-                let _e147 = (_e142 / _e145);
-                if (_e145 == 0u) {
+                let _e144 = (_e139 / _e142);
+                if (_e142 == 0u) {
                     return;
                 }
-                if ((_e142 % _e145) > 0u) {
-                    phi_282_ = (_e147 + 1u);
+                if ((_e139 % _e142) > 0u) {
+                    phi_277_ = (_e144 + 1u);
                 } else {
-                    phi_282_ = _e147;
+                    phi_277_ = _e144;
                 }
-                let _e153 = phi_282_;
-                phi_283_ = _e153;
+                let _e150 = phi_277_;
+                phi_278_ = _e150;
             } else {
-                phi_283_ = 0u;
+                phi_278_ = 0u;
             }
-            let _e155 = phi_283_;
-            let _e158 = params.member.member_2.member_4;
-            if (_e158 < _e155) {
-                phi_291_ = _e158;
+            let _e152 = phi_278_;
+            let _e155 = params.member.member_2.member_4;
+            if (_e155 < _e152) {
+                phi_286_ = _e155;
             } else {
-                phi_291_ = _e155;
+                phi_286_ = _e152;
             }
-            let _e161 = phi_291_;
-            let _e162 = (_e134 < _e161);
-            let _e165 = params.member.member_1.member_1;
-            if _e162 {
-                let _e168 = params.member.member_2.member_3;
-                phi_303_ = (_e134 * _e168);
+            let _e158 = phi_286_;
+            let _e159 = (_e131 < _e158);
+            let _e162 = params.member.member_1.member_1;
+            if _e159 {
+                let _e165 = params.member.member_2.member_3;
+                phi_298_ = (_e131 * _e165);
             } else {
-                phi_303_ = 0u;
+                phi_298_ = 0u;
             }
-            let _e171 = phi_303_;
-            let _e173 = (2u * (_e165 + _e171));
-            let _e176 = input.member[(4u + _e173)];
-            let _e179 = input.member[(_e173 + 5u)];
-            if (_e42 < 8u) {
-                atomicStore((&counters[_e42]), 0u);
+            let _e168 = phi_298_;
+            let _e170 = (2u * (_e162 + _e168));
+            let _e173 = input.member[(4u + _e170)];
+            let _e176 = input.member[(_e170 + 5u)];
+            if (_e39 < 8u) {
+                atomicStore((&counters[_e39]), 0u);
             }
             workgroupBarrier();
-            if (_e64 == 0u) {
-                firsts[(2u * _e63)] = (_e176 * 32u);
-                firsts[((2u * _e63) + 1u)] = (_e179 * 32u);
+            if (_e61 == 0u) {
+                firsts[(2u * _e60)] = (_e173 * 32u);
+                firsts[((2u * _e60) + 1u)] = (_e176 * 32u);
             }
-            let _e192 = params.member.member_2.member_1;
-            if (_e192 == 0u) {
-                phi_358_ = array<u32, 2>(0u, 2u);
+            let _e189 = params.member.member_2.member_1;
+            if (_e189 == 0u) {
+                phi_353_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_358_ = array<u32, 2>(1u, 1u);
+                phi_353_ = array<u32, 2>(1u, 1u);
             }
-            let _e195 = phi_358_;
-            let _e198 = (_e42 / 32u);
-            let _e199 = (_e42 % 32u);
-            let _e203 = params.member.member_2.member_2;
-            let _e207 = params.member.member_2.member[_e203][_e195[0]];
-            let _e210 = nodes.member[(_e207 + _e176)];
-            let _e226 = params.member.member_2.member_2;
-            let _e230 = params.member.member_2.member[_e226][_e195[1]];
-            let _e233 = nodes.member[(_e230 + _e179)];
-            let _e249 = params.member.member_2.member_2;
-            let _e256 = params.member.member_2.member[(_e249 - 1u)][_e195[0]];
-            let _e259 = nodes.member[(_e256 + ((_e176 * 32u) + _e199))];
-            let _e278 = params.member.member_2.member_2;
-            let _e285 = params.member.member_2.member[(_e278 - 1u)][_e195[1]];
-            let _e288 = nodes.member[(_e285 + ((_e179 * 32u) + _e199))];
-            if _e162 {
-                if ((((((_e288.member.x <= _e210.member_1.y) && (_e210.member.x <= _e288.member_1.y)) && (_e288.member.y <= _e210.member_2.x)) && (_e210.member.y <= _e288.member_2.x)) && (_e288.member_1.x <= _e210.member_2.y)) && (_e210.member_1.x <= _e288.member_2.y)) {
-                    let _e314 = atomicAdd((&counters[_e198]), 1u);
-                    let _e315 = ((_e198 * 32u) + _e314);
-                    columns[_e315] = type_24(array<f32, 3>(_e288.member.x, _e288.member.y, _e288.member_1.x), array<f32, 3>(_e288.member_1.y, _e288.member_2.x, _e288.member_2.y));
-                    names[_e315] = _e199;
+            let _e192 = phi_353_;
+            let _e195 = (_e39 / 32u);
+            let _e196 = (_e39 % 32u);
+            let _e200 = params.member.member_2.member_2;
+            let _e204 = params.member.member_2.member[_e200][_e192[0]];
+            let _e207 = nodes.member[(_e204 + _e173)];
+            let _e223 = params.member.member_2.member_2;
+            let _e227 = params.member.member_2.member[_e223][_e192[1]];
+            let _e230 = nodes.member[(_e227 + _e176)];
+            let _e246 = params.member.member_2.member_2;
+            let _e253 = params.member.member_2.member[(_e246 - 1u)][_e192[0]];
+            let _e256 = nodes.member[(_e253 + ((_e173 * 32u) + _e196))];
+            let _e275 = params.member.member_2.member_2;
+            let _e282 = params.member.member_2.member[(_e275 - 1u)][_e192[1]];
+            let _e285 = nodes.member[(_e282 + ((_e176 * 32u) + _e196))];
+            if _e159 {
+                if ((((((_e285.member.x <= _e207.member_1.y) && (_e207.member.x <= _e285.member_1.y)) && (_e285.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e285.member_2.x)) && (_e285.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e285.member_2.y)) {
+                    let _e311 = atomicAdd((&counters[_e195]), 1u);
+                    let _e312 = ((_e195 * 32u) + _e311);
+                    columns[_e312] = type_24(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member_1.x), array<f32, 3>(_e285.member_1.y, _e285.member_2.x, _e285.member_2.y));
+                    names[_e312] = _e196;
                 }
             }
             workgroupBarrier();
-            if _e162 {
-                if ((((((_e259.member.x <= _e233.member_1.y) && (_e233.member.x <= _e259.member_1.y)) && (_e259.member.y <= _e233.member_2.x)) && (_e233.member.y <= _e259.member_2.x)) && (_e259.member_1.x <= _e233.member_2.y)) && (_e233.member_1.x <= _e259.member_2.y)) {
-                    phi_562_ = false;
+            if _e159 {
+                if ((((((_e256.member.x <= _e230.member_1.y) && (_e230.member.x <= _e256.member_1.y)) && (_e256.member.y <= _e230.member_2.x)) && (_e230.member.y <= _e256.member_2.x)) && (_e256.member_1.x <= _e230.member_2.y)) && (_e230.member_1.x <= _e256.member_2.y)) {
+                    phi_557_ = false;
                 } else {
-                    phi_562_ = true;
+                    phi_557_ = true;
                 }
-                let _e333 = phi_562_;
-                phi_563_ = _e333;
+                let _e330 = phi_557_;
+                phi_558_ = _e330;
             } else {
-                phi_563_ = true;
+                phi_558_ = true;
             }
-            let _e335 = phi_563_;
-            if _e335 {
-                phi_567_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e332 = phi_558_;
+            if _e332 {
+                phi_562_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_567_ = type_24(array<f32, 3>(_e259.member.x, _e259.member.y, _e259.member_1.x), array<f32, 3>(_e259.member_1.y, _e259.member_2.x, _e259.member_2.y));
+                phi_562_ = type_24(array<f32, 3>(_e256.member.x, _e256.member.y, _e256.member_1.x), array<f32, 3>(_e256.member_1.y, _e256.member_2.x, _e256.member_2.y));
             }
-            let _e337 = phi_567_;
-            let _e340 = params.member.member_2.member_1;
-            if (_e340 == 1u) {
-                phi_576_ = (_e176 == _e179);
+            let _e334 = phi_562_;
+            let _e337 = params.member.member_2.member_1;
+            if (_e337 == 1u) {
+                phi_571_ = (_e173 == _e176);
             } else {
-                phi_576_ = false;
+                phi_571_ = false;
             }
-            let _e344 = phi_576_;
-            let _e345 = (_e42 / 32u);
-            let _e346 = (_e42 % 32u);
-            let _e348 = atomicLoad((&counters[_e345]));
-            phi_583_ = type_9(0u, _e348);
-            phi_586_ = 0u;
+            let _e341 = phi_571_;
+            let _e342 = (_e39 / 32u);
+            let _e343 = (_e39 % 32u);
+            let _e345 = atomicLoad((&counters[_e342]));
+            phi_578_ = type_9(0u, _e345);
+            phi_581_ = 0u;
             loop {
-                let _e351 = phi_583_;
-                let _e353 = phi_586_;
-                local = _e353;
-                if (_e351.member < _e351.member_1) {
-                    phi_584_ = type_9((_e351.member + 1u), _e351.member_1);
-                    phi_609_ = type_9(1u, _e351.member);
+                let _e348 = phi_578_;
+                let _e350 = phi_581_;
+                local = _e350;
+                if (_e348.member < _e348.member_1) {
+                    phi_579_ = type_9((_e348.member + 1u), _e348.member_1);
+                    phi_604_ = type_9(1u, _e348.member);
                 } else {
-                    phi_584_ = _e351;
-                    phi_609_ = type_9(0u, type_9().member_1);
+                    phi_579_ = _e348;
+                    phi_604_ = type_9(0u, type_9().member_1);
                 }
-                let _e365 = phi_584_;
-                let _e367 = phi_609_;
-                let _e371 = (bitcast<i32>(_e367.member) != 0i);
-                if _e371 {
-                    let _e375 = names[((_e345 * 32u) + _e367.member_1)];
-                    let _e379 = columns[((_e345 * 32u) + _e367.member_1)];
-                    if ((((((_e337.member[0] <= _e379.member_1[0]) && (_e379.member[0] <= _e337.member_1[0])) && (_e337.member[1] <= _e379.member_1[1])) && (_e379.member[1] <= _e337.member_1[1])) && (_e337.member[2] <= _e379.member_1[2])) && (_e379.member[2] <= _e337.member_1[2])) {
-                        if _e344 {
-                            let _e411 = (_e346 < _e375);
-                            if _e411 {
-                                phi_675_ = bool();
+                let _e362 = phi_579_;
+                let _e364 = phi_604_;
+                let _e368 = (bitcast<i32>(_e364.member) != 0i);
+                if _e368 {
+                    let _e372 = names[((_e342 * 32u) + _e364.member_1)];
+                    let _e376 = columns[((_e342 * 32u) + _e364.member_1)];
+                    if ((((((_e334.member[0] <= _e376.member_1[0]) && (_e376.member[0] <= _e334.member_1[0])) && (_e334.member[1] <= _e376.member_1[1])) && (_e376.member[1] <= _e334.member_1[1])) && (_e334.member[2] <= _e376.member_1[2])) && (_e376.member[2] <= _e334.member_1[2])) {
+                        if _e341 {
+                            let _e408 = (_e343 < _e372);
+                            if _e408 {
+                                phi_670_ = bool();
                             } else {
-                                if (_e346 == _e375) {
-                                    phi_674_ = true;
+                                if (_e343 == _e372) {
+                                    phi_669_ = true;
                                 } else {
-                                    phi_674_ = false;
+                                    phi_669_ = false;
                                 }
-                                let _e414 = phi_674_;
-                                phi_675_ = _e414;
+                                let _e411 = phi_669_;
+                                phi_670_ = _e411;
                             }
-                            let _e416 = phi_675_;
-                            phi_676_ = _e416;
-                            phi_677_ = _e411;
+                            let _e413 = phi_670_;
+                            phi_671_ = _e413;
+                            phi_672_ = _e408;
                         } else {
-                            phi_676_ = bool();
-                            phi_677_ = true;
+                            phi_671_ = bool();
+                            phi_672_ = true;
                         }
-                        let _e418 = phi_676_;
-                        let _e420 = phi_677_;
-                        if _e420 {
-                            phi_681_ = true;
+                        let _e415 = phi_671_;
+                        let _e417 = phi_672_;
+                        if _e417 {
+                            phi_676_ = true;
                         } else {
-                            phi_681_ = _e418;
+                            phi_676_ = _e415;
                         }
-                        let _e422 = phi_681_;
-                        phi_682_ = _e422;
-                    } else {
-                        phi_682_ = false;
-                    }
-                    let _e424 = phi_682_;
-                    if false {
-                        if _e424 {
-                            let _e428 = ranges[((_e345 * 32u) + _e375)];
-                            if ((u32() >> bitcast<u32>(16i)) <= (_e428 & 65535u)) {
-                                phi_704_ = ((_e428 >> bitcast<u32>(16i)) <= (u32() & 65535u));
+                        let _e419 = phi_676_;
+                        if _e419 {
+                            let _e421 = atomicAdd((&counters[4u]), 1u);
+                            if (_e421 < 2048u) {
+                                hits[_e421] = (((_e342 << bitcast<u32>(10i)) | (_e343 << bitcast<u32>(5i))) | _e372);
+                                phi_694_ = _e350;
                             } else {
-                                phi_704_ = false;
+                                phi_694_ = (_e350 | (1u << bitcast<u32>((_e364.member_1 & 31u))));
                             }
-                            let _e438 = phi_704_;
-                            phi_705_ = _e438;
+                            let _e435 = phi_694_;
+                            phi_695_ = _e435;
                         } else {
-                            phi_705_ = false;
+                            phi_695_ = _e350;
                         }
-                        let _e440 = phi_705_;
-                        phi_706_ = _e440;
+                        let _e437 = phi_695_;
+                        phi_696_ = _e437;
                     } else {
-                        phi_706_ = _e424;
+                        phi_696_ = _e350;
                     }
-                    let _e442 = phi_706_;
-                    if _e442 {
-                        let _e444 = atomicAdd((&counters[4u]), 1u);
-                        if (_e444 < 2048u) {
-                            hits[_e444] = (((_e345 << bitcast<u32>(10i)) | (_e346 << bitcast<u32>(5i))) | _e375);
-                            phi_724_ = _e353;
-                        } else {
-                            phi_724_ = (_e353 | (1u << bitcast<u32>((_e367.member_1 & 31u))));
-                        }
-                        let _e458 = phi_724_;
-                        phi_725_ = _e458;
-                    } else {
-                        phi_725_ = _e353;
-                    }
-                    let _e460 = phi_725_;
-                    phi_587_ = _e460;
+                    let _e439 = phi_696_;
+                    phi_582_ = _e439;
                 } else {
-                    phi_587_ = u32();
+                    phi_582_ = u32();
                 }
-                let _e462 = phi_587_;
+                let _e441 = phi_582_;
                 continue;
                 continuing {
-                    phi_583_ = _e365;
-                    phi_586_ = _e462;
-                    break if !(_e371);
+                    phi_578_ = _e362;
+                    phi_581_ = _e441;
+                    break if !(_e368);
                 }
             }
-            phi_728_ = type_9(0u, 32u);
-            let _e638 = local;
-            phi_731_ = _e638;
+            phi_699_ = type_9(0u, 32u);
+            let _e614 = local;
+            phi_702_ = _e614;
             loop {
-                let _e465 = phi_728_;
-                let _e467 = phi_731_;
-                if (_e465.member < _e465.member_1) {
-                    phi_729_ = type_9((_e465.member + 1u), _e465.member_1);
-                    phi_754_ = type_9(1u, _e465.member);
+                let _e444 = phi_699_;
+                let _e446 = phi_702_;
+                if (_e444.member < _e444.member_1) {
+                    phi_700_ = type_9((_e444.member + 1u), _e444.member_1);
+                    phi_725_ = type_9(1u, _e444.member);
                 } else {
-                    phi_729_ = _e465;
-                    phi_754_ = type_9(0u, type_9().member_1);
+                    phi_700_ = _e444;
+                    phi_725_ = type_9(0u, type_9().member_1);
                 }
-                let _e479 = phi_729_;
-                let _e481 = phi_754_;
-                if (bitcast<i32>(_e481.member) != 0i) {
-                    if (_e467 == 0u) {
-                        phi_804_ = u32();
-                        phi_805_ = false;
+                let _e458 = phi_700_;
+                let _e460 = phi_725_;
+                if (bitcast<i32>(_e460.member) != 0i) {
+                    if (_e446 == 0u) {
+                        phi_775_ = u32();
+                        phi_776_ = false;
                     } else {
-                        let _e492 = names[((_e63 * 32u) + select(firstTrailingBit(_e467), 32u, (_e467 == 0u)))];
-                        let _e501 = params.member.member_1.member_3;
-                        let _e503 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e503 + 1u) < _e503) {
-                            let _e507 = atomicAdd((&output.member[2u]), 1u);
+                        let _e471 = names[((_e60 * 32u) + select(firstTrailingBit(_e446), 32u, (_e446 == 0u)))];
+                        let _e480 = params.member.member_1.member_3;
+                        let _e482 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e482 + 1u) < _e482) {
+                            let _e486 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e503 < _e501) {
-                            let _e509 = (2u * _e503);
-                            atomicStore((&output.member[(4u + _e509)]), ((_e176 * 32u) + _e64));
-                            atomicStore((&output.member[(_e509 + 5u)]), ((_e179 * 32u) + _e492));
+                        if (_e482 < _e480) {
+                            let _e488 = (2u * _e482);
+                            atomicStore((&output.member[(4u + _e488)]), ((_e173 * 32u) + _e61));
+                            atomicStore((&output.member[(_e488 + 5u)]), ((_e176 * 32u) + _e471));
                         }
-                        phi_804_ = (_e467 & (_e467 - 1u));
-                        phi_805_ = true;
+                        phi_775_ = (_e446 & (_e446 - 1u));
+                        phi_776_ = true;
                     }
-                    let _e515 = phi_804_;
-                    let _e517 = phi_805_;
-                    phi_732_ = _e515;
-                    phi_806_ = _e517;
+                    let _e494 = phi_775_;
+                    let _e496 = phi_776_;
+                    phi_703_ = _e494;
+                    phi_777_ = _e496;
                 } else {
-                    phi_732_ = u32();
-                    phi_806_ = false;
+                    phi_703_ = u32();
+                    phi_777_ = false;
                 }
-                let _e519 = phi_732_;
-                let _e521 = phi_806_;
+                let _e498 = phi_703_;
+                let _e500 = phi_777_;
                 continue;
                 continuing {
-                    phi_728_ = _e479;
-                    phi_731_ = _e519;
-                    break if !(_e521);
+                    phi_699_ = _e458;
+                    phi_702_ = _e498;
+                    break if !(_e500);
                 }
             }
             workgroupBarrier();
-            let _e524 = atomicLoad((&counters[4u]));
-            if (2048u < _e524) {
-                phi_813_ = 2048u;
+            let _e503 = atomicLoad((&counters[4u]));
+            if (2048u < _e503) {
+                phi_784_ = 2048u;
             } else {
-                phi_813_ = _e524;
+                phi_784_ = _e503;
             }
-            let _e527 = phi_813_;
-            if (_e42 == 0u) {
-                atomicStore((&counters[5u]), _e527);
+            let _e506 = phi_784_;
+            if (_e39 == 0u) {
+                atomicStore((&counters[5u]), _e506);
             }
             workgroupBarrier();
-            if (_e42 == 0u) {
-                let _e532 = atomicLoad((&counters[5u]));
-                if (_e532 > 0u) {
-                    let _e535 = atomicAdd((&output.member[0u]), _e532);
-                    if ((_e535 + _e532) < _e535) {
-                        let _e539 = atomicAdd((&output.member[2u]), 1u);
+            if (_e39 == 0u) {
+                let _e511 = atomicLoad((&counters[5u]));
+                if (_e511 > 0u) {
+                    let _e514 = atomicAdd((&output.member[0u]), _e511);
+                    if ((_e514 + _e511) < _e514) {
+                        let _e518 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e535);
+                    atomicStore((&counters[6u]), _e514);
                 }
             }
             workgroupBarrier();
-            let _e542 = atomicLoad((&counters[6u]));
-            phi_846_ = type_9(0u, 16u);
+            let _e521 = atomicLoad((&counters[6u]));
+            phi_817_ = type_9(0u, 16u);
             loop {
-                let _e544 = phi_846_;
-                if (_e544.member < _e544.member_1) {
-                    phi_847_ = type_9((_e544.member + 1u), _e544.member_1);
-                    phi_870_ = type_9(1u, _e544.member);
+                let _e523 = phi_817_;
+                if (_e523.member < _e523.member_1) {
+                    phi_818_ = type_9((_e523.member + 1u), _e523.member_1);
+                    phi_841_ = type_9(1u, _e523.member);
                 } else {
-                    phi_847_ = _e544;
-                    phi_870_ = type_9(0u, type_9().member_1);
+                    phi_818_ = _e523;
+                    phi_841_ = type_9(0u, type_9().member_1);
                 }
-                let _e556 = phi_847_;
-                let _e558 = phi_870_;
-                if (bitcast<i32>(_e558.member) != 0i) {
-                    let _e564 = (_e42 + (_e558.member_1 * 128u));
-                    if (_e564 >= _e527) {
-                        phi_915_ = false;
+                let _e535 = phi_818_;
+                let _e537 = phi_841_;
+                if (bitcast<i32>(_e537.member) != 0i) {
+                    let _e543 = (_e39 + (_e537.member_1 * 128u));
+                    if (_e543 >= _e506) {
+                        phi_886_ = false;
                     } else {
-                        let _e567 = hits[_e564];
-                        let _e570 = ((_e567 >> bitcast<u32>(10i)) & 3u);
-                        let _e577 = firsts[(2u * _e570)];
-                        let _e582 = firsts[((2u * _e570) + 1u)];
-                        let _e586 = params.member.member_1.member_3;
-                        let _e587 = (_e542 + _e564);
-                        if (_e587 < _e586) {
-                            let _e589 = (2u * _e587);
-                            atomicStore((&output.member[(4u + _e589)]), (_e577 + ((_e567 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e589 + 5u)]), (_e582 + (_e567 & 31u)));
+                        let _e546 = hits[_e543];
+                        let _e549 = ((_e546 >> bitcast<u32>(10i)) & 3u);
+                        let _e556 = firsts[(2u * _e549)];
+                        let _e561 = firsts[((2u * _e549) + 1u)];
+                        let _e565 = params.member.member_1.member_3;
+                        let _e566 = (_e521 + _e543);
+                        if (_e566 < _e565) {
+                            let _e568 = (2u * _e566);
+                            atomicStore((&output.member[(4u + _e568)]), (_e556 + ((_e546 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e568 + 5u)]), (_e561 + (_e546 & 31u)));
                         }
-                        phi_915_ = true;
+                        phi_886_ = true;
                     }
-                    let _e595 = phi_915_;
-                    phi_916_ = _e595;
+                    let _e574 = phi_886_;
+                    phi_887_ = _e574;
                 } else {
-                    phi_916_ = false;
+                    phi_887_ = false;
                 }
-                let _e597 = phi_916_;
+                let _e576 = phi_887_;
                 continue;
                 continuing {
-                    phi_846_ = _e556;
-                    break if !(_e597);
+                    phi_817_ = _e535;
+                    break if !(_e576);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_217_ = _e124;
-            break if !(_e130);
+            phi_212_ = _e121;
+            break if !(_e127);
         }
     }
     return;

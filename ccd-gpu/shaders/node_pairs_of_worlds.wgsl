@@ -142,27 +142,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_898_: bool;
     var phi_899_: bool;
     var phi_903_: bool;
-    var phi_904_: bool;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_928_: bool;
-    var phi_946_: u32;
-    var phi_947_: u32;
+    var phi_920_: bool;
+    var phi_938_: u32;
+    var phi_939_: u32;
+    var phi_940_: u32;
+    var phi_941_: u32;
     var phi_809_: u32;
-    var phi_950_: type_9;
-    var phi_953_: u32;
-    var phi_951_: type_9;
-    var phi_976_: type_9;
-    var phi_1026_: u32;
-    var phi_1027_: bool;
-    var phi_954_: u32;
-    var phi_1028_: bool;
-    var phi_1035_: u32;
-    var phi_1068_: type_9;
-    var phi_1069_: type_9;
-    var phi_1092_: type_9;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
+    var phi_944_: type_9;
+    var phi_947_: u32;
+    var phi_945_: type_9;
+    var phi_970_: type_9;
+    var phi_1020_: u32;
+    var phi_1021_: bool;
+    var phi_948_: u32;
+    var phi_1022_: bool;
+    var phi_1029_: u32;
+    var phi_1062_: type_9;
+    var phi_1063_: type_9;
+    var phi_1086_: type_9;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -547,171 +546,165 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_903_ = _e570;
                         }
                         let _e574 = phi_903_;
-                        phi_904_ = _e574;
-                    } else {
-                        phi_904_ = false;
-                    }
-                    let _e576 = phi_904_;
-                    if true {
-                        if _e576 {
-                            let _e580 = ranges[((_e497 * 32u) + _e527)];
-                            if ((_e276 >> bitcast<u32>(16i)) <= (_e580 & 65535u)) {
-                                phi_926_ = ((_e580 >> bitcast<u32>(16i)) <= (_e276 & 65535u));
+                        if _e574 {
+                            let _e578 = ranges[((_e497 * 32u) + _e527)];
+                            if ((_e276 >> bitcast<u32>(16i)) <= (_e578 & 65535u)) {
+                                phi_920_ = ((_e578 >> bitcast<u32>(16i)) <= (_e276 & 65535u));
                             } else {
-                                phi_926_ = false;
+                                phi_920_ = false;
                             }
-                            let _e590 = phi_926_;
-                            phi_927_ = _e590;
+                            let _e588 = phi_920_;
+                            if _e588 {
+                                let _e590 = atomicAdd((&counters[4u]), 1u);
+                                if (_e590 < 2048u) {
+                                    hits[_e590] = (((_e497 << bitcast<u32>(10i)) | (_e498 << bitcast<u32>(5i))) | _e527);
+                                    phi_938_ = _e505;
+                                } else {
+                                    phi_938_ = (_e505 | (1u << bitcast<u32>((_e519.member_1 & 31u))));
+                                }
+                                let _e604 = phi_938_;
+                                phi_939_ = _e604;
+                            } else {
+                                phi_939_ = _e505;
+                            }
+                            let _e606 = phi_939_;
+                            phi_940_ = _e606;
                         } else {
-                            phi_927_ = false;
+                            phi_940_ = _e505;
                         }
-                        let _e592 = phi_927_;
-                        phi_928_ = _e592;
+                        let _e608 = phi_940_;
+                        phi_941_ = _e608;
                     } else {
-                        phi_928_ = _e576;
+                        phi_941_ = _e505;
                     }
-                    let _e594 = phi_928_;
-                    if _e594 {
-                        let _e596 = atomicAdd((&counters[4u]), 1u);
-                        if (_e596 < 2048u) {
-                            hits[_e596] = (((_e497 << bitcast<u32>(10i)) | (_e498 << bitcast<u32>(5i))) | _e527);
-                            phi_946_ = _e505;
-                        } else {
-                            phi_946_ = (_e505 | (1u << bitcast<u32>((_e519.member_1 & 31u))));
-                        }
-                        let _e610 = phi_946_;
-                        phi_947_ = _e610;
-                    } else {
-                        phi_947_ = _e505;
-                    }
-                    let _e612 = phi_947_;
-                    phi_809_ = _e612;
+                    let _e610 = phi_941_;
+                    phi_809_ = _e610;
                 } else {
                     phi_809_ = u32();
                 }
-                let _e614 = phi_809_;
+                let _e612 = phi_809_;
                 continue;
                 continuing {
                     phi_805_ = _e517;
-                    phi_808_ = _e614;
+                    phi_808_ = _e612;
                     break if !(_e523);
                 }
             }
-            phi_950_ = type_9(0u, 32u);
-            let _e813 = local_9;
-            phi_953_ = _e813;
+            phi_944_ = type_9(0u, 32u);
+            let _e810 = local_9;
+            phi_947_ = _e810;
             loop {
-                let _e617 = phi_950_;
-                let _e619 = phi_953_;
-                if (_e617.member < _e617.member_1) {
-                    phi_951_ = type_9((_e617.member + 1u), _e617.member_1);
-                    phi_976_ = type_9(1u, _e617.member);
+                let _e615 = phi_944_;
+                let _e617 = phi_947_;
+                if (_e615.member < _e615.member_1) {
+                    phi_945_ = type_9((_e615.member + 1u), _e615.member_1);
+                    phi_970_ = type_9(1u, _e615.member);
                 } else {
-                    phi_951_ = _e617;
-                    phi_976_ = type_9(0u, type_9().member_1);
+                    phi_945_ = _e615;
+                    phi_970_ = type_9(0u, type_9().member_1);
                 }
-                let _e631 = phi_951_;
-                let _e633 = phi_976_;
-                if (bitcast<i32>(_e633.member) != 0i) {
-                    if (_e619 == 0u) {
-                        phi_1026_ = u32();
-                        phi_1027_ = false;
+                let _e629 = phi_945_;
+                let _e631 = phi_970_;
+                if (bitcast<i32>(_e631.member) != 0i) {
+                    if (_e617 == 0u) {
+                        phi_1020_ = u32();
+                        phi_1021_ = false;
                     } else {
-                        let _e644 = names[((_e66 * 32u) + select(firstTrailingBit(_e619), 32u, (_e619 == 0u)))];
-                        let _e653 = params.member.member_1.member_3;
-                        let _e655 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e655 + 1u) < _e655) {
-                            let _e659 = atomicAdd((&output.member[2u]), 1u);
+                        let _e642 = names[((_e66 * 32u) + select(firstTrailingBit(_e617), 32u, (_e617 == 0u)))];
+                        let _e651 = params.member.member_1.member_3;
+                        let _e653 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e653 + 1u) < _e653) {
+                            let _e657 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e655 < _e653) {
-                            let _e661 = (2u * _e655);
-                            atomicStore((&output.member[(4u + _e661)]), ((_e179 * 32u) + _e67));
-                            atomicStore((&output.member[(_e661 + 5u)]), ((_e182 * 32u) + _e644));
+                        if (_e653 < _e651) {
+                            let _e659 = (2u * _e653);
+                            atomicStore((&output.member[(4u + _e659)]), ((_e179 * 32u) + _e67));
+                            atomicStore((&output.member[(_e659 + 5u)]), ((_e182 * 32u) + _e642));
                         }
-                        phi_1026_ = (_e619 & (_e619 - 1u));
-                        phi_1027_ = true;
+                        phi_1020_ = (_e617 & (_e617 - 1u));
+                        phi_1021_ = true;
                     }
-                    let _e667 = phi_1026_;
-                    let _e669 = phi_1027_;
-                    phi_954_ = _e667;
-                    phi_1028_ = _e669;
+                    let _e665 = phi_1020_;
+                    let _e667 = phi_1021_;
+                    phi_948_ = _e665;
+                    phi_1022_ = _e667;
                 } else {
-                    phi_954_ = u32();
-                    phi_1028_ = false;
+                    phi_948_ = u32();
+                    phi_1022_ = false;
                 }
-                let _e671 = phi_954_;
-                let _e673 = phi_1028_;
+                let _e669 = phi_948_;
+                let _e671 = phi_1022_;
                 continue;
                 continuing {
-                    phi_950_ = _e631;
-                    phi_953_ = _e671;
-                    break if !(_e673);
+                    phi_944_ = _e629;
+                    phi_947_ = _e669;
+                    break if !(_e671);
                 }
             }
             workgroupBarrier();
-            let _e676 = atomicLoad((&counters[4u]));
-            if (2048u < _e676) {
-                phi_1035_ = 2048u;
+            let _e674 = atomicLoad((&counters[4u]));
+            if (2048u < _e674) {
+                phi_1029_ = 2048u;
             } else {
-                phi_1035_ = _e676;
+                phi_1029_ = _e674;
             }
-            let _e679 = phi_1035_;
+            let _e677 = phi_1029_;
             if (_e44 == 0u) {
-                atomicStore((&counters[5u]), _e679);
+                atomicStore((&counters[5u]), _e677);
             }
             workgroupBarrier();
             if (_e44 == 0u) {
-                let _e684 = atomicLoad((&counters[5u]));
-                if (_e684 > 0u) {
-                    let _e687 = atomicAdd((&output.member[0u]), _e684);
-                    if ((_e687 + _e684) < _e687) {
-                        let _e691 = atomicAdd((&output.member[2u]), 1u);
+                let _e682 = atomicLoad((&counters[5u]));
+                if (_e682 > 0u) {
+                    let _e685 = atomicAdd((&output.member[0u]), _e682);
+                    if ((_e685 + _e682) < _e685) {
+                        let _e689 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e687);
+                    atomicStore((&counters[6u]), _e685);
                 }
             }
             workgroupBarrier();
-            let _e694 = atomicLoad((&counters[6u]));
-            phi_1068_ = type_9(0u, 16u);
+            let _e692 = atomicLoad((&counters[6u]));
+            phi_1062_ = type_9(0u, 16u);
             loop {
-                let _e696 = phi_1068_;
-                if (_e696.member < _e696.member_1) {
-                    phi_1069_ = type_9((_e696.member + 1u), _e696.member_1);
-                    phi_1092_ = type_9(1u, _e696.member);
+                let _e694 = phi_1062_;
+                if (_e694.member < _e694.member_1) {
+                    phi_1063_ = type_9((_e694.member + 1u), _e694.member_1);
+                    phi_1086_ = type_9(1u, _e694.member);
                 } else {
-                    phi_1069_ = _e696;
-                    phi_1092_ = type_9(0u, type_9().member_1);
+                    phi_1063_ = _e694;
+                    phi_1086_ = type_9(0u, type_9().member_1);
                 }
-                let _e708 = phi_1069_;
-                let _e710 = phi_1092_;
-                if (bitcast<i32>(_e710.member) != 0i) {
-                    let _e716 = (_e44 + (_e710.member_1 * 128u));
-                    if (_e716 >= _e679) {
-                        phi_1137_ = false;
+                let _e706 = phi_1063_;
+                let _e708 = phi_1086_;
+                if (bitcast<i32>(_e708.member) != 0i) {
+                    let _e714 = (_e44 + (_e708.member_1 * 128u));
+                    if (_e714 >= _e677) {
+                        phi_1131_ = false;
                     } else {
-                        let _e719 = hits[_e716];
-                        let _e722 = ((_e719 >> bitcast<u32>(10i)) & 3u);
-                        let _e729 = firsts[(2u * _e722)];
-                        let _e734 = firsts[((2u * _e722) + 1u)];
-                        let _e738 = params.member.member_1.member_3;
-                        let _e739 = (_e694 + _e716);
-                        if (_e739 < _e738) {
-                            let _e741 = (2u * _e739);
-                            atomicStore((&output.member[(4u + _e741)]), (_e729 + ((_e719 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e741 + 5u)]), (_e734 + (_e719 & 31u)));
+                        let _e717 = hits[_e714];
+                        let _e720 = ((_e717 >> bitcast<u32>(10i)) & 3u);
+                        let _e727 = firsts[(2u * _e720)];
+                        let _e732 = firsts[((2u * _e720) + 1u)];
+                        let _e736 = params.member.member_1.member_3;
+                        let _e737 = (_e692 + _e714);
+                        if (_e737 < _e736) {
+                            let _e739 = (2u * _e737);
+                            atomicStore((&output.member[(4u + _e739)]), (_e727 + ((_e717 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e739 + 5u)]), (_e732 + (_e717 & 31u)));
                         }
-                        phi_1137_ = true;
+                        phi_1131_ = true;
                     }
-                    let _e747 = phi_1137_;
-                    phi_1138_ = _e747;
+                    let _e745 = phi_1131_;
+                    phi_1132_ = _e745;
                 } else {
-                    phi_1138_ = false;
+                    phi_1132_ = false;
                 }
-                let _e749 = phi_1138_;
+                let _e747 = phi_1132_;
                 continue;
                 continuing {
-                    phi_1068_ = _e708;
-                    break if !(_e749);
+                    phi_1062_ = _e706;
+                    break if !(_e747);
                 }
             }
             workgroupBarrier();

@@ -46,7 +46,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_20 {
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -67,17 +67,17 @@ struct type_20 {
     member_17: u32,
 }
 
-struct type_21 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_20,
+    member_2: type_19,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_24 {
+struct type_23 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
@@ -92,7 +92,7 @@ struct type_28 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_18;
 @group(0) @binding(2) 
@@ -139,10 +139,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_527_: array<u32, 2>;
     var phi_541_: array<u32, 2>;
     var phi_578_: array<u32, 2>;
-    var phi_580_: type_24;
-    var phi_581_: type_24;
+    var phi_580_: type_23;
+    var phi_581_: type_23;
     var phi_582_: bool;
-    var phi_583_: type_24;
+    var phi_583_: type_23;
     var phi_584_: bool;
     var phi_600_: bool;
     var phi_644_: bool;
@@ -155,22 +155,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_784_: array<u32, 2>;
     var phi_813_: array<u32, 2>;
     var phi_842_: array<u32, 2>;
-    var phi_844_: type_24;
+    var phi_844_: type_23;
     var phi_845_: bool;
-    var phi_846_: type_24;
+    var phi_846_: type_23;
     var phi_847_: bool;
     var phi_1020_: array<u32, 2>;
     var phi_1052_: array<u32, 2>;
     var phi_920_: array<u32, 2>;
     var phi_952_: array<u32, 2>;
-    var phi_1054_: type_24;
-    var phi_1055_: type_24;
-    var phi_1056_: type_24;
+    var phi_1054_: type_23;
+    var phi_1055_: type_23;
+    var phi_1056_: type_23;
     var phi_1057_: bool;
-    var phi_1058_: type_24;
-    var phi_1059_: type_24;
+    var phi_1058_: type_23;
+    var phi_1059_: type_23;
     var phi_1060_: bool;
-    var phi_1064_: type_24;
+    var phi_1064_: type_23;
     var phi_1074_: array<array<u32, 2>, 4>;
     var phi_1092_: bool;
     var phi_1093_: bool;
@@ -474,7 +474,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e271 == 1u) {
                         if (_e268[0] == _e268[1]) {
                             if (_e302.member_3 == 4294967295u) {
-                                phi_580_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_580_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e310 = a_nodes.member[_e302.member_1];
                                 let _e313 = a_nodes.member[_e302.member_3];
@@ -484,31 +484,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_527_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e320 = phi_527_;
-                                let _e327 = type_24(array<array<u32, 2>, 4>(_e320, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e339 = type_24(array<array<u32, 2>, 4>(_e327.member[0], array<u32, 2>(_e302.member_1, _e327.member[1][1]), _e327.member[2], _e327.member[3]), _e327.member_1);
+                                let _e327 = type_23(array<array<u32, 2>, 4>(_e320, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e339 = type_23(array<array<u32, 2>, 4>(_e327.member[0], array<u32, 2>(_e302.member_1, _e327.member[1][1]), _e327.member[2], _e327.member[3]), _e327.member_1);
                                 let _e340 = array<u32, 2>(_e302.member_1, _e302.member_3);
-                                let _e347 = type_24(array<array<u32, 2>, 4>(_e339.member[0], _e340, _e339.member[2], _e339.member[3]), _e339.member_1);
+                                let _e347 = type_23(array<array<u32, 2>, 4>(_e339.member[0], _e340, _e339.member[2], _e339.member[3]), _e339.member_1);
                                 if !((_e313.member_3 == 4294967295u)) {
                                     phi_541_ = array<u32, 2>(_e302.member_3, _e302.member_3);
                                 } else {
                                     phi_541_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e354 = phi_541_;
-                                let _e361 = type_24(array<array<u32, 2>, 4>(_e347.member[0], _e347.member[1], _e354, _e347.member[3]), _e347.member_1);
-                                let _e364 = type_24(_e361.member, _e361.member);
+                                let _e361 = type_23(array<array<u32, 2>, 4>(_e347.member[0], _e347.member[1], _e354, _e347.member[3]), _e347.member_1);
+                                let _e364 = type_23(_e361.member, _e361.member);
                                 if ((((((_e310.member[0] <= _e313.member_2[0]) && (_e313.member[0] <= _e310.member_2[0])) && (_e310.member[1] <= _e313.member_2[1])) && (_e313.member[1] <= _e310.member_2[1])) && (_e310.member[2] <= _e313.member_2[2])) && (_e313.member[2] <= _e310.member_2[2])) {
                                     phi_578_ = _e340;
                                 } else {
                                     phi_578_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e393 = phi_578_;
-                                phi_580_ = type_24(_e364.member, array<array<u32, 2>, 4>(_e364.member_1[0], _e393, _e364.member_1[2], _e364.member_1[3]));
+                                phi_580_ = type_23(_e364.member, array<array<u32, 2>, 4>(_e364.member_1[0], _e393, _e364.member_1[2], _e364.member_1[3]));
                             }
                             let _e402 = phi_580_;
                             phi_581_ = _e402;
                             phi_582_ = false;
                         } else {
-                            phi_581_ = type_24();
+                            phi_581_ = type_23();
                             phi_582_ = true;
                         }
                         let _e404 = phi_581_;
@@ -516,7 +516,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_583_ = _e404;
                         phi_584_ = _e406;
                     } else {
-                        phi_583_ = type_24();
+                        phi_583_ = type_23();
                         phi_584_ = true;
                     }
                     let _e408 = phi_583_;
@@ -593,10 +593,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_842_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e592 = phi_842_;
-                                    phi_844_ = type_24(array<array<u32, 2>, 4>(_e482, _e485, _e488, _e491), array<array<u32, 2>, 4>(_e517, _e542, _e567, _e592));
+                                    phi_844_ = type_23(array<array<u32, 2>, 4>(_e482, _e485, _e488, _e491), array<array<u32, 2>, 4>(_e517, _e542, _e567, _e592));
                                     phi_845_ = false;
                                 } else {
-                                    phi_844_ = type_24();
+                                    phi_844_ = type_23();
                                     phi_845_ = true;
                                 }
                                 let _e596 = phi_844_;
@@ -604,7 +604,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_846_ = _e596;
                                 phi_847_ = _e598;
                             } else {
-                                phi_846_ = type_24();
+                                phi_846_ = type_23();
                                 phi_847_ = true;
                             }
                             let _e600 = phi_846_;
@@ -615,45 +615,45 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e716 = a_nodes.member[_e302.member_3];
                                     let _e720 = array<u32, 2>(_e302.member_1, _e268[1]);
                                     let _e722 = array<u32, 2>(_e302.member_3, _e268[1]);
-                                    let _e729 = type_24(array<array<u32, 2>, 4>(_e720, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e736 = type_24(array<array<u32, 2>, 4>(_e729.member[0], _e722, _e729.member[2], _e729.member[3]), _e729.member_1);
-                                    let _e746 = type_24(array<array<u32, 2>, 4>(_e720, _e722, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e736.member[0], _e736.member[1], array<u32, 2>(4294967295u, 4294967295u), _e736.member[3]), _e736.member_1).member_1);
+                                    let _e729 = type_23(array<array<u32, 2>, 4>(_e720, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e736 = type_23(array<array<u32, 2>, 4>(_e729.member[0], _e722, _e729.member[2], _e729.member[3]), _e729.member_1);
+                                    let _e746 = type_23(array<array<u32, 2>, 4>(_e720, _e722, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e736.member[0], _e736.member[1], array<u32, 2>(4294967295u, 4294967295u), _e736.member[3]), _e736.member_1).member_1);
                                     if ((((((_e711.member[0] <= _e304.member_2[0]) && (_e304.member[0] <= _e711.member_2[0])) && (_e711.member[1] <= _e304.member_2[1])) && (_e304.member[1] <= _e711.member_2[1])) && (_e711.member[2] <= _e304.member_2[2])) && (_e304.member[2] <= _e711.member_2[2])) {
                                         phi_920_ = _e720;
                                     } else {
                                         phi_920_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e773 = phi_920_;
-                                    let _e780 = type_24(_e746.member, array<array<u32, 2>, 4>(_e773, _e746.member_1[1], _e746.member_1[2], _e746.member_1[3]));
+                                    let _e780 = type_23(_e746.member, array<array<u32, 2>, 4>(_e773, _e746.member_1[1], _e746.member_1[2], _e746.member_1[3]));
                                     if ((((((_e716.member[0] <= _e304.member_2[0]) && (_e304.member[0] <= _e716.member_2[0])) && (_e716.member[1] <= _e304.member_2[1])) && (_e304.member[1] <= _e716.member_2[1])) && (_e716.member[2] <= _e304.member_2[2])) && (_e304.member[2] <= _e716.member_2[2])) {
                                         phi_952_ = _e722;
                                     } else {
                                         phi_952_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e807 = phi_952_;
-                                    phi_1054_ = type_24(_e780.member, array<array<u32, 2>, 4>(_e780.member_1[0], _e807, _e780.member_1[2], _e780.member_1[3]));
+                                    phi_1054_ = type_23(_e780.member, array<array<u32, 2>, 4>(_e780.member_1[0], _e807, _e780.member_1[2], _e780.member_1[3]));
                                 } else {
                                     let _e605 = b_nodes.member[_e304.member_1];
                                     let _e610 = b_nodes.member[_e304.member_3];
                                     let _e614 = array<u32, 2>(_e268[0], _e304.member_1);
                                     let _e616 = array<u32, 2>(_e268[0], _e304.member_3);
-                                    let _e623 = type_24(array<array<u32, 2>, 4>(_e614, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e630 = type_24(array<array<u32, 2>, 4>(_e623.member[0], _e616, _e623.member[2], _e623.member[3]), _e623.member_1);
-                                    let _e640 = type_24(array<array<u32, 2>, 4>(_e614, _e616, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e630.member[0], _e630.member[1], array<u32, 2>(4294967295u, 4294967295u), _e630.member[3]), _e630.member_1).member_1);
+                                    let _e623 = type_23(array<array<u32, 2>, 4>(_e614, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e630 = type_23(array<array<u32, 2>, 4>(_e623.member[0], _e616, _e623.member[2], _e623.member[3]), _e623.member_1);
+                                    let _e640 = type_23(array<array<u32, 2>, 4>(_e614, _e616, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e630.member[0], _e630.member[1], array<u32, 2>(4294967295u, 4294967295u), _e630.member[3]), _e630.member_1).member_1);
                                     if ((((((_e302.member[0] <= _e605.member_2[0]) && (_e605.member[0] <= _e302.member_2[0])) && (_e302.member[1] <= _e605.member_2[1])) && (_e605.member[1] <= _e302.member_2[1])) && (_e302.member[2] <= _e605.member_2[2])) && (_e605.member[2] <= _e302.member_2[2])) {
                                         phi_1020_ = _e614;
                                     } else {
                                         phi_1020_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e667 = phi_1020_;
-                                    let _e674 = type_24(_e640.member, array<array<u32, 2>, 4>(_e667, _e640.member_1[1], _e640.member_1[2], _e640.member_1[3]));
+                                    let _e674 = type_23(_e640.member, array<array<u32, 2>, 4>(_e667, _e640.member_1[1], _e640.member_1[2], _e640.member_1[3]));
                                     if ((((((_e302.member[0] <= _e610.member_2[0]) && (_e610.member[0] <= _e302.member_2[0])) && (_e302.member[1] <= _e610.member_2[1])) && (_e610.member[1] <= _e302.member_2[1])) && (_e302.member[2] <= _e610.member_2[2])) && (_e610.member[2] <= _e302.member_2[2])) {
                                         phi_1052_ = _e616;
                                     } else {
                                         phi_1052_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e701 = phi_1052_;
-                                    phi_1054_ = type_24(_e674.member, array<array<u32, 2>, 4>(_e674.member_1[0], _e701, _e674.member_1[2], _e674.member_1[3]));
+                                    phi_1054_ = type_23(_e674.member, array<array<u32, 2>, 4>(_e674.member_1[0], _e701, _e674.member_1[2], _e674.member_1[3]));
                                 }
                                 let _e816 = phi_1054_;
                                 phi_1055_ = _e816;
@@ -664,16 +664,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1056_ = _e818;
                             phi_1057_ = false;
                         } else {
-                            phi_1056_ = type_24();
+                            phi_1056_ = type_23();
                             phi_1057_ = true;
                         }
                         let _e820 = phi_1056_;
                         let _e822 = phi_1057_;
                         phi_1058_ = _e820;
-                        phi_1059_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1059_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1060_ = _e822;
                     } else {
-                        phi_1058_ = type_24();
+                        phi_1058_ = type_23();
                         phi_1059_ = _e408;
                         phi_1060_ = true;
                     }

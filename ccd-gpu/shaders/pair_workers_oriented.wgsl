@@ -46,7 +46,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_20 {
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -67,22 +67,22 @@ struct type_20 {
     member_17: u32,
 }
 
-struct type_21 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_20,
+    member_2: type_19,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_24 {
+struct type_23 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_26 {
+struct type_25 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -91,18 +91,18 @@ struct type_26 {
     member_5: f32,
 }
 
-struct type_28 {
+struct type_27 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_29 {
+    member: array<type_27>,
 }
 
-struct type_31 {
+struct type_30 {
     member: array<f32, 3>,
     member_1: array<array<f32, 3>, 3>,
     member_2: array<f32, 3>,
@@ -118,7 +118,7 @@ struct type_35 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> a_nodes: type_18;
 @group(0) @binding(2) 
@@ -128,7 +128,7 @@ var<storage, read_write> pairs: type_35;
 @group(0) @binding(7) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(3) 
-var<storage> oriented: type_30;
+var<storage> oriented: type_29;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_35;
 var<workgroup> shared_: array<atomic<u32>, 22>;
@@ -138,7 +138,7 @@ var<workgroup> stack: array<u32, 2048>;
 var<storage, read_write> nodes: type_35;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_26;
+    var local: type_25;
     var local_1: array<array<u32, 2>, 4>;
     var phi_184_: u32;
     var phi_201_: type_9;
@@ -169,10 +169,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_567_: array<u32, 2>;
     var phi_581_: array<u32, 2>;
     var phi_618_: array<u32, 2>;
-    var phi_620_: type_24;
-    var phi_621_: type_24;
+    var phi_620_: type_23;
+    var phi_621_: type_23;
     var phi_622_: bool;
-    var phi_623_: type_24;
+    var phi_623_: type_23;
     var phi_624_: bool;
     var phi_640_: bool;
     var phi_684_: bool;
@@ -185,22 +185,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_824_: array<u32, 2>;
     var phi_853_: array<u32, 2>;
     var phi_882_: array<u32, 2>;
-    var phi_884_: type_24;
+    var phi_884_: type_23;
     var phi_885_: bool;
-    var phi_886_: type_24;
+    var phi_886_: type_23;
     var phi_887_: bool;
     var phi_1060_: array<u32, 2>;
     var phi_1092_: array<u32, 2>;
     var phi_960_: array<u32, 2>;
     var phi_992_: array<u32, 2>;
-    var phi_1094_: type_24;
-    var phi_1095_: type_24;
-    var phi_1096_: type_24;
+    var phi_1094_: type_23;
+    var phi_1095_: type_23;
+    var phi_1096_: type_23;
     var phi_1097_: bool;
-    var phi_1098_: type_24;
-    var phi_1099_: type_24;
+    var phi_1098_: type_23;
+    var phi_1099_: type_23;
     var phi_1100_: bool;
-    var phi_1104_: type_24;
+    var phi_1104_: type_23;
     var phi_1119_: array<u32, 2>;
     var phi_1147_: array<u32, 2>;
     var phi_1185_: type_9;
@@ -218,7 +218,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1372_: f32;
     var phi_1377_: f32;
     var phi_1382_: f32;
-    var phi_1398_: type_31;
+    var phi_1398_: type_30;
     var phi_1468_: f32;
     var phi_1474_: f32;
     var phi_1480_: f32;
@@ -228,7 +228,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1516_: f32;
     var phi_1521_: f32;
     var phi_1526_: f32;
-    var phi_1542_: type_31;
+    var phi_1542_: type_30;
     var phi_1732_: f32;
     var phi_1738_: f32;
     var phi_1745_: f32;
@@ -629,7 +629,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e288 == 1u) {
                         if (_e285[0] == _e285[1]) {
                             if (_e319.member_3 == 4294967295u) {
-                                phi_620_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_620_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e327 = a_nodes.member[_e319.member_1];
                                 let _e330 = a_nodes.member[_e319.member_3];
@@ -639,31 +639,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_567_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e337 = phi_567_;
-                                let _e344 = type_24(array<array<u32, 2>, 4>(_e337, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e356 = type_24(array<array<u32, 2>, 4>(_e344.member[0], array<u32, 2>(_e319.member_1, _e344.member[1][1]), _e344.member[2], _e344.member[3]), _e344.member_1);
+                                let _e344 = type_23(array<array<u32, 2>, 4>(_e337, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e356 = type_23(array<array<u32, 2>, 4>(_e344.member[0], array<u32, 2>(_e319.member_1, _e344.member[1][1]), _e344.member[2], _e344.member[3]), _e344.member_1);
                                 let _e357 = array<u32, 2>(_e319.member_1, _e319.member_3);
-                                let _e364 = type_24(array<array<u32, 2>, 4>(_e356.member[0], _e357, _e356.member[2], _e356.member[3]), _e356.member_1);
+                                let _e364 = type_23(array<array<u32, 2>, 4>(_e356.member[0], _e357, _e356.member[2], _e356.member[3]), _e356.member_1);
                                 if !((_e330.member_3 == 4294967295u)) {
                                     phi_581_ = array<u32, 2>(_e319.member_3, _e319.member_3);
                                 } else {
                                     phi_581_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e371 = phi_581_;
-                                let _e378 = type_24(array<array<u32, 2>, 4>(_e364.member[0], _e364.member[1], _e371, _e364.member[3]), _e364.member_1);
-                                let _e381 = type_24(_e378.member, _e378.member);
+                                let _e378 = type_23(array<array<u32, 2>, 4>(_e364.member[0], _e364.member[1], _e371, _e364.member[3]), _e364.member_1);
+                                let _e381 = type_23(_e378.member, _e378.member);
                                 if ((((((_e327.member[0] <= _e330.member_2[0]) && (_e330.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e330.member_2[1])) && (_e330.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e330.member_2[2])) && (_e330.member[2] <= _e327.member_2[2])) {
                                     phi_618_ = _e357;
                                 } else {
                                     phi_618_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e410 = phi_618_;
-                                phi_620_ = type_24(_e381.member, array<array<u32, 2>, 4>(_e381.member_1[0], _e410, _e381.member_1[2], _e381.member_1[3]));
+                                phi_620_ = type_23(_e381.member, array<array<u32, 2>, 4>(_e381.member_1[0], _e410, _e381.member_1[2], _e381.member_1[3]));
                             }
                             let _e419 = phi_620_;
                             phi_621_ = _e419;
                             phi_622_ = false;
                         } else {
-                            phi_621_ = type_24();
+                            phi_621_ = type_23();
                             phi_622_ = true;
                         }
                         let _e421 = phi_621_;
@@ -671,7 +671,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_623_ = _e421;
                         phi_624_ = _e423;
                     } else {
-                        phi_623_ = type_24();
+                        phi_623_ = type_23();
                         phi_624_ = true;
                     }
                     let _e425 = phi_623_;
@@ -748,10 +748,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_882_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e609 = phi_882_;
-                                    phi_884_ = type_24(array<array<u32, 2>, 4>(_e499, _e502, _e505, _e508), array<array<u32, 2>, 4>(_e534, _e559, _e584, _e609));
+                                    phi_884_ = type_23(array<array<u32, 2>, 4>(_e499, _e502, _e505, _e508), array<array<u32, 2>, 4>(_e534, _e559, _e584, _e609));
                                     phi_885_ = false;
                                 } else {
-                                    phi_884_ = type_24();
+                                    phi_884_ = type_23();
                                     phi_885_ = true;
                                 }
                                 let _e613 = phi_884_;
@@ -759,7 +759,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_886_ = _e613;
                                 phi_887_ = _e615;
                             } else {
-                                phi_886_ = type_24();
+                                phi_886_ = type_23();
                                 phi_887_ = true;
                             }
                             let _e617 = phi_886_;
@@ -770,45 +770,45 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e733 = a_nodes.member[_e319.member_3];
                                     let _e737 = array<u32, 2>(_e319.member_1, _e285[1]);
                                     let _e739 = array<u32, 2>(_e319.member_3, _e285[1]);
-                                    let _e746 = type_24(array<array<u32, 2>, 4>(_e737, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e753 = type_24(array<array<u32, 2>, 4>(_e746.member[0], _e739, _e746.member[2], _e746.member[3]), _e746.member_1);
-                                    let _e763 = type_24(array<array<u32, 2>, 4>(_e737, _e739, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e753.member[0], _e753.member[1], array<u32, 2>(4294967295u, 4294967295u), _e753.member[3]), _e753.member_1).member_1);
+                                    let _e746 = type_23(array<array<u32, 2>, 4>(_e737, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e753 = type_23(array<array<u32, 2>, 4>(_e746.member[0], _e739, _e746.member[2], _e746.member[3]), _e746.member_1);
+                                    let _e763 = type_23(array<array<u32, 2>, 4>(_e737, _e739, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e753.member[0], _e753.member[1], array<u32, 2>(4294967295u, 4294967295u), _e753.member[3]), _e753.member_1).member_1);
                                     if ((((((_e728.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e728.member_2[0])) && (_e728.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e728.member_2[1])) && (_e728.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e728.member_2[2])) {
                                         phi_960_ = _e737;
                                     } else {
                                         phi_960_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e790 = phi_960_;
-                                    let _e797 = type_24(_e763.member, array<array<u32, 2>, 4>(_e790, _e763.member_1[1], _e763.member_1[2], _e763.member_1[3]));
+                                    let _e797 = type_23(_e763.member, array<array<u32, 2>, 4>(_e790, _e763.member_1[1], _e763.member_1[2], _e763.member_1[3]));
                                     if ((((((_e733.member[0] <= _e321.member_2[0]) && (_e321.member[0] <= _e733.member_2[0])) && (_e733.member[1] <= _e321.member_2[1])) && (_e321.member[1] <= _e733.member_2[1])) && (_e733.member[2] <= _e321.member_2[2])) && (_e321.member[2] <= _e733.member_2[2])) {
                                         phi_992_ = _e739;
                                     } else {
                                         phi_992_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e824 = phi_992_;
-                                    phi_1094_ = type_24(_e797.member, array<array<u32, 2>, 4>(_e797.member_1[0], _e824, _e797.member_1[2], _e797.member_1[3]));
+                                    phi_1094_ = type_23(_e797.member, array<array<u32, 2>, 4>(_e797.member_1[0], _e824, _e797.member_1[2], _e797.member_1[3]));
                                 } else {
                                     let _e622 = b_nodes.member[_e321.member_1];
                                     let _e627 = b_nodes.member[_e321.member_3];
                                     let _e631 = array<u32, 2>(_e285[0], _e321.member_1);
                                     let _e633 = array<u32, 2>(_e285[0], _e321.member_3);
-                                    let _e640 = type_24(array<array<u32, 2>, 4>(_e631, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    let _e647 = type_24(array<array<u32, 2>, 4>(_e640.member[0], _e633, _e640.member[2], _e640.member[3]), _e640.member_1);
-                                    let _e657 = type_24(array<array<u32, 2>, 4>(_e631, _e633, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(_e647.member[0], _e647.member[1], array<u32, 2>(4294967295u, 4294967295u), _e647.member[3]), _e647.member_1).member_1);
+                                    let _e640 = type_23(array<array<u32, 2>, 4>(_e631, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e647 = type_23(array<array<u32, 2>, 4>(_e640.member[0], _e633, _e640.member[2], _e640.member[3]), _e640.member_1);
+                                    let _e657 = type_23(array<array<u32, 2>, 4>(_e631, _e633, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(_e647.member[0], _e647.member[1], array<u32, 2>(4294967295u, 4294967295u), _e647.member[3]), _e647.member_1).member_1);
                                     if ((((((_e319.member[0] <= _e622.member_2[0]) && (_e622.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e622.member_2[1])) && (_e622.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e622.member_2[2])) && (_e622.member[2] <= _e319.member_2[2])) {
                                         phi_1060_ = _e631;
                                     } else {
                                         phi_1060_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e684 = phi_1060_;
-                                    let _e691 = type_24(_e657.member, array<array<u32, 2>, 4>(_e684, _e657.member_1[1], _e657.member_1[2], _e657.member_1[3]));
+                                    let _e691 = type_23(_e657.member, array<array<u32, 2>, 4>(_e684, _e657.member_1[1], _e657.member_1[2], _e657.member_1[3]));
                                     if ((((((_e319.member[0] <= _e627.member_2[0]) && (_e627.member[0] <= _e319.member_2[0])) && (_e319.member[1] <= _e627.member_2[1])) && (_e627.member[1] <= _e319.member_2[1])) && (_e319.member[2] <= _e627.member_2[2])) && (_e627.member[2] <= _e319.member_2[2])) {
                                         phi_1092_ = _e633;
                                     } else {
                                         phi_1092_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e718 = phi_1092_;
-                                    phi_1094_ = type_24(_e691.member, array<array<u32, 2>, 4>(_e691.member_1[0], _e718, _e691.member_1[2], _e691.member_1[3]));
+                                    phi_1094_ = type_23(_e691.member, array<array<u32, 2>, 4>(_e691.member_1[0], _e718, _e691.member_1[2], _e691.member_1[3]));
                                 }
                                 let _e833 = phi_1094_;
                                 phi_1095_ = _e833;
@@ -819,16 +819,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1096_ = _e835;
                             phi_1097_ = false;
                         } else {
-                            phi_1096_ = type_24();
+                            phi_1096_ = type_23();
                             phi_1097_ = true;
                         }
                         let _e837 = phi_1096_;
                         let _e839 = phi_1097_;
                         phi_1098_ = _e837;
-                        phi_1099_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1099_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1100_ = _e839;
                     } else {
-                        phi_1098_ = type_24();
+                        phi_1098_ = type_23();
                         phi_1099_ = _e425;
                         phi_1100_ = true;
                     }
@@ -904,7 +904,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     if _e937 {
                                         if (_e925[0] < _e865) {
                                             let _e1017 = oriented.member[(_e882 + _e925[0])];
-                                            phi_1398_ = type_31(array<f32, 3>(_e1017.member.x, _e1017.member.y, _e1017.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1017.member.w, _e1017.member_1.x, _e1017.member_1.y), array<f32, 3>(_e1017.member_1.z, _e1017.member_1.w, _e1017.member_2.x), array<f32, 3>(_e1017.member_2.y, _e1017.member_2.z, _e1017.member_2.w)), array<f32, 3>(_e1017.member_3.x, _e1017.member_3.y, _e1017.member_3.z));
+                                            phi_1398_ = type_30(array<f32, 3>(_e1017.member.x, _e1017.member.y, _e1017.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1017.member.w, _e1017.member_1.x, _e1017.member_1.y), array<f32, 3>(_e1017.member_1.z, _e1017.member_1.w, _e1017.member_2.x), array<f32, 3>(_e1017.member_2.y, _e1017.member_2.z, _e1017.member_2.w)), array<f32, 3>(_e1017.member_3.x, _e1017.member_3.y, _e1017.member_3.z));
                                         } else {
                                             let _e940 = a_nodes.member[_e925[0]];
                                             let _e955 = ((_e940.member[0] * 0.5f) + (_e940.member_2[0] * 0.5f));
@@ -972,12 +972,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1003 = phi_1382_;
                                             let _e1005 = (1f + (0.000000059604645f * 4f));
                                             let _e1009 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1398_ = type_31(array<f32, 3>(_e973, _e977, _e981), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e997 * _e1005) + _e1009), ((_e1000 * _e1005) + _e1009), ((_e1003 * _e1005) + _e1009)));
+                                            phi_1398_ = type_30(array<f32, 3>(_e973, _e977, _e981), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e997 * _e1005) + _e1009), ((_e1000 * _e1005) + _e1009), ((_e1003 * _e1005) + _e1009)));
                                         }
                                         let _e1056 = phi_1398_;
                                         if (_e925[1] < _e870) {
                                             let _e1136 = oriented.member[(_e886 + _e925[1])];
-                                            phi_1542_ = type_31(array<f32, 3>(_e1136.member.x, _e1136.member.y, _e1136.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1136.member.w, _e1136.member_1.x, _e1136.member_1.y), array<f32, 3>(_e1136.member_1.z, _e1136.member_1.w, _e1136.member_2.x), array<f32, 3>(_e1136.member_2.y, _e1136.member_2.z, _e1136.member_2.w)), array<f32, 3>(_e1136.member_3.x, _e1136.member_3.y, _e1136.member_3.z));
+                                            phi_1542_ = type_30(array<f32, 3>(_e1136.member.x, _e1136.member.y, _e1136.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1136.member.w, _e1136.member_1.x, _e1136.member_1.y), array<f32, 3>(_e1136.member_1.z, _e1136.member_1.w, _e1136.member_2.x), array<f32, 3>(_e1136.member_2.y, _e1136.member_2.z, _e1136.member_2.w)), array<f32, 3>(_e1136.member_3.x, _e1136.member_3.y, _e1136.member_3.z));
                                         } else {
                                             let _e1059 = b_nodes.member[_e925[1]];
                                             let _e1074 = ((_e1059.member[0] * 0.5f) + (_e1059.member_2[0] * 0.5f));
@@ -1045,7 +1045,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1122 = phi_1526_;
                                             let _e1124 = (1f + (0.000000059604645f * 4f));
                                             let _e1128 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1542_ = type_31(array<f32, 3>(_e1092, _e1096, _e1100), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1116 * _e1124) + _e1128), ((_e1119 * _e1124) + _e1128), ((_e1122 * _e1124) + _e1128)));
+                                            phi_1542_ = type_30(array<f32, 3>(_e1092, _e1096, _e1100), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1116 * _e1124) + _e1128), ((_e1119 * _e1124) + _e1128), ((_e1122 * _e1124) + _e1128)));
                                         }
                                         let _e1175 = phi_1542_;
                                         let _e1180 = (_e1175.member[0] - _e1056.member[0]);
@@ -1105,7 +1105,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_1793_ = _e1175.member_2[2];
                                         }
                                         let _e1420 = phi_1793_;
-                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[0][0]) + (_e1175.member_1[0][1] * _e1056.member_1[0][1])) + (_e1175.member_1[0][2] * _e1056.member_1[0][2])), (((_e1175.member_1[1][0] * _e1056.member_1[0][0]) + (_e1175.member_1[1][1] * _e1056.member_1[0][1])) + (_e1175.member_1[1][2] * _e1056.member_1[0][2])), (((_e1175.member_1[2][0] * _e1056.member_1[0][0]) + (_e1175.member_1[2][1] * _e1056.member_1[0][1])) + (_e1175.member_1[2][2] * _e1056.member_1[0][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[1][0]) + (_e1175.member_1[0][1] * _e1056.member_1[1][1])) + (_e1175.member_1[0][2] * _e1056.member_1[1][2])), (((_e1175.member_1[1][0] * _e1056.member_1[1][0]) + (_e1175.member_1[1][1] * _e1056.member_1[1][1])) + (_e1175.member_1[1][2] * _e1056.member_1[1][2])), (((_e1175.member_1[2][0] * _e1056.member_1[1][0]) + (_e1175.member_1[2][1] * _e1056.member_1[1][1])) + (_e1175.member_1[2][2] * _e1056.member_1[1][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[2][0]) + (_e1175.member_1[0][1] * _e1056.member_1[2][1])) + (_e1175.member_1[0][2] * _e1056.member_1[2][2])), (((_e1175.member_1[1][0] * _e1056.member_1[2][0]) + (_e1175.member_1[1][1] * _e1056.member_1[2][1])) + (_e1175.member_1[1][2] * _e1056.member_1[2][2])), (((_e1175.member_1[2][0] * _e1056.member_1[2][0]) + (_e1175.member_1[2][1] * _e1056.member_1[2][1])) + (_e1175.member_1[2][2] * _e1056.member_1[2][2])))), array<f32, 3>((((_e1056.member_1[0][0] * _e1180) + (_e1056.member_1[0][1] * _e1183)) + (_e1056.member_1[0][2] * _e1186)), (((_e1056.member_1[1][0] * _e1180) + (_e1056.member_1[1][1] * _e1183)) + (_e1056.member_1[1][2] * _e1186)), (((_e1056.member_1[2][0] * _e1180) + (_e1056.member_1[2][1] * _e1183)) + (_e1056.member_1[2][2] * _e1186))), array<f32, 3>((((_e1175.member_1[0][0] * _e1180) + (_e1175.member_1[0][1] * _e1183)) + (_e1175.member_1[0][2] * _e1186)), (((_e1175.member_1[1][0] * _e1180) + (_e1175.member_1[1][1] * _e1183)) + (_e1175.member_1[1][2] * _e1186)), (((_e1175.member_1[2][0] * _e1180) + (_e1175.member_1[2][1] * _e1183)) + (_e1175.member_1[2][2] * _e1186))), array<f32, 3>(_e1056.member_2[0], _e1056.member_2[1], _e1056.member_2[2]), array<f32, 3>(_e1175.member_2[0], _e1175.member_2[1], _e1175.member_2[2]), ((((((_e1375 + _e1379) + _e1384) + (((_e1391 + _e1396) + _e1402) + ((_e1409 + _e1414) + _e1420))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        local = type_25(array<array<f32, 3>, 3>(array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[0][0]) + (_e1175.member_1[0][1] * _e1056.member_1[0][1])) + (_e1175.member_1[0][2] * _e1056.member_1[0][2])), (((_e1175.member_1[1][0] * _e1056.member_1[0][0]) + (_e1175.member_1[1][1] * _e1056.member_1[0][1])) + (_e1175.member_1[1][2] * _e1056.member_1[0][2])), (((_e1175.member_1[2][0] * _e1056.member_1[0][0]) + (_e1175.member_1[2][1] * _e1056.member_1[0][1])) + (_e1175.member_1[2][2] * _e1056.member_1[0][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[1][0]) + (_e1175.member_1[0][1] * _e1056.member_1[1][1])) + (_e1175.member_1[0][2] * _e1056.member_1[1][2])), (((_e1175.member_1[1][0] * _e1056.member_1[1][0]) + (_e1175.member_1[1][1] * _e1056.member_1[1][1])) + (_e1175.member_1[1][2] * _e1056.member_1[1][2])), (((_e1175.member_1[2][0] * _e1056.member_1[1][0]) + (_e1175.member_1[2][1] * _e1056.member_1[1][1])) + (_e1175.member_1[2][2] * _e1056.member_1[1][2]))), array<f32, 3>((((_e1175.member_1[0][0] * _e1056.member_1[2][0]) + (_e1175.member_1[0][1] * _e1056.member_1[2][1])) + (_e1175.member_1[0][2] * _e1056.member_1[2][2])), (((_e1175.member_1[1][0] * _e1056.member_1[2][0]) + (_e1175.member_1[1][1] * _e1056.member_1[2][1])) + (_e1175.member_1[1][2] * _e1056.member_1[2][2])), (((_e1175.member_1[2][0] * _e1056.member_1[2][0]) + (_e1175.member_1[2][1] * _e1056.member_1[2][1])) + (_e1175.member_1[2][2] * _e1056.member_1[2][2])))), array<f32, 3>((((_e1056.member_1[0][0] * _e1180) + (_e1056.member_1[0][1] * _e1183)) + (_e1056.member_1[0][2] * _e1186)), (((_e1056.member_1[1][0] * _e1180) + (_e1056.member_1[1][1] * _e1183)) + (_e1056.member_1[1][2] * _e1186)), (((_e1056.member_1[2][0] * _e1180) + (_e1056.member_1[2][1] * _e1183)) + (_e1056.member_1[2][2] * _e1186))), array<f32, 3>((((_e1175.member_1[0][0] * _e1180) + (_e1175.member_1[0][1] * _e1183)) + (_e1175.member_1[0][2] * _e1186)), (((_e1175.member_1[1][0] * _e1180) + (_e1175.member_1[1][1] * _e1183)) + (_e1175.member_1[1][2] * _e1186)), (((_e1175.member_1[2][0] * _e1180) + (_e1175.member_1[2][1] * _e1183)) + (_e1175.member_1[2][2] * _e1186))), array<f32, 3>(_e1056.member_2[0], _e1056.member_2[1], _e1056.member_2[2]), array<f32, 3>(_e1175.member_2[0], _e1175.member_2[1], _e1175.member_2[2]), ((((((_e1375 + _e1379) + _e1384) + (((_e1391 + _e1396) + _e1402) + ((_e1409 + _e1414) + _e1420))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                                         let _e1447 = local.member[0u][0u];
                                         let _e1451 = local.member[0u][1u];
                                         let _e1455 = local.member[0u][2u];

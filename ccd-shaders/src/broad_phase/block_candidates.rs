@@ -46,8 +46,8 @@ macro_rules! leaf_entry {
                     }
                     let row = gather(t.lane, params, pair, some, nodes, columns, names, counters);
                     let same = set_a == set_b && pair.a == pair.b;
-                    let mut beyond = test(
-                        t.lane, row, same, true, columns, names, counters, hits, None, firsts,
+                    let mut beyond = test::<8, false>(
+                        t.lane, row, same, true, columns, names, counters, hits, 0, firsts,
                     );
                     for _ in 0..WIDTH {
                         if beyond == 0 {

@@ -108,11 +108,11 @@ fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
 }
 
 /// Tests this thread's row against the columns of its team and pools the hits. Returns the columns
-/// of those for which the pool has no room, as bits. `worlds`: those of the row, where a pair has
-/// one in common; `ranges`: those of the second node's children.
+/// of those for which the pool has no room, as bits. `OF_WORLDS`: only those that have a world in
+/// common: `worlds` are those of the row, `ranges` those of the second node's children.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn test<const N: usize>(
+pub(super) fn test<const N: usize, const OF_WORLDS: bool>(
     lane: u32,
     row: Aabb,
     same: bool,
@@ -121,19 +121,17 @@ pub(super) fn test<const N: usize>(
     names: &[u32; 128],
     counters: &mut [u32; 8],
     hits: &mut [u32; 2048],
-    worlds: Option<u32>,
+    worlds: u32,
     ranges: &[u32; N],
 ) -> u32 {
     let (team, i) = (lane / WIDTH, lane % WIDTH);
     let mut beyond = 0;
     for c in 0..get(counters, team) {
         let j = get(names, team * WIDTH + c);
-        let mut is_pair =
-            row.overlaps(&get(columns, team * WIDTH + c)) && counts(same, leaves, i, j);
-        if let Some(own) = worlds {
-            is_pair = is_pair && meet(own, get(ranges, team * WIDTH + j));
-        }
-        if is_pair {
+        if row.overlaps(&get(columns, team * WIDTH + c))
+            && counts(same, leaves, i, j)
+            && (!OF_WORLDS || meet(worlds, get(ranges, team * WIDTH + j)))
+        {
             let to = add_shared(counters, HITS, 1);
             if to < POOL {
                 set(hits, to, pack(team, i, j));
@@ -206,18 +204,19 @@ fn children<const N: usize, const OF_WORLDS: bool>(
             set(firsts, 2 * team, pair.a * WIDTH);
             set(firsts, 2 * team + 1, pair.b * WIDTH);
         }
-        let mut of_row = None;
+        let mut of_row = 0;
         if OF_WORLDS {
             let ([a, b], level, n) =
                 (sets(params.own.kind), params.own.level - 1, params.frame.count);
             let own = &params.own;
-            of_row = Some(range(own, level, a, pair.a * WIDTH + i, n[a], worlds));
+            of_row = range(own, level, a, pair.a * WIDTH + i, n[a], worlds);
             set(ranges, t.lane, range(own, level, b, pair.b * WIDTH + i, n[b], worlds));
         }
         let row = gather(t.lane, params, pair, some, nodes, columns, names, counters);
         let same = params.own.kind == 1 && pair.a == pair.b;
-        let mut beyond =
-            test(t.lane, row, same, false, columns, names, counters, hits, of_row, ranges);
+        let mut beyond = test::<N, OF_WORLDS>(
+            t.lane, row, same, false, columns, names, counters, hits, of_row, ranges,
+        );
         for _ in 0..WIDTH {
             if beyond == 0 {
                 break;
