@@ -160,8 +160,10 @@ impl session::Engine for Engine {
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
-        self.threads.stop.begin()?;
-        self.list(given)?;
+        if let Err(why) = self.threads.stop.begin().and_then(|()| self.list(given)) {
+            self.clear();
+            return Err(why);
+        }
         let lists = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
         let of = self.codimensional.as_ref().map(|of| of.pairs.each_ref().map(Vec::as_slice));
         Ok(Candidates::new(lists, of.unwrap_or_default()))

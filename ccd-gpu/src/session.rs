@@ -69,7 +69,7 @@ impl session::Engine for Engine {
 
     fn new(device: &Device, state: State) -> Result<Self, Error> {
         let State { mesh, options, .. } = &state;
-        options.check_backend("gpu")?;
+        changes::check(options)?;
         let device = device.limited(options.max_memory);
         Ok(Self {
             frames: Frames::new(&device, mesh, options)?,

@@ -65,11 +65,19 @@ pub fn check(id: Id) -> Result<(), Error> {
 mod tests {
     use super::*;
 
+    macro_rules! ids {
+        ($($group:ident {
+            $($(#[$doc:meta])* $id:ident = $name:ident $about:tt $buffers:tt)*
+        })*) => {
+            [$($(Id::$id,)*)*]
+        };
+    }
+
     /// In the repository, where both stand beside them.
     #[test]
     fn modules_are_those_of_the_files() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders");
-        let ids = [Id::NodePairs, Id::Decide, Id::DecideWide, Id::SortScatter, Id::ProbeWide];
+        let ids = ccd_core::kernels!(ids).into_iter().filter(|id| check(*id).is_ok());
         for id in ids {
             for (path, ending) in [(Path::Passthrough, "spv"), (Path::Wgsl, "wgsl")] {
                 let file = std::fs::read(format!("{folder}/{}.{ending}", id.row().name)).unwrap();

@@ -288,10 +288,12 @@ impl<C, G> Either<C, G> {
 }
 
 /// Tells why the CPU takes over, or returns it as the error that it is: bad input is that on
-/// either, if it is no filter, and a choice that was not free stands.
+/// either, if it is no filter and nothing that is not compiled in, and a choice that was not free
+/// stands.
 fn give_up(why: Error, free: bool, notice: Option<Notice>) -> Result<(), Error> {
-    let is_filter = matches!(why, Error::Input(crate::Error::Filter { .. }));
-    if !free || matches!(why, Error::Input(_)) && !is_filter {
+    use crate::Error::{Filter, NotCompiled};
+    let of_gpu = matches!(why, Error::Input(Filter { .. } | NotCompiled { .. }));
+    if !free || matches!(why, Error::Input(_)) && !of_gpu {
         return Err(why);
     }
     if let Some(notice) = notice {

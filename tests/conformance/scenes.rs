@@ -24,8 +24,9 @@ pub struct Motion {
 pub enum Want {
     /// Of brute force: candidates, and every contact asked for by itself.
     Brute([Digest; 2], Vec<Contact>),
-    /// What is recorded of a real scene, and the contacts that one thread of the CPU finds.
-    Recorded(String, Vec<Contact>),
+    /// What is recorded of a real scene, the contacts that one thread of the CPU finds, and the
+    /// published answers, where there are any.
+    Recorded(String, Vec<Contact>, Option<[Vec<data::Truth>; 2]>),
 }
 
 /// What is loaded once for all rows of a scene.
@@ -119,7 +120,9 @@ pub fn load_motion(source: Source) -> Motion {
             let step = load_step(scene);
             let options = Options::default().with_threads(1);
             let one = ccd::step(&step.mesh, &step.x0, &step.x1, &options).expect("a valid step");
-            let want = Want::Recorded(recorded_step(scene.name), one.contacts);
+            let dir = data::data_dir().expect("the row is ignored without the data");
+            let truth = scene.truth.map(|_| ["vf", "ee"].map(|kind| scene.contacts(&dir, kind)));
+            let want = Want::Recorded(recorded_step(scene.name), one.contacts, truth);
             Motion { step, want, undecided: scene.undecided }
         }
         Source::Step(make) => {

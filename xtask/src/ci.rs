@@ -31,7 +31,10 @@ fn gate(root: &Path) -> Result<(), String> {
         ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--features", &features];
     command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
     // What a dependent compiles: the default methods alone.
-    command(root, &["cargo", "clippy", "--release", "-p", "meshccd", "--", "-D", "warnings"])?;
+    for features in ["", "gpu"] {
+        let clippy = ["cargo", "clippy", "--release", "-p", "meshccd", "--features", features];
+        command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
+    }
     bare_metal(root)?;
     let test = readme_test_command(root)?;
     let test: Vec<&str> = test.split_whitespace().collect();

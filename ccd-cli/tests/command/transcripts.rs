@@ -172,6 +172,10 @@ impl At {
         let n = words.iter().position(|word| *word == "ccd").expect("the command");
         let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
         command.current_dir(&self.dir).args(&words[n + 1..]).env("COLUMNS", "100");
+        let of_slurm = std::env::vars_os().map(|(name, _)| name);
+        for name in of_slurm.filter(|name| name.to_string_lossy().starts_with("SLURM_")) {
+            command.env_remove(name);
+        }
         command.envs(words[..n].iter().map(|word| word.split_once('=').expect("NAME=VALUE")));
         if let Some(to) = to {
             command.stdout(File::create(self.dir.join(to)).unwrap());

@@ -145,6 +145,7 @@ impl LeafBoxes {
     /// The ids of block `b`; lanes past the end repeat the last id.
     #[inline(always)]
     pub fn ids(&self, b: usize) -> &[u32; WIDTH] {
+        debug_assert!(b < self.blocks.len());
         self.order.as_chunks().0.get(b).unwrap_or(&[0; WIDTH])
     }
 

@@ -50,7 +50,8 @@ impl Method {
             return Ok(Self::Scheduled(Scheduled::new(source, scheduling)?));
         }
         if is_chosen(scheduling, choice) {
-            let name = scheduling.scheduler.map_or("front", |scheduler| scheduler.row().name);
+            let by = scheduling.scheduler.filter(|by| !Scheduler::ALWAYS.contains(&by.row().name));
+            let name = by.map_or("front", |by| by.row().name);
             return Err(Error::NotCompiled { name, backend: "cpu" });
         }
         let source: Box<dyn RowSource> = match choice {

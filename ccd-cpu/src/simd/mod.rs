@@ -47,6 +47,10 @@ pub type Block = Aabb<F32x8>;
 pub const EMPTY: Block =
     Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
 
+/// Eight boxes that overlap everything.
+pub const EVERYTHING: Block =
+    Aabb { min: [F32x8([f32::NEG_INFINITY; WIDTH]); 3], max: [F32x8([f32::INFINITY; WIDTH]); 3] };
+
 /// Answers in eight lanes, a bit each.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits(pub u32);

@@ -4,7 +4,7 @@
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
+use crate::simd::{Block, EMPTY, EVERYTHING, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
 use ccd_core::model::rules::Rules;
@@ -108,12 +108,14 @@ impl<const N: usize> Leaves<N> {
     /// The features of a block.
     #[inline(always)]
     pub fn side(&self, block: usize) -> Side<'_, N> {
+        // Without a panic, so that what a sink does not read costs nothing. Ends are there if a sink
+        // reads them; these would separate nothing.
+        debug_assert!(block < self.boxes.blocks().len());
         Side {
             vertices: self.vertices[block].each_ref(),
             ids: self.boxes.ids(block),
-            // Without a panic, so that what a sink does not read costs nothing.
             boxes: self.boxes.blocks().get(block).unwrap_or(&EMPTY),
-            ends: self.ends.get(block).unwrap_or(&[EMPTY; 2]),
+            ends: self.ends.get(block).unwrap_or(&[EVERYTHING; 2]),
         }
     }
 

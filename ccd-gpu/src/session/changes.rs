@@ -2,6 +2,7 @@
 //! enough stay, and nothing changes where something fails.
 
 use super::Engine;
+use crate::broad_phase::method;
 use crate::error::Error;
 use crate::step::codimensional::Codimensional;
 use ccd_core::model::bodies::Bodies;
@@ -10,11 +11,18 @@ use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 use std::sync::Arc;
 
+/// Refuses what this backend does not have, and what is not compiled in.
+pub(super) fn check(options: &Options) -> Result<(), Error> {
+    options.check_backend("gpu")?;
+    method::check(options.broad_phase)?;
+    method::check_scheduling(options.broad_phase, options.scheduling)
+}
+
 impl Engine {
     /// Methods other than blocks, and triangles, keep their lists alone. The next step sorts anew.
     #[inline(never)]
     pub(super) fn take_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
-        options.check_backend("gpu")?;
+        check(&options)?;
         let device = self.device.limited(options.max_memory);
         let codimensional = Codimensional::new(&device, &mesh, &options)?;
         self.frames.change(&device, &mesh, &options)?;
