@@ -108,7 +108,7 @@ impl<const N: usize> Leaves<N> {
     /// The features of a block.
     #[inline(always)]
     pub fn side(&self, block: usize) -> Side<'_, N> {
-        // Without a panic, so that what a sink does not read costs nothing. Ends are there if a sink
+        // Without a panic, so that what a sink does not read costs nothing. Ends are there if it
         // reads them; these would separate nothing.
         debug_assert!(block < self.boxes.blocks().len());
         Side {
