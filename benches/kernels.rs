@@ -6,7 +6,7 @@ use ccd::{
     Aabb, BroadPhase, BroadPhaseMethod, EdgeEdge, Options, Scheduling, Session, Traversal,
     TreeOptions, Verdict, VertexFace,
 };
-use ccd_core::broad_phase::{morton_key, radix_tree};
+use ccd_core::backend::broad_phase::{morton_key, radix_tree};
 use ccd_core::math::morton::MortonGrid;
 use ccd_core::math::obb::Obb;
 use ccd_core::narrow_phase::cascade::apart;

@@ -6,7 +6,7 @@
 use ccd::gpu::wgpu::{self, util::DeviceExt};
 use ccd::gpu::{Device, DeviceOptions, Session};
 use ccd::{Contact, Mesh, Options};
-use ccd_core::layout::{LIST_HEADER, Path, Touch, TouchGeometry};
+use ccd_core::records::{LIST_HEADER, Path, Touch, TouchGeometry};
 
 /// What the engine's own kernel does: every vertex of the triangle falls, and is written at both
 /// ends of the step as `ccd` reads it.

@@ -100,7 +100,6 @@ struct Readme;
 #[doc = include_str!("../docs/solver.md")]
 struct SolverPage;
 
-pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::cancel::CancelToken;
 pub use ccd_core::model::catalogue::{Catalogued, Row, every};
@@ -124,6 +123,7 @@ pub use ccd_core::narrow_phase::codimensional::{
 };
 pub use ccd_core::narrow_phase::contact_geometry::ContactGeometry;
 pub use ccd_core::narrow_phase::distance::Distance;
+pub use ccd_core::records::Pair;
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,

@@ -4,21 +4,16 @@
 //! ([`vertex_face`], [`edge_edge`]) answer with a [`Verdict`] that is never a missed contact;
 //! everything else here serves to ask few of them.
 //!
-//! | room | idea |
+//! | module | idea |
 //! |---|---|
-//! | [`math`] | numbers, vectors, boxes rounded outward, space-filling codes |
+//! | [`math`] | numbers, vectors, boxes rounded outward, oriented boxes, space-filling codes |
 //! | [`narrow_phase`] | filters and verdicts of single queries, each with its error bound |
-//! | [`broad_phase`] | swept boxes, trees, traversals, candidates |
-//! | [`model`] | meshes, bodies, positions in `f32`, contacts, reports, errors |
-//! | [`triangle_pairs`] | pairs of triangles as pairs of features, each once |
-//! | [`scheduling`] | deques from which idle workers steal pairs of nodes |
-//! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
-//! | [`layout`] | records that cross between CPU and GPU |
+//! | [`model`] | meshes, bodies, positions, options, contacts, reports, errors |
+//! | [`records`] | paths, pairs and contacts as they lie in a device's memory |
 //!
-//! What applications use is in [`model`], in the queries of [`narrow_phase`], and, of [`layout`],
-//! `Pair`, `Path`, `Touch` and `TouchGeometry`; the crate `ccd` re-exports most of it. The rest is
-//! public for the backends and may change with them: [`broad_phase`], [`triangle_pairs`],
-//! [`scheduling`], [`kernel`], [`model::quantization`], [`model::rules`].
+//! These modules and the names below are what the crate promises; the crate `meshccd` re-exports
+//! what applications use. A module that is not documented, `backend`, has the parts of a step that
+//! the CPU and the GPU share; it may change with any release.
 #![no_std]
 #![deny(unsafe_code)]
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
@@ -27,19 +22,22 @@ extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
-pub mod broad_phase;
-pub mod kernel;
-pub mod layout;
+#[doc(hidden)]
+pub mod backend;
 pub mod math;
 pub mod model;
 pub mod narrow_phase;
+/// Records that an engine exchanges with a device: `u32` and `[f32; N]` fields, sizes fixed.
+pub mod records {
+    #[doc(inline)]
+    pub use crate::backend::layout::{LIST_HEADER, Pair, Path, Touch, TouchGeometry, join, split};
+}
 #[cfg(test)]
 #[path = "../../src/scenes/random.rs"]
 #[allow(dead_code, reason = "tests need a part of it")]
 mod random;
-pub mod scheduling;
-pub mod triangle_pairs;
 
+use backend::{broad_phase, kernel, layout, scheduling};
 pub use math::aabb::Aabb;
 pub use math::real::{Num, Real};
 pub use model::error::Error;

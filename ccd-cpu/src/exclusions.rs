@@ -2,7 +2,7 @@
 
 use crate::broad_phase::pair_list::Pairs;
 use crate::session::Session;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::exclusions::Exclusions;
 use ccd_core::model::mesh::Mesh;

@@ -16,7 +16,7 @@ use crate::step::selection::Selection;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, State};

@@ -1,7 +1,7 @@
 //! A session finds the same by every method: candidates, contacts, counts; with bodies and without,
 //! frame after frame, on any number of threads.
 
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::catalogue::every;
 use ccd_core::model::contact::{Contact, PerKind};

@@ -1,7 +1,7 @@
 //! Rules of bodies: by every method and pipeline, candidates and contacts are those of a session
 //! without rules, less what the rules leave out; rules that change between steps; what is fixed.
 
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::catalogue::every;
 use ccd_core::model::contact::{Contact, Kind};

@@ -1,7 +1,7 @@
 //! Pairs of triangles give what pairs of features give, on any mesh: non-manifold, degenerate, with
 //! wires and loose vertices; and what they say about their tests adds up.
 
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;

@@ -3,8 +3,8 @@
 //! `B` is a buffer on the device, or, for [`crate::harness`], the bytes that one is filled with.
 
 use bytemuck::Pod;
-use ccd_core::kernel::Id;
-use ccd_core::layout::Params;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::Params;
 
 /// A kernel with its buffers.
 pub trait Bind<B> {
@@ -24,10 +24,10 @@ pub const PARAMS_BYTES: usize = 512;
 
 macro_rules! own {
     () => {
-        ccd_core::layout::Plain
+        ccd_core::backend::layout::Plain
     };
     ($own:ident) => {
-        ccd_core::layout::$own
+        ccd_core::backend::layout::$own
     };
 }
 

@@ -9,7 +9,7 @@ use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::{Error, Faults};
 use crate::kernel_cache::Cache;
 use crate::pipeline::{Checked, Pipeline};
-use ccd_core::kernel::TABLE;
+use ccd_core::backend::kernel::TABLE;
 use memory::Memory;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};

@@ -5,7 +5,7 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::harness;
 use bytemuck::{Pod, cast_slice, pod_read_unaligned};
-use ccd_core::layout::{Params, join, split};
+use ccd_core::backend::layout::{Params, join, split};
 
 /// The least normal `f32`, and half of it.
 const NORMAL: u32 = 0x0080_0000;

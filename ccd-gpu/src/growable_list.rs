@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::word;
-use ccd_core::layout::{LIST_HEADER, Pair};
+use ccd_core::backend::layout::{LIST_HEADER, Pair};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.

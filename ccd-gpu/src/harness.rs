@@ -10,8 +10,8 @@ use crate::error::Error;
 use crate::pipeline::Checked;
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
-use ccd_core::kernel::TABLE;
-use ccd_core::layout::Params;
+use ccd_core::backend::kernel::TABLE;
+use ccd_core::backend::layout::Params;
 use std::path::Path;
 use wgpu::BufferUsages as U;
 

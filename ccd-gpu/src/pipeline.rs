@@ -2,7 +2,7 @@
 
 use crate::adapter::Path;
 use crate::shaders::module;
-use ccd_core::kernel::{Access, Id};
+use ccd_core::backend::kernel::{Access, Id};
 use std::iter::once;
 
 /// A compiled kernel.

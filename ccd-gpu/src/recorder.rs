@@ -6,8 +6,8 @@ use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::{Part, Reading, map};
-use ccd_core::kernel::Id;
-use ccd_core::layout::Params;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::Params;
 use encoding::Encoding;
 use std::collections::HashMap;
 

@@ -8,7 +8,7 @@ use crate::recorder::Timing;
 use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, WHOLE, cpu_fallback};
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::precision::{Given, Precision};

@@ -3,7 +3,7 @@
 
 use crate::adapter::Path;
 use crate::error::Error;
-use ccd_core::kernel::Id;
+use ccd_core::backend::kernel::Id;
 use miniz_oxide::inflate::decompress_to_vec;
 
 macro_rules! embedded {

@@ -5,8 +5,8 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, Recorder, Timing, submit};
-use ccd_core::kernel::sort;
-use ccd_core::layout::{Dispatch, Frame, Params, SortPass};
+use ccd_core::backend::kernel::sort;
+use ccd_core::backend::layout::{Dispatch, Frame, Params, SortPass};
 use wgpu::BufferUsages as U;
 
 /// Keys with values, twice, and the table of digits.

@@ -64,7 +64,7 @@ macro_rules! kernel {
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(workgroup)] $shared: &mut $array,)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)]
-            $params: &ccd_core::layout::Params<ccd_core::layout::$own>,
+            $params: &ccd_core::backend::layout::Params<ccd_core::backend::layout::$own>,
             $($views)*
         ) {
             let group = id.y * n.x + id.x;

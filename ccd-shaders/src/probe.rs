@@ -3,9 +3,9 @@
 
 use crate::entry::kernel;
 use crate::workgroup::group;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::kernel::{Id, probe};
-use ccd_core::layout::{Leaf, Pair, Path, Touch};
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::kernel::{Id, probe};
+use ccd_core::backend::layout::{Leaf, Pair, Path, Touch};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -1,10 +1,10 @@
 //! Records as a device reads and writes them fastest: by words of two and four numbers, each in one
-//! piece. The fields are those of `ccd_core::layout`, in their order.
+//! piece. The fields are those of `ccd_core::backend::layout`, in their order.
 
 use ccd_core::Aabb;
-use ccd_core::broad_phase::node_numbering;
-use ccd_core::kernel::memory::{Stored, at, put};
-use ccd_core::layout::{Branch, Cluster, Leaf, WideNode};
+use ccd_core::backend::broad_phase::node_numbering;
+use ccd_core::backend::kernel::memory::{Stored, at, put};
+use ccd_core::backend::layout::{Branch, Cluster, Leaf, WideNode};
 use ccd_core::math::obb::Obb;
 use spirv_std::glam::{UVec4, Vec2, Vec4};
 
@@ -135,7 +135,7 @@ pub fn cluster_at(clusters: &[ClusterWords], i: u32) -> Cluster {
 }
 
 /// Writes the words that change when `parent` becomes the parent of two nodes; see
-/// `ccd_core::broad_phase::node_numbering`.
+/// `ccd_core::backend::broad_phase::node_numbering`.
 #[inline(always)]
 pub fn put_join(joins: &mut [u32], parent: u32, children: [u32; 2], leaves: [u32; 2]) {
     let [a, b, c, d, e, f] = node_numbering::join_words(parent, children, leaves);

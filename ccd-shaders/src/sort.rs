@@ -1,9 +1,9 @@
-//! One pass of the radix sort; see `ccd_core::kernel::sort`.
+//! One pass of the radix sort; see `ccd_core::backend::kernel::sort`.
 
 use crate::entry::kernel;
 use crate::workgroup::{add_shared, barrier, get, or_shared, set};
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
 
 /// Runs of 32 threads of a workgroup.
 const RUNS: u32 = THREADS / 32;

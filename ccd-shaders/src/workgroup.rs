@@ -1,12 +1,12 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 //!
-//! No index is checked here. What a wrong one does is said in `ccd_core::kernel::memory`: of a
-//! buffer it stays inside by the device's robustness, of workgroup memory nothing bounds it.
+//! No index is checked here. What a wrong one does is said in `ccd_core::backend::kernel::memory`:
+//! of a buffer it stays inside by the device's robustness, of workgroup memory nothing bounds it.
 #![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
-use ccd_core::kernel::Words;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Dispatch, LIST_HEADER, Pair};
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
 use core::marker::PhantomData;
 use spirv_std::arch::{
     IndexUnchecked, atomic_compare_exchange, atomic_i_add, atomic_load, atomic_or, atomic_store,

@@ -2,7 +2,7 @@
 
 use crate::twin::{Twin, union};
 use ccd::Aabb;
-use ccd_core::layout::Branch;
+use ccd_core::backend::layout::Branch;
 use ccd_core::math::morton::MortonGrid;
 use ccd_testkit::generate::uniform_boxes;
 

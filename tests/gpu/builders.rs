@@ -11,10 +11,10 @@ use ccd::gpu::bind::{
 };
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
-use ccd_core::broad_phase::morton_key::shared_word;
-use ccd_core::broad_phase::ploc::{COUNTS, FEW, rounds};
-use ccd_core::kernel::prefix;
-use ccd_core::layout::{
+use ccd_core::backend::broad_phase::morton_key::shared_word;
+use ccd_core::backend::broad_phase::ploc::{COUNTS, FEW, rounds};
+use ccd_core::backend::kernel::prefix;
+use ccd_core::backend::layout::{
     Blocks, Branch, Building, Cluster, Dispatch, LIST_HEADER, Params, SortPass,
 };
 use ccd_testkit::generate::uniform_boxes;

@@ -8,9 +8,9 @@ use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{CutNodes, CutPairs, ExpandPairs};
 use ccd::{Aabb, Pair};
-use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::broad_phase::pair_workers::words;
-use ccd_core::layout::{Branch, Dispatch, LIST_HEADER, Node, NodeDescent, Params};
+use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::broad_phase::pair_workers::words;
+use ccd_core::backend::layout::{Branch, Dispatch, LIST_HEADER, Node, NodeDescent, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 

@@ -5,7 +5,9 @@ use crate::support::{bytes, list, not_run, read, read_back, room, run};
 use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
-use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
+use ccd_core::backend::layout::{
+    Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS,
+};
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::generate::{Step, crumpled_sheet, uniform_boxes};
 

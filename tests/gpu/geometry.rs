@@ -5,7 +5,7 @@ use crate::support::{TINY, bytes, paths, read, read_back, rounds_like_a_cpu, run
 use ccd::gpu::bind::{ContactGeometry, ContactGeometryWide};
 use ccd::gpu::{Device, Error, Session};
 use ccd::{Contact, Coordinate, Mesh, Options};
-use ccd_core::layout::{
+use ccd_core::backend::layout::{
     Dispatch, Frame, LIST_HEADER, Params, Path, Placing, Plain, TOUCH_WORDS, Touch, TouchGeometry,
     split,
 };

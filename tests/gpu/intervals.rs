@@ -9,14 +9,14 @@ use ccd::gpu::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SurveyAxis, SurveyCells, SurveySides,
 };
 use ccd::{Aabb, Pair};
-use ccd_core::broad_phase::key_intervals::{
+use ccd_core::backend::broad_phase::key_intervals::{
     self, BRUTE_FORCE, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SURVEY_WORDS,
     SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows, unpack,
 };
-use ccd_core::broad_phase::morton_key::{order_key, shared_word};
-use ccd_core::broad_phase::sweep_and_prune::Moments;
-use ccd_core::broad_phase::uniform_grid::{self, Sizes};
-use ccd_core::layout::{Dispatch, Intervals, LIST_HEADER, Params};
+use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word};
+use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
+use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
+use ccd_core::backend::layout::{Dispatch, Intervals, LIST_HEADER, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 

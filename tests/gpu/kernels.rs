@@ -9,8 +9,8 @@ use ccd::gpu::bind::{
     SweepVertices,
 };
 use ccd::gpu::{Device, harness};
-use ccd_core::broad_phase::{candidate, morton_key};
-use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Path, split};
+use ccd_core::backend::broad_phase::{candidate, morton_key};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Path, split};
 use ccd_core::narrow_phase::decide;
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::compare;

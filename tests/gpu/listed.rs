@@ -8,7 +8,7 @@ use crate::twin::Twin;
 use ccd::gpu::bind::{FilterListed, ListListed};
 use ccd::gpu::{Device, Session};
 use ccd::{Bodies, Options, Pair};
-use ccd_core::layout::{Decision, Dispatch, LIST_HEADER, Params};
+use ccd_core::backend::layout::{Decision, Dispatch, LIST_HEADER, Params};
 use ccd_testkit::{brute, compare, generate};
 
 pub const TESTS: crate::Tests = &[

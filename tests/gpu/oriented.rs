@@ -12,9 +12,11 @@ use ccd::gpu::bind::{
     TraverseHalfOriented,
 };
 use ccd::{Aabb, Pair};
-use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
-use ccd_core::broad_phase::pair_workers::words;
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, NodeDescent, Params, Queries};
+use ccd_core::backend::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
+use ccd_core::backend::broad_phase::pair_workers::words;
+use ccd_core::backend::layout::{
+    Blocks, Branch, Dispatch, LIST_HEADER, NodeDescent, Params, Queries,
+};
 use ccd_core::math::obb::Obb;
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, uniform_boxes};

@@ -7,8 +7,8 @@ use crate::twin::Twin;
 use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Builder, Pair, Verdict};
-use ccd_core::broad_phase::block_bvh;
-use ccd_core::layout::{LIST_HEADER, Path};
+use ccd_core::backend::broad_phase::block_bvh;
+use ccd_core::backend::layout::{LIST_HEADER, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 

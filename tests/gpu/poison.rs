@@ -9,7 +9,7 @@ use crate::support::{TINY, entries, read};
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
-use ccd_core::layout::Path;
+use ccd_core::backend::layout::Path;
 use ccd_core::narrow_phase::decide;
 use ccd_testkit::generate::Random;
 use ccd_testkit::oracle::{self, Answer};

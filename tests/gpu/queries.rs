@@ -6,10 +6,10 @@ use ccd::gpu::Device;
 use ccd::gpu::bind::{Decide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Pair, Verdict};
-use ccd_core::layout::{
+use ccd_core::backend::layout::{
     Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS, Touch, join, split,
 };
-use ccd_core::model::quantization::{Scan, Table};
+use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::{compare, data};
 use std::path::{Path, PathBuf};

@@ -8,7 +8,7 @@ use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
 use ccd::gpu::{Device, Session};
 use ccd::scenes::{Step, copies};
 use ccd::{Aabb, Bodies, Error, Groups, Kind, Options, Pipeline};
-use ccd_core::layout::{Dispatch, Params, Worlds};
+use ccd_core::backend::layout::{Dispatch, Params, Worlds};
 use ccd_testkit::compare;
 use ccd_testkit::generate::{crumpled_sheet, triangle_soup};
 
@@ -43,8 +43,9 @@ fn check_kernels(device: &Device) {
             union((0..n).filter(|&i| world_of(i) == world).map(|i| &twin.boxes[i as usize]))
         };
         let want: Vec<Aabb> = (0..n_worlds).map(of).collect();
-        let got: Vec<Aabb> =
-            (0..n_worlds).map(|w| ccd_core::broad_phase::worlds::bounds(&words, w)).collect();
+        let got: Vec<Aabb> = (0..n_worlds)
+            .map(|w| ccd_core::backend::broad_phase::worlds::bounds(&words, w))
+            .collect();
         check_boxes("world", &want, &got);
         let kernel = WorldKeys {
             boxes,
@@ -77,7 +78,7 @@ fn check_kernels(device: &Device) {
     for kind in [0, 1] {
         let above = twin.node_pairs(2, kind);
         let all = twin.node_pairs(1, kind);
-        let sets = ccd_core::broad_phase::block_bvh::sets(kind);
+        let sets = ccd_core::backend::broad_phase::block_bvh::sets(kind);
         let range = |set: usize, i: u32| {
             let last = (32 * i + 31).min(twin.frame.count[sets[set]] - 1);
             world_of(32 * i)..=world_of(last)

@@ -4,8 +4,8 @@
 use crate::support::{bytes, not_run, run, zeros};
 use ccd::gpu::bind::{ProbeLayout, ProbeScalars, ProbeWide};
 use ccd::gpu::{Device, Path};
-use ccd_core::kernel::{Access, TABLE, probe};
-use ccd_core::layout::{Blocks, Leaf, Pair, Params, Touch};
+use ccd_core::backend::kernel::{Access, TABLE, probe};
+use ccd_core::backend::layout::{Blocks, Leaf, Pair, Params, Touch};
 use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests =
@@ -128,7 +128,8 @@ fn check_wide(device: &Device) {
         let want: [[u32; 2]; 13] = bytemuck::cast(probe::wide(words));
         let single = f32::from_bits(words[0]);
         for (k, name) in probe::WIDE.iter().enumerate() {
-            let (w, g) = (ccd_core::layout::join(want[k]), ccd_core::layout::join(got[k]));
+            let (w, g) =
+                (ccd_core::backend::layout::join(want[k]), ccd_core::backend::layout::join(got[k]));
             let close = want[k] == got[k] || (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
             let fine = close || w == 0.0 && g == 0.0 || k == 12 && !single.is_normal();
             assert!(fine, "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device");

@@ -4,11 +4,11 @@
 use crate::support::read;
 use ccd::Pair;
 use ccd::gpu::Device;
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::pair_workers::{
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_workers::{
     FRONT, LEFT, ROUNDS, STACK, THREADS, counts, listed, stolen,
 };
-use ccd_core::layout::{Dispatch, NodeDescent};
+use ccd_core::backend::layout::{Dispatch, NodeDescent};
 use ccd_testkit::generate::Random;
 
 /// Room of the lists of tasks and of results.

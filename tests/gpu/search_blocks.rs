@@ -7,11 +7,11 @@ use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{BlockWorkers, FirstBlockPairs, ResumeBlockFront, StealBlockPairs};
 use ccd::{Aabb, Pair};
-use ccd_core::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
-use ccd_core::broad_phase::block_workers::unpacked;
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
-use ccd_core::layout::{BlockDescent, Dispatch, NodeDescent, Params};
+use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
+use ccd_core::backend::broad_phase::block_workers::unpacked;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
+use ccd_core::backend::layout::{BlockDescent, Dispatch, NodeDescent, Params};
 use ccd_testkit::generate::Random;
 
 /// Block trees, of which one kind of pairs is sought.

@@ -9,11 +9,11 @@ use ccd::gpu::bind::{
     StealPairsOriented,
 };
 use ccd::{Aabb, Pair};
-use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::broad_phase::oriented_nodes::WORDS;
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
-use ccd_core::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
-use ccd_core::layout::{Dispatch, Node, NodeDescent};
+use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::broad_phase::oriented_nodes::WORDS;
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
+use ccd_core::backend::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
+use ccd_core::backend::layout::{Dispatch, Node, NodeDescent};
 use ccd_core::math::obb::Obb;
 use ccd_core::model::method::Descent;
 use ccd_testkit::brute;

@@ -3,8 +3,8 @@
 use crate::support::{bytes, read, run, zeros};
 use ccd::gpu::bind::{ContactKeys, OrderContacts, SortCount, SortScan, SortScatter};
 use ccd::gpu::{Device, Sorter};
-use ccd_core::kernel::sort;
-use ccd_core::layout::{ContactSort, Dispatch, Frame, Params, Plain, SortPass, Touch};
+use ccd_core::backend::kernel::sort;
+use ccd_core::backend::layout::{ContactSort, Dispatch, Frame, Params, Plain, SortPass, Touch};
 use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests = &[

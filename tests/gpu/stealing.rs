@@ -8,15 +8,15 @@
 use crate::support::{bytes, not_run, read, run};
 use ccd::gpu::bind::StealStress;
 use ccd::gpu::{Device, Error, harness};
-use ccd_core::kernel::{Id, Words};
-use ccd_core::layout::{Params, Stealing};
-use ccd_core::scheduling::deque::Full;
-use ccd_core::scheduling::stealing::Workers;
+use ccd_core::backend::kernel::{Id, Words};
+use ccd_core::backend::layout::{Params, Stealing};
+use ccd_core::backend::scheduling::deque::Full;
+use ccd_core::backend::scheduling::stealing::Workers;
 use std::sync::atomic::AtomicU32;
 use std::time::Instant;
 use words::Atomics;
 
-#[path = "../../ccd-core/src/kernel/test_words.rs"]
+#[path = "../../ccd-core/src/backend/kernel/test_words.rs"]
 mod words;
 
 pub const TESTS: crate::Tests = &[

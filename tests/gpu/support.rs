@@ -7,8 +7,8 @@ use ccd::gpu::wgpu::{
 };
 use ccd::gpu::{self, Device, harness};
 use ccd::{Aabb, BroadPhaseMethod, Pair};
-use ccd_core::kernel::TABLE;
-use ccd_core::layout::{LIST_HEADER, Params, Path};
+use ccd_core::backend::kernel::TABLE;
+use ccd_core::backend::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
 use ccd_testkit::methods::is_near_default;

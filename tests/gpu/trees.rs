@@ -7,7 +7,9 @@ use crate::twin::{Twin, union};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{BranchBoxes, Branches, FarNodes, NearNodes, TraverseFull, TraverseHalf};
 use ccd::{Aabb, Pair};
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Queries, WideNode};
+use ccd_core::backend::layout::{
+    Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Queries, WideNode,
+};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 

@@ -9,11 +9,11 @@ use crate::twin::union;
 use ccd::gpu::bind::{ExpandTriangles, NearTests, SweepTriangles};
 use ccd::gpu::{Candidates, Device, Error, Session};
 use ccd::{Aabb, Bodies, Mesh, Options, Pair, Pipeline, TriangleOptions};
-use ccd_core::layout::{Dispatch, Expansion, Params, Triangle};
-use ccd_core::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
-use ccd_core::triangle_pairs::near_tests;
-use ccd_core::triangle_pairs::orphans::OrphanSets;
-use ccd_core::triangle_pairs::representatives::Triangles;
+use ccd_core::backend::layout::{Dispatch, Expansion, Params, Triangle};
+use ccd_core::backend::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
+use ccd_core::backend::triangle_pairs::near_tests;
+use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
+use ccd_core::backend::triangle_pairs::representatives::Triangles;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
 use ccd_testkit::{brute, compare};
 

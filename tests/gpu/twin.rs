@@ -2,8 +2,8 @@
 //! standard library.
 
 use ccd::{Aabb, Mesh, Pair};
-use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH};
-use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Plain};
+use ccd_core::backend::broad_phase::block_bvh::{PADDING, WIDTH};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Plain};
 
 /// Boxes of up to three sets and the block trees over them.
 pub struct Twin {
@@ -144,7 +144,7 @@ impl Twin {
     /// All pairs of nodes of a level that overlap, by testing each against each; within one set
     /// with themselves.
     pub fn node_pairs(&self, level: u32, kind: u32) -> Vec<Pair> {
-        let [a, b] = ccd_core::broad_phase::block_bvh::sets(kind);
+        let [a, b] = ccd_core::backend::broad_phase::block_bvh::sets(kind);
         let mut out = Vec::new();
         for i in 0..self.n_nodes(level, a) {
             for j in if kind == 0 { 0 } else { i }..self.n_nodes(level, b) {

@@ -9,9 +9,9 @@ use crate::search_trees::SearchTrees;
 use crate::support::{entries, read};
 use ccd::Aabb;
 use ccd::gpu::{Device, Path};
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::pair_workers::{FRONT, LEFT, STACK, listed};
-use ccd_core::layout::{LIST_HEADER, NodeDescent};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_workers::{FRONT, LEFT, STACK, listed};
+use ccd_core::backend::layout::{LIST_HEADER, NodeDescent};
 use ccd_testkit::generate::{Random, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[

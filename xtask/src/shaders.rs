@@ -108,7 +108,7 @@ pub use build::run;
 mod build {
     use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs, missing, toolchain};
     use crate::instructions::{instructions, opcode, words};
-    use ccd_core::kernel::TABLE;
+    use ccd_core::backend::kernel::TABLE;
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
     use std::path::Path;

@@ -19,7 +19,7 @@ const REFERENCES: &str = "docs/REFERENCES.md";
 const UNSAFE_FILES: [&str; 17] = [
     "ccd-cli/src/environment.rs",
     "ccd-core/src/math/aabb.rs",
-    "ccd-core/src/kernel/memory.rs",
+    "ccd-core/src/backend/kernel/memory.rs",
     "ccd-cpu/src/simd/avx2.rs",
     "ccd-cpu/src/simd/avx512.rs",
     "ccd-cpu/src/simd/mod.rs",
@@ -46,7 +46,7 @@ const OWNERS: [(&str, &[&str]); 4] = [
 
 /// What two backends do alike stands in files of one name: the core's first, which needs no twin.
 const ROOMS: [&str; 4] = [
-    "ccd-core/src/broad_phase/",
+    "ccd-core/src/backend/broad_phase/",
     "ccd-cpu/src/broad_phase/",
     "ccd-gpu/src/broad_phase/",
     "ccd-shaders/src/broad_phase/",

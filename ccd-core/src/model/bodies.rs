@@ -50,7 +50,7 @@ pub struct Bodies {
 
 /// The rules of one body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Body {
+pub(crate) struct Body {
     pub self_contact: bool,
     pub fixed: bool,
     pub sleeping: bool,
@@ -340,19 +340,19 @@ impl Bodies {
         self.unknown
     }
 
-    pub(super) fn numbers(&self) -> &[u32] {
+    pub(crate) fn numbers(&self) -> &[u32] {
         &self.number_of_vertex
     }
 
-    pub(super) fn all(&self) -> &[Body] {
+    pub(crate) fn all(&self) -> &[Body] {
         &self.of
     }
 
-    pub(super) fn excluded_bodies(&self) -> &[[u32; 2]] {
+    pub(crate) fn excluded_bodies(&self) -> &[[u32; 2]] {
         &self.excluded_bodies
     }
 
-    pub(super) fn excluded_features(&self) -> &[(Kind, [u32; 2])] {
+    pub(crate) fn excluded_features(&self) -> &[(Kind, [u32; 2])] {
         &self.excluded_features
     }
 

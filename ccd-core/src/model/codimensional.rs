@@ -4,13 +4,13 @@
 //! against an edge, whose ends belong to it. Left are such vertices against such edges and against
 //! each other.
 
+use crate::backend::quantization::margin;
+use crate::backend::rules::Rules;
 use crate::layout::Pair;
 use crate::math::aabb::Aabb;
 use crate::math::real::Real;
 use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
-use crate::model::quantization::margin;
-use crate::model::rules::Rules;
 use crate::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };

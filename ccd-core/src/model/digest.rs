@@ -6,7 +6,7 @@ use crate::layout::Pair;
 /// Number of pairs and the sum of their hashes.
 ///
 /// ```
-/// use ccd_core::layout::Pair;
+/// use ccd_core::records::Pair;
 /// use ccd_core::model::digest::Digest;
 ///
 /// let pairs = [Pair { a: 1, b: 2 }, Pair { a: 0, b: 7 }];

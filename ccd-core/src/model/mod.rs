@@ -25,11 +25,8 @@ pub mod options;
 pub mod pipeline;
 pub mod positions;
 pub mod precision;
-pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
-#[cfg(feature = "alloc")]
-pub mod rules;
 pub mod scheduling;
 #[cfg(feature = "alloc")]
 pub mod session;

@@ -3,9 +3,9 @@
 
 use crate::common::ascent::Ascent;
 use crate::common::random::Random;
-use ccd_core::broad_phase::swept_box::{end, swept};
+use ccd_core::backend::broad_phase::swept_box::{end, swept};
+use ccd_core::backend::quantization::{Scan, margin, slack_at};
 use ccd_core::math::vec3::sub;
-use ccd_core::model::quantization::{Scan, margin, slack_at};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
 use ccd_core::{Aabb, Num, Real};

@@ -4,8 +4,8 @@
 
 use crate::common::exact::{Contact, contact};
 use crate::common::random::Random;
+use ccd_core::backend::triangle_pairs::normal_cone::{Region, View, mean_normal, reach};
 use ccd_core::narrow_phase::relative_motion::Patch;
-use ccd_core::triangle_pairs::normal_cone::{Region, View, mean_normal, reach};
 use std::collections::BTreeSet;
 
 type Ends = [Vec<[f64; 3]>; 2];

@@ -3,8 +3,8 @@
 use crate::number::Flushed;
 use crate::random::Random;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::swept_box::swept;
-use ccd_core::model::quantization::margin;
+use ccd_core::backend::broad_phase::swept_box::swept;
+use ccd_core::backend::quantization::margin;
 
 /// Numbers from far below the smallest normal one to some way above it, of both signs.
 fn number(random: &mut Random) -> f32 {

@@ -3,7 +3,7 @@
 use crate::random;
 use crate::step::{OnDevice, Query, Step, in_f64, wrong};
 use ccd_core::Verdict;
-use ccd_core::layout::split;
+use ccd_core::backend::layout::split;
 use ccd_core::narrow_phase::decide::Verdicts;
 use ccd_core::narrow_phase::relative_motion::Patch;
 

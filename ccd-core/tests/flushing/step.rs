@@ -2,10 +2,10 @@
 //! its pairs.
 
 use crate::number::Flushed;
-use ccd_core::broad_phase::placement::{exact_box, path, rounded};
-use ccd_core::broad_phase::swept_box::swept;
-use ccd_core::layout::{Frame, Pair, Path, join, split};
-use ccd_core::model::quantization::{Scan, Table, margin};
+use ccd_core::backend::broad_phase::placement::{exact_box, path, rounded};
+use ccd_core::backend::broad_phase::swept_box::swept;
+use ccd_core::backend::layout::{Frame, Pair, Path, join, split};
+use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::narrow_phase::cascade::apart;
 use ccd_core::narrow_phase::decide::{self, Verdicts, narrow_verdicts, search_of};
 use ccd_core::narrow_phase::query::{TOI_TOLERANCE, search};

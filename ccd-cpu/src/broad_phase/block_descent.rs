@@ -7,7 +7,7 @@ use crate::broad_phase::front::Writer;
 use crate::broad_phase::leaf_boxes::{Sides, get_lane};
 use crate::simd::{RowSimd, WIDTH};
 use crate::threads::Threads;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::cmp::Ordering;
 
 impl PairsOfNodes for BlockSource {

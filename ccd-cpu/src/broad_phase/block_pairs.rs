@@ -10,7 +10,7 @@ use crate::broad_phase::tasks::Tasks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
 /// A block bvh per set.
 #[derive(Debug, Default)]

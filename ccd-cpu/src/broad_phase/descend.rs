@@ -9,7 +9,7 @@ use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::rows::{Gathered, IntoRows};
 use crate::simd::{RowSimd, Work};
 use crate::threads::Threads;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
 /// What expansions leave behind, beside pairs that are to be expanded.
 pub struct Traces<'t, 'r, 'a, 'f> {

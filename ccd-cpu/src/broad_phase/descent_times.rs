@@ -6,7 +6,7 @@
 use crate::broad_phase::scheduler::Job;
 use crate::broad_phase::scheduler::hand::{Expand, Hand};
 use crate::clock::Instant;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Where the time of descents went, in milliseconds.

@@ -26,10 +26,10 @@
 
 use crate::stop::Stop;
 use crate::threads::Own;
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::backend::scheduling::front::{Fate, FrontState};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::FrontOptions;
-use ccd_core::scheduling::front::{Fate, FrontState};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -5,7 +5,7 @@
 
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
-use ccd_core::model::rules::Rules;
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;

@@ -76,7 +76,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 ///
 /// ```
 /// use ccd_core::Aabb;
-/// use ccd_core::layout::Pair;
+/// use ccd_core::records::Pair;
 /// use ccd_core::model::method::BroadPhaseMethod;
 /// use ccd_cpu::BroadPhase;
 ///
@@ -355,5 +355,5 @@ fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
             m.max(ccd_core::math::vec3::max_abs(b.min)).max(ccd_core::math::vec3::max_abs(b.max))
         })
     };
-    ccd_core::model::quantization::slack_at(greatest(a).max(greatest(b)))
+    ccd_core::backend::quantization::slack_at(greatest(a).max(greatest(b)))
 }

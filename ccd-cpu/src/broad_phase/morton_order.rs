@@ -6,7 +6,7 @@ use crate::broad_phase::leaf_boxes::Marks;
 use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::math::morton::MortonGrid;
 
 /// Bits per axis of the codes.

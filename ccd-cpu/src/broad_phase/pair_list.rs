@@ -2,7 +2,7 @@
 //!
 //! Twin: none; a GPU lists pairs in one buffer.
 
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 
 /// The pairs that a broad phase found, in canonical order: a few runs, which stay where the threads
 /// wrote them.

@@ -3,7 +3,7 @@
 
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::RowSimd;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
 /// Two hierarchies, or one with itself, seen as a tree whose nodes are pairs of theirs: two words,
 /// whatever the hierarchies are.

@@ -19,7 +19,7 @@ use crate::clock::Instant;
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};

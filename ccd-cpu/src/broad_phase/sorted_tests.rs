@@ -2,7 +2,7 @@
 //! where cells meet, of no size, all alike, huge; and boxes that a grid refuses.
 
 use super::*;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::catalogue::every;
 
 /// Methods that sort boxes by place or by cell.

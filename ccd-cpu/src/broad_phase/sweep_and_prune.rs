@@ -4,17 +4,17 @@
 //! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
 //!
 //! The rule, a drawing and the cost are beside it in the core
-//! ([`ccd_core::broad_phase::sweep_and_prune`]). Here a task is a run of leaves, eight of which go
-//! forward together, eight boxes of the other side a step, until all eight are past. Along the
-//! second axis all eight rows are tested before any branch: of boxes that fill a cube few are left,
-//! and only those are tested whole.
+//! ([`ccd_core::backend::broad_phase::sweep_and_prune`]). Here a task is a run of leaves, eight of
+//! which go forward together, eight boxes of the other side a step, until all eight are past. Along
+//! the second axis all eight rows are tested before any branch: of boxes that fill a cube few are
+//! left, and only those are tested whole.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
-use ccd_core::broad_phase::sweep_and_prune::{Moments, begin_key, finds, is_past};
+use ccd_core::backend::broad_phase::sweep_and_prune::{Moments, begin_key, finds, is_past};
 use ccd_core::{Aabb, Error, Num};
 
 /// Blocks of leaves a task.

@@ -4,10 +4,10 @@
 //! Twin: none; a GPU has no sweep in strips.
 //!
 //! The rule, a drawing and the cost are beside it in the core
-//! ([`ccd_core::broad_phase::sweep_in_strips`]). A box has as many leaves as strips; a task is a
-//! run of leaves, those of one block and one strip go forward together. Which leaves begin in their
-//! strip is a bit a leaf, eight side by side as boxes are, so that the rule is two operations on
-//! the mask of a row.
+//! ([`ccd_core::backend::broad_phase::sweep_in_strips`]). A box has as many leaves as strips; a
+//! task is a run of leaves, those of one block and one strip go forward together. Which leaves
+//! begin in their strip is a bit a leaf, eight side by side as boxes are, so that the rule is two
+//! operations on the mask of a row.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
@@ -16,8 +16,8 @@ use crate::broad_phase::uniform_grid::lanes;
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
-use ccd_core::broad_phase::sweep_and_prune::{Moments, begin_key, finds, is_past};
-use ccd_core::broad_phase::sweep_in_strips::{self as strips, MOST, Strips};
+use ccd_core::backend::broad_phase::sweep_and_prune::{Moments, begin_key, finds, is_past};
+use ccd_core::backend::broad_phase::sweep_in_strips::{self as strips, MOST, Strips};
 use ccd_core::{Aabb, Error, Num};
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};

@@ -10,7 +10,7 @@ use crate::broad_phase::pair_source::PairSink;
 use crate::broad_phase::pair_tree::PairTree;
 use crate::simd::{RowSimd, Work};
 use crate::threads::{Own, Threads};
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks wanted: enough that the largest is a small part of the whole.

@@ -1,7 +1,7 @@
 //! Pairs by every method are those of brute force.
 
 use super::*;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::catalogue::{Catalogued, every};
 use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions, Volume};
 

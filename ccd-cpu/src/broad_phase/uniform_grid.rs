@@ -4,17 +4,19 @@
 //! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
 //!
 //! The rule, its proof, a drawing and the cost are beside it in the core
-//! ([`ccd_core::broad_phase::uniform_grid`]). Here there is no table of cells, neither by number
-//! nor by hash: cells are visited in the order of the sort, and so are the rows of cells around
-//! them, so that where each row begins and ends in the sorted boxes only moves on. The boxes of a
-//! cell are compared with a row eight at a time.
+//! ([`ccd_core::backend::broad_phase::uniform_grid`]). Here there is no table of cells, neither by
+//! number nor by hash: cells are visited in the order of the sort, and so are the rows of cells
+//! around them, so that where each row begins and ends in the sorted boxes only moves on. The boxes
+//! of a cell are compared with a row eight at a time.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
-use ccd_core::broad_phase::uniform_grid::{self as cells, OWN_ROW, ROWS, Sizes, TESTS_A_BOX};
+use ccd_core::backend::broad_phase::uniform_grid::{
+    self as cells, OWN_ROW, ROWS, Sizes, TESTS_A_BOX,
+};
 use ccd_core::{Aabb, Error};
 use std::ops::Range;
 

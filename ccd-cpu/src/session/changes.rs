@@ -7,10 +7,10 @@ use crate::step::codimensional::Codimensional;
 use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::Error;
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::rules::Rules;
 use std::sync::Arc;
 
 impl Engine {

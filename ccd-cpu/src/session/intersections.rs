@@ -8,7 +8,7 @@ use crate::step::candidates::{Given, Row, Scene};
 use crate::step::leaves::Leaves;
 use crate::step::prepare::Positions;
 use crate::threads::{Own, Threads};
-use ccd_core::broad_phase::candidate::is_corner;
+use ccd_core::backend::broad_phase::candidate::is_corner;
 use ccd_core::model::contact::State;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;

@@ -1,7 +1,7 @@
 //! AVX2: eight `f32` in one register.
 
 use super::{F32x8, Mask, RowSimd, Simd, WIDTH, Work};
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use std::arch::x86_64::*;
 use std::ops::{BitAnd, BitOr};
 

@@ -29,8 +29,8 @@ pub use avx512::Avx512;
 pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 
-use ccd_core::broad_phase::candidate::overlap_surely;
-use ccd_core::layout::Pair;
+use ccd_core::backend::broad_phase::candidate::overlap_surely;
+use ccd_core::backend::layout::Pair;
 pub use ccd_core::math::real::Mask;
 use ccd_core::{Aabb, Num};
 use std::ops::{BitAnd, BitOr};

@@ -1,7 +1,7 @@
 //! NEON: eight `f32` in two registers. Every AArch64 processor has it.
 
 use super::{F32x8, Mask, Portable, RowSimd, Simd, WIDTH, Work};
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use std::arch::aarch64::*;
 use std::ops::{BitAnd, BitOr};
 

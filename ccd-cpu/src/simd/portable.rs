@@ -3,7 +3,7 @@
 
 use super::{Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::Num;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
 /// Eight numbers, aligned for vectors.

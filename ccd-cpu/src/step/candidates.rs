@@ -11,13 +11,13 @@ use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
-use ccd_core::broad_phase::candidate::Ids;
-use ccd_core::broad_phase::swept_box;
-use ccd_core::layout::Pair;
+use ccd_core::backend::broad_phase::candidate::Ids;
+use ccd_core::backend::broad_phase::swept_box;
+use ccd_core::backend::layout::Pair;
+use ccd_core::backend::quantization::margin;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Precision;
-use ccd_core::model::quantization::margin;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
@@ -30,7 +30,7 @@ pub struct Scene<'a> {
     pub selection: &'a Selection,
     pub given: Given<'a>,
     /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in
-    /// the origin and the unit of a [`ccd_core::model::quantization::Table`].
+    /// the origin and the unit of a [`ccd_core::backend::quantization::Table`].
     pub table: &'a [[f32; WIDTH]],
     pub table_error: f32,
     /// The minimum distance in that unit, rounded up.

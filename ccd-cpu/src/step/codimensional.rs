@@ -8,7 +8,7 @@ use crate::step::candidates::Given;
 use crate::step::narrow_phase::CONTACTS;
 use crate::step::selection::Selection;
 use crate::threads::Threads;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
 use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;

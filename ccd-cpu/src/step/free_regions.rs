@@ -4,11 +4,11 @@ use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::simd::WIDTH;
 use crate::step::candidates::Given;
 use crate::threads::Threads;
+use ccd_core::backend::triangle_pairs::free_regions;
+use ccd_core::backend::triangle_pairs::representatives::Triangles;
 use ccd_core::model::mesh::Mesh;
-use ccd_core::triangle_pairs::free_regions;
-use ccd_core::triangle_pairs::representatives::Triangles;
 
-pub use ccd_core::triangle_pairs::free_regions::NONE;
+pub use ccd_core::backend::triangle_pairs::free_regions::NONE;
 
 /// Regions, and which of them are certified for the current step.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, EVERYTHING, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
-use ccd_core::model::rules::Rules;
+use ccd_core::backend::rules::Rules;
 use ccd_core::{Aabb, Num};
 
 /// Boxes and leaves of one kind of feature with `N` vertices.

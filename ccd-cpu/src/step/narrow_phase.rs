@@ -7,7 +7,7 @@
 use crate::clock::Instant;
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::contact::{Contact, Kind, PerKind};
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;

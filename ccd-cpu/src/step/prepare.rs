@@ -11,14 +11,14 @@ use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::stop::Stop;
 use crate::threads::Threads;
-use ccd_core::broad_phase::swept_box;
+use ccd_core::backend::broad_phase::swept_box;
+use ccd_core::backend::quantization::{Scan, Table};
+use ccd_core::backend::rules::Rules;
 use ccd_core::math::vec3::max_abs;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
-use ccd_core::model::quantization::{Scan, Table};
-use ccd_core::model::rules::Rules;
 use ccd_core::{Aabb, Error, Real};
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
@@ -193,7 +193,7 @@ impl Prepared {
         self.scan = self.scan(threads, x)?;
         self.still.look(threads, x.x0, x.x1, options.min_distance)?;
         self.units = self.fill_table(threads, x);
-        self.sweep(threads, x, ccd_core::model::quantization::margin(options.min_distance));
+        self.sweep(threads, x, ccd_core::backend::quantization::margin(options.min_distance));
         Ok(())
     }
 

@@ -4,11 +4,11 @@
 use crate::broad_phase::keep;
 use crate::simd::WIDTH;
 use ccd_core::Error;
-use ccd_core::broad_phase::candidate::bodies_meet;
-use ccd_core::layout::Pair;
+use ccd_core::backend::broad_phase::candidate::bodies_meet;
+use ccd_core::backend::layout::Pair;
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::options::Options;
-use ccd_core::model::rules::Rules;
 use ccd_core::model::session::Filter;
 use std::fmt;
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::simd::{RowSimd, WIDTH};
-use ccd_core::triangle_pairs::orphans::OrphanSets;
+use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
 
 /// No block.
 const NONE: u32 = u32::MAX;
@@ -26,7 +26,7 @@ pub struct Other {
     pub lane: u32,
     /// The triangle.
     pub id: u32,
-    /// Bits of [`ccd_core::triangle_pairs::Test`]s, of the leaf as the first triangle.
+    /// Bits of [`ccd_core::backend::triangle_pairs::Test`]s, of the leaf as the first triangle.
     pub tests: u16,
 }
 

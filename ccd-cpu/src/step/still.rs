@@ -7,9 +7,9 @@
 //! has the same origin and unit.
 
 use crate::threads::Threads;
+use ccd_core::backend::quantization::Table;
+use ccd_core::backend::rules::{Rules, moves};
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::quantization::Table;
-use ccd_core::model::rules::{Rules, moves};
 use ccd_core::{Error, Real};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
 

@@ -14,12 +14,12 @@ use crate::step::leaves::{Side, ends};
 use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
-use ccd_core::broad_phase::swept_box;
+use ccd_core::backend::broad_phase::swept_box;
+use ccd_core::backend::rules::Rules;
+use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
+use ccd_core::backend::triangle_pairs::representatives::Triangles;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::pipeline::TriangleOptions;
-use ccd_core::model::rules::Rules;
-use ccd_core::triangle_pairs::orphans::OrphanSets;
-use ccd_core::triangle_pairs::representatives::Triangles;
 use ccd_core::{Aabb, Error};
 
 /// The triangles of a mesh, their leaves, and what belongs to these.

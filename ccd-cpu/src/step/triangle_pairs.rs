@@ -12,12 +12,12 @@ use crate::step::free_regions::NONE;
 use crate::step::leaves::Side;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
-use ccd_core::broad_phase::candidate::{is_corner, share_vertex};
-use ccd_core::layout::Pair;
+use ccd_core::backend::broad_phase::candidate::{is_corner, share_vertex};
+use ccd_core::backend::layout::Pair;
+use ccd_core::backend::triangle_pairs::Test;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
-use ccd_core::triangle_pairs::Test;
 use ccd_core::{Aabb, Num};
 use std::marker::PhantomData;
 

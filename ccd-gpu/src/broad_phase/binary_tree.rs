@@ -8,9 +8,9 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Queries, WideNode};
+use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Queries, WideNode};
 use ccd_core::model::method::Builder;
 use wgpu::BufferUsages as U;
 

@@ -13,9 +13,9 @@ use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::morton_key;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 

@@ -17,8 +17,8 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
-use ccd_core::layout::{Frame, NodeDescent};
+use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
+use ccd_core::backend::layout::{Frame, NodeDescent};
 use ccd_core::model::scheduling::Scheduling;
 
 /// What expands pairs of blocks.

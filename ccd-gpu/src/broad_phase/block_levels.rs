@@ -3,8 +3,8 @@
 //!
 //! Twin: on a CPU `tasks.rs`, which goes depth first.
 
-use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH, sets};
-use ccd_core::layout::MAX_LEVELS;
+use ccd_core::backend::broad_phase::block_bvh::{PADDING, WIDTH, sets};
+use ccd_core::backend::layout::MAX_LEVELS;
 
 /// All pairs of nodes on the level where a descent starts: at most this many.
 const MAX_START_PAIRS: u64 = 1 << 14;

@@ -9,7 +9,7 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
-use ccd_core::layout::Frame;
+use ccd_core::backend::layout::Frame;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
 use std::ops::Range;

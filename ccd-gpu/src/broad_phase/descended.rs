@@ -6,7 +6,7 @@
 use crate::bind::{BlockWorkers, PairWorkers, ResumeBlockFront, ResumeFront};
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::{BlockDescent, Dispatch, Frame, MAX_LEVELS, NodeDescent, Params};
+use ccd_core::backend::layout::{BlockDescent, Dispatch, Frame, MAX_LEVELS, NodeDescent, Params};
 
 /// Two trees, or one twice, and where the pairs of their leaves go.
 #[derive(Clone, Copy)]

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Both are halves of one buffer, and the rule when one is kept is that of every backend,
-//! [`ccd_core::scheduling::front`]. A front that is too short for its list is dropped, the list
-//! grows, and the next search begins at the cuts: no pair of boxes depends on it.
+//! [`ccd_core::backend::scheduling::front`]. A front that is too short for its list is dropped, the
+//! list grows, and the next search begins at the cuts: no pair of boxes depends on it.
 //!
 //! Cost: a test a pair of the front, all at once; what it saves is the descent to them. A search
 //! that begins at cuts begins a front with nearly all pairs of their nodes, some ten thousand. Of
@@ -26,11 +26,11 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::pair_workers::FRONT;
-use ccd_core::layout::NodeDescent;
+use ccd_core::backend::broad_phase::pair_workers::FRONT;
+use ccd_core::backend::layout::NodeDescent;
+use ccd_core::backend::scheduling::front::{Fate, FrontState};
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::FrontOptions;
-use ccd_core::scheduling::front::{Fate, FrontState};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use wgpu::BufferUsages as U;
 

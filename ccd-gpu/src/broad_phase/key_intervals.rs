@@ -1,5 +1,5 @@
 //! Boxes in the order of a key as a source of pairs: sort and sweep, a uniform grid, brute force.
-//! What a method is stands in `ccd_core::broad_phase::key_intervals`.
+//! What a method is stands in `ccd_core::backend::broad_phase::key_intervals`.
 
 use super::pair_source::{PAIRS, PairSource, Search, boxes_of, frame_of};
 use crate::bind::{
@@ -11,14 +11,14 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
-use ccd_core::broad_phase::key_intervals::{
+use ccd_core::backend::broad_phase::key_intervals::{
     BRUTE_FORCE, FULLNESS, GROUP, SET_WORDS, SIDE_UNITS, SURVEY_WORDS, SWEEP_AND_PRUNE,
     UNIFORM_GRID, asks, rows, sample, sizes,
 };
-use ccd_core::broad_phase::morton_key;
-use ccd_core::broad_phase::uniform_grid::TESTS_A_BOX;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, Intervals, Params, Plain};
+use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::uniform_grid::TESTS_A_BOX;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Dispatch, Frame, Intervals, Params, Plain};
 use wgpu::BufferUsages as U;
 
 /// Pieces of work that one dispatch takes at most, 2^17 tests each: some milliseconds of a small

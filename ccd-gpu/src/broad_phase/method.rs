@@ -7,7 +7,7 @@ use super::scheduler::is_by_levels;
 use super::tree::TreeSource;
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
+use ccd_core::backend::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::{BroadPhaseMethod, TreeOptions};
 use ccd_core::model::scheduling::Scheduling;

@@ -26,7 +26,7 @@ use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, 
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::scheduling::Scheduling;
 use method::source;

@@ -1,5 +1,5 @@
 //! Oriented boxes of binary trees on a device: fitted a tile of leaves a workgroup, then a level a
-//! dispatch, and looked at by traversals; see [`ccd_core::broad_phase::oriented_nodes`].
+//! dispatch, and looked at by traversals; see [`ccd_core::backend::broad_phase::oriented_nodes`].
 
 use super::binary_tree::BinaryTree;
 use super::block_bvh::Tree;
@@ -8,9 +8,9 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Dispatch, Frame, Params};
+use ccd_core::backend::broad_phase::oriented_nodes::{FIRST_ROUND, WORDS, n_rounds};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Dispatch, Frame, Params};
 use wgpu::BufferUsages as U;
 
 /// Oriented boxes of the internal nodes of the trees over all sets: that of node `i` of a set's

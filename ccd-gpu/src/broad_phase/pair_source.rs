@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::Aabb;
-use ccd_core::layout::Frame;
+use ccd_core::backend::layout::Frame;
 use ccd_core::model::report::FrontCounts;
 use std::ops::Range;
 use wgpu::BufferUsages as U;

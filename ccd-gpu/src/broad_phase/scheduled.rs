@@ -10,7 +10,7 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{self, Scheduling};
 use std::ops::Range;

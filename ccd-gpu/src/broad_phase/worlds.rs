@@ -6,11 +6,11 @@ use crate::bind::{WorldBounds, WorldKeys};
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::{morton_key, worlds};
-use ccd_core::kernel::Id;
-use ccd_core::layout::{self, Dispatch, Frame, Params};
+use ccd_core::backend::broad_phase::{morton_key, worlds};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{self, Dispatch, Frame, Params};
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::rules::Rules;
 use wgpu::BufferUsages as U;
 
 /// The worlds of the boxes of a tree.

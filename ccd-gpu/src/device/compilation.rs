@@ -4,7 +4,7 @@ use super::{Device, Inner};
 use crate::error::Error;
 use crate::pipeline::Pipeline;
 use crate::shaders::{check, packed};
-use ccd_core::kernel::Id;
+use ccd_core::backend::kernel::Id;
 use std::cmp::Reverse;
 use std::sync::MutexGuard;
 use std::sync::atomic::{AtomicUsize, Ordering};

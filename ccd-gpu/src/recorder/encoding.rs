@@ -1,7 +1,7 @@
 //! Recorded commands on their way into an encoder of wgpu: passes, bind groups, timestamps.
 
 use super::{Bench, Command, MAX_STAGES, PARAMS_STRIDE, Timing};
-use ccd_core::kernel::Id;
+use ccd_core::backend::kernel::Id;
 use std::vec;
 
 /// Commands on their way into an encoder.

@@ -33,7 +33,7 @@ use ccd_core::model::session;
 /// ```
 #[derive(Clone, Debug)]
 pub struct OnDevice<'a> {
-    /// Contacts: entries are [`Touch`](ccd_core::layout::Touch).
+    /// Contacts: entries are [`Touch`](ccd_core::records::Touch).
     pub contacts: &'a List,
     /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as
     /// contacts; empty where `f64` is used on the device.
@@ -64,8 +64,8 @@ pub struct OnDevice<'a> {
 pub struct GeometryOnDevice<'a> {
     /// As in [`OnDevice::contacts`], room included: what its header says counts here.
     pub contacts: &'a List,
-    /// Record `i` is a [`TouchGeometry`](ccd_core::layout::TouchGeometry) of entry `i`; without a
-    /// header. Records behind the last contact are left as they were.
+    /// Record `i` is a [`TouchGeometry`](ccd_core::records::TouchGeometry) of entry `i`;
+    /// without a header. Records behind the last contact are left as they were.
     pub geometry: &'a wgpu::Buffer,
 }
 
@@ -89,8 +89,9 @@ impl Engine {
         Ok([vf, ee])
     }
 
-    /// The buffer of positions that [`Engine::record`] reads: one [`ccd_core::layout::Path`] per
-    /// vertex. May be written by copies and by kernels. Another mesh may bring another buffer.
+    /// The buffer of positions that [`Engine::record`] reads: one
+    /// [`ccd_core::records::Path`] per vertex. May be written by copies and by kernels.
+    /// Another mesh may bring another buffer.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.frames.buffers.positions.paths
     }

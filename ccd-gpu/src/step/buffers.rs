@@ -9,10 +9,10 @@ use crate::broad_phase::pair_source::frame_of;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
-use ccd_core::layout::{Frame, Path, Touch};
+use ccd_core::backend::layout::{Frame, Path, Touch};
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::rules::Rules;
 use wgpu::BufferUsages as U;
 
 /// Words of a contact.

@@ -5,7 +5,7 @@ use super::source::Source;
 use crate::bind::{FilterEdgeEdge, FilterListed, FilterVertexFace, ListCandidates, ListListed};
 use crate::broad_phase::block_bvh::Pass;
 use crate::recorder::Recorder;
-use ccd_core::layout::Frame;
+use ccd_core::backend::layout::Frame;
 
 impl Buffers {
     /// Lists candidates of a kind.

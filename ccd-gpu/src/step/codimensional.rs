@@ -6,13 +6,13 @@
 use crate::broad_phase::BroadPhase;
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::layout::Pair;
+use ccd_core::backend::layout::Pair;
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
 use ccd_core::model::contact::Contact;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Precision};
-use ccd_core::model::rules::Rules;
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Real};
 

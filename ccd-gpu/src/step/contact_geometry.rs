@@ -7,8 +7,8 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::{Bench, Recorder};
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Frame, Params, Plain, TouchGeometry};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Frame, Params, Plain, TouchGeometry};
 use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 

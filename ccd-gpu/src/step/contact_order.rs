@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
-use ccd_core::layout::{ContactSort, Dispatch, Frame, Params, Plain, Touch};
+use ccd_core::backend::layout::{ContactSort, Dispatch, Frame, Params, Plain, Touch};
 use wgpu::BufferUsages as U;
 
 /// From this many contacts on, sorting them on the device takes less time than on a thread of the

@@ -2,7 +2,7 @@
 //! canonical order.
 
 use ccd_core::Real;
-use ccd_core::layout::{Pair, Touch};
+use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::decide;

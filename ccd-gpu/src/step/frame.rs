@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
-use ccd_core::layout::{Pair, Touch};
+use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;

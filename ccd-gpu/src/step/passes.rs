@@ -8,9 +8,9 @@ use crate::bind::{
 };
 use crate::growable_list::{HEADER_BYTES, List};
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::swept_box;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::broad_phase::swept_box;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
 
 /// Stages by kind.
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];

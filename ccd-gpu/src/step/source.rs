@@ -12,14 +12,14 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::report::FrontCounts;
-use ccd_core::model::rules::Rules;
 use std::ops::Range;
 
 /// The source of a session.

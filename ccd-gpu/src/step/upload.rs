@@ -3,11 +3,11 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::broad_phase::{placement, swept_box};
-use ccd_core::layout::{Frame, Path, Placing, split};
+use ccd_core::backend::broad_phase::{placement, swept_box};
+use ccd_core::backend::layout::{Frame, Path, Placing, split};
+use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::math::real::Real;
 use ccd_core::model::precision::{Given, Points, Precision};
-use ccd_core::model::quantization::{Scan, Table, margin};
 use ccd_core::{Aabb, Coordinate};
 use wgpu::BufferUsages as U;
 

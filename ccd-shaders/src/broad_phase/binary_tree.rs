@@ -4,12 +4,12 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, NodeWords, box_at, branch_at};
 use crate::workgroup::{add, add_shared, barrier, get, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh;
-use ccd_core::broad_phase::radix_tree;
-use ccd_core::broad_phase::wide_nodes::{self as wide, TILE};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Branch, LIST_HEADER, Leaf, Node};
+use ccd_core::backend::broad_phase::block_bvh;
+use ccd_core::backend::broad_phase::radix_tree;
+use ccd_core::backend::broad_phase::wide_nodes::{self as wide, TILE};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{Branch, LIST_HEADER, Leaf, Node};
 use spirv_std::glam::UVec4;
 
 /// Threads of a workgroup of the far nodes.
@@ -44,7 +44,8 @@ kernel! {
 }
 
 kernel! {
-    /// Thread `i` boxes the children of internal node `i`; see `ccd_core::broad_phase::wide_nodes`.
+    /// Thread `i` boxes the children of internal node `i`; see
+    /// `ccd_core::backend::broad_phase::wide_nodes`.
     near_nodes[256](t; params: Blocks; boxes: [Aabb; 512], counters: [u32; 2]; branches: [UVec4],
         block_nodes: [BoxWords], mut nodes: [NodeWords], mut far: [u32]) {
         let tile = t.group * TILE;

@@ -4,9 +4,9 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, leaf_words};
 use crate::workgroup::{barrier, get, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{set_of, slot};
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Frame, Leaf};
+use ccd_core::backend::broad_phase::block_bvh::{set_of, slot};
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{Frame, Leaf};
 use spirv_std::glam::UVec4;
 
 /// Unites the boxes of 32 threads each; thread 0 of each 32 gets the result.

@@ -8,12 +8,12 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{add_shared, append, barrier, count, get, length, set, write_pair};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{
+use ccd_core::backend::broad_phase::block_bvh::{
     NOT_KEPT, POOL, THREADS, WIDTH, keep, kept, sets, slot, unpack,
 };
-use ccd_core::broad_phase::candidate::wanted;
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
+use ccd_core::backend::broad_phase::candidate::wanted;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
 use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::relative_motion::Patch;
 

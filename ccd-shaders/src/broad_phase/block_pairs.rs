@@ -11,9 +11,11 @@ use crate::workgroup::{
     add_shared, append, barrier, count, get, length, read_pair, set, write_pair,
 };
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{POOL, TEAMS, THREADS, WIDTH, pack, sets, slot, unpack};
-use ccd_core::broad_phase::worlds::{meet, range};
-use ccd_core::layout::{Blocks, Pair, Params};
+use ccd_core::backend::broad_phase::block_bvh::{
+    POOL, TEAMS, THREADS, WIDTH, pack, sets, slot, unpack,
+};
+use ccd_core::backend::broad_phase::worlds::{meet, range};
+use ccd_core::backend::layout::{Blocks, Pair, Params};
 
 /// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list,
 /// hits that are candidates.

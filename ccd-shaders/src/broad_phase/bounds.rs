@@ -6,9 +6,9 @@ use crate::entry::kernel;
 use crate::records::BoxWords;
 use crate::workgroup::{barrier, get, raise, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::{block_bvh, morton_key};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::put;
+use ccd_core::backend::broad_phase::{block_bvh, morton_key};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::put;
 use ccd_core::math::morton::MortonGrid;
 
 const THREADS: u32 = Id::SceneBounds.threads();

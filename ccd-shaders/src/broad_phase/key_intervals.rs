@@ -1,5 +1,5 @@
 //! Boxes in the order of a key, each against an interval of keys: sort and sweep, a uniform grid
-//! and brute force; see `ccd_core::broad_phase::key_intervals`.
+//! and brute force; see `ccd_core::backend::broad_phase::key_intervals`.
 
 use crate::entry::kernel;
 use crate::workgroup::{
@@ -7,17 +7,17 @@ use crate::workgroup::{
     read_pair, set, write_pair,
 };
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::set_of;
-use ccd_core::broad_phase::key_intervals::{
+use ccd_core::backend::broad_phase::block_bvh::set_of;
+use ccd_core::backend::broad_phase::key_intervals::{
     self, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SWEEP_AND_PRUNE, asks,
     interval, lower_bound, pack, sizes, unpack,
 };
-use ccd_core::broad_phase::morton_key::order_key;
-use ccd_core::broad_phase::sweep_and_prune::Moments;
-use ccd_core::broad_phase::uniform_grid::{self, Sizes};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Intervals, Pair, Params};
+use ccd_core::backend::broad_phase::morton_key::order_key;
+use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
+use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{Intervals, Pair, Params};
 use ccd_core::narrow_phase::decide;
 
 const THREADS: u32 = Id::IntervalKeys.threads();

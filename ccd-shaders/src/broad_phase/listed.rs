@@ -6,10 +6,10 @@
 use crate::entry::kernel;
 use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::candidate::wanted;
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Frame, Leaf, Pair, Path};
+use ccd_core::backend::broad_phase::candidate::wanted;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Frame, Leaf, Pair, Path};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::narrow_phase::{cascade, decide};
 

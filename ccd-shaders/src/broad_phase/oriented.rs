@@ -1,16 +1,16 @@
 //! Oriented boxes of a binary tree; see
-//! `ccd_core::broad_phase::oriented_nodes`.
+//! `ccd_core::backend::broad_phase::oriented_nodes`.
 
 use crate::entry::kernel;
 use crate::records::{BoxWords, ObbWords, box_at, branch_at};
 use crate::workgroup::{add, add_shared, barrier, get, load, or_shared, raise, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{self};
-use ccd_core::broad_phase::oriented_nodes::{TILE_ROUNDS, is_ready};
-use ccd_core::broad_phase::wide_nodes::{TILE, is_within};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{Stored, at, put};
-use ccd_core::layout::{Blocks, Branch, LIST_HEADER, Params};
+use ccd_core::backend::broad_phase::block_bvh::{self};
+use ccd_core::backend::broad_phase::oriented_nodes::{TILE_ROUNDS, is_ready};
+use ccd_core::backend::broad_phase::wide_nodes::{TILE, is_within};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{Stored, at, put};
+use ccd_core::backend::layout::{Blocks, Branch, LIST_HEADER, Params};
 use ccd_core::math::obb::Obb;
 use spirv_std::glam::UVec4;
 

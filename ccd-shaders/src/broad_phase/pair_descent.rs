@@ -1,17 +1,17 @@
 //! Simultaneous traversal of binary trees, one level of pairs of nodes a dispatch: from all pairs
 //! of two cuts on, every pair is expanded by one thread into at most four, and those of leaves are
-//! found; see `ccd_core::broad_phase::pair_descent`.
+//! found; see `ccd_core::backend::broad_phase::pair_descent`.
 
 use super::volume::{Boxes, Oriented, Volume, internal};
 use crate::entry::{Thread, kernel};
 use crate::records::ObbWords;
 use crate::workgroup::{add, add_shared, barrier, count, get, raise, read_pair, set, write_pair};
-use ccd_core::broad_phase::pair_descent::{NodePair, expand};
-use ccd_core::broad_phase::pair_workers::FRONT;
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
+use ccd_core::backend::broad_phase::pair_descent::{NodePair, expand};
+use ccd_core::backend::broad_phase::pair_workers::FRONT;
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
 use ccd_core::model::method::{Descent, Traversal};
 
 const THREADS: u32 = Id::ExpandPairs.threads();

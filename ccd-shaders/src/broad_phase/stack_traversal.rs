@@ -1,16 +1,16 @@
 //! Traversal of a binary tree with a stack, a thread each query; see
-//! `ccd_core::broad_phase::stack_traversal`. Workgroups are small, because a thread that is done
-//! waits for the others.
+//! `ccd_core::backend::broad_phase::stack_traversal`. Workgroups are small, because a thread that
+//! is done waits for the others.
 
 use super::volume::{Boxes, Oriented, Volume};
 use crate::entry::kernel;
 use crate::records::{BoxWords, NodeWords, ObbWords, box_at, node_at};
 use crate::workgroup::append;
-use ccd_core::broad_phase::block_bvh::{self, sets};
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::broad_phase::wide_nodes::WideWalk;
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Blocks, Pair, Params, Queries};
+use ccd_core::backend::broad_phase::block_bvh::{self, sets};
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::broad_phase::wide_nodes::WideWalk;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Blocks, Pair, Params, Queries};
 
 /// The set within which pairs are looked for.
 const SET: usize = 1;

@@ -4,11 +4,11 @@
 
 use crate::records::{NodeWords, ObbWords};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::sets;
-use ccd_core::broad_phase::oriented_nodes::{only_reaching, reach, reaches};
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::kernel::memory::Stored;
-use ccd_core::layout::{Node, NodeDescent, Params};
+use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::broad_phase::oriented_nodes::{only_reaching, reach, reaches};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::kernel::memory::Stored;
+use ccd_core::backend::layout::{Node, NodeDescent, Params};
 
 /// The volume of nodes. A kernel passes on a slice of `More`: a record a node of each tree, at the
 /// place of the set's boxes; or nodes `N`, of which no use is made.

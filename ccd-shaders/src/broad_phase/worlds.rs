@@ -4,10 +4,10 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::raise;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{self};
-use ccd_core::broad_phase::morton_key;
-use ccd_core::broad_phase::worlds::{self, BOUND_WORDS};
-use ccd_core::kernel::memory::{at, put};
+use ccd_core::backend::broad_phase::block_bvh::{self};
+use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::worlds::{self, BOUND_WORDS};
+use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::math::morton::MortonGrid;
 
 kernel! {

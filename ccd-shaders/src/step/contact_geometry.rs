@@ -3,9 +3,9 @@
 
 use crate::entry::kernel;
 use crate::workgroup::part;
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::put;
-use ccd_core::layout::{Path, TouchGeometry};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::put;
+use ccd_core::backend::layout::{Path, TouchGeometry};
 use ccd_core::narrow_phase::{decide, touch_geometry};
 
 const THREADS: u32 = Id::ContactGeometry.threads();

@@ -2,9 +2,9 @@
 
 use crate::entry::kernel;
 use crate::workgroup::length;
-use ccd_core::kernel::contact_order;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{LIST_HEADER, TOUCH_WORDS};
+use ccd_core::backend::kernel::contact_order;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{LIST_HEADER, TOUCH_WORDS};
 
 kernel! {
     /// Thread `i` writes the key of the contact that is `i`-th so far; in the first of two sorts

@@ -2,9 +2,9 @@
 
 use crate::entry::kernel;
 use crate::workgroup::{add, add_shared, barrier, get, lower, part, read_pair, set, write_pair};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::put;
-use ccd_core::layout::{Frame, LIST_HEADER, Pair, Path, TOUCH_WORDS, Touch};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::put;
+use ccd_core::backend::layout::{Frame, LIST_HEADER, Pair, Path, TOUCH_WORDS, Touch};
 use ccd_core::narrow_phase::decide::{self, Verdicts};
 
 const THREADS: u32 = Id::Decide.threads();

@@ -2,9 +2,9 @@
 
 use crate::entry::kernel;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::{placement, swept_box};
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::Path;
+use ccd_core::backend::broad_phase::{placement, swept_box};
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::Path;
 use ccd_core::narrow_phase::decide;
 
 kernel! {

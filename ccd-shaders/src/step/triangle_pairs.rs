@@ -4,14 +4,14 @@
 use crate::entry::kernel;
 use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::swept_box;
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::{NearTest, Pair, Triangle};
-use ccd_core::narrow_phase::decide;
-use ccd_core::triangle_pairs::expansion::{
+use ccd_core::backend::broad_phase::swept_box;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::{NearTest, Pair, Triangle};
+use ccd_core::backend::triangle_pairs::expansion::{
     COUNT_STRIDE, Expanded, N_COUNTS, N_VERTEX_FACE, expand, features, near,
 };
+use ccd_core::narrow_phase::decide;
 
 const THREADS: u32 = Id::ExpandTriangles.threads();
 

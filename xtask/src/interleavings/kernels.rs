@@ -4,10 +4,10 @@
 
 use super::models::{EXECUTIONS, read};
 use super::words::{self, Traced};
-use ccd_core::broad_phase::pair_workers::victim;
-use ccd_core::kernel::Words;
-use ccd_core::scheduling::deque::Item;
-use ccd_core::scheduling::stealing::{HANDS, Taken, Workers};
+use ccd_core::backend::broad_phase::pair_workers::victim;
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::scheduling::deque::Item;
+use ccd_core::backend::scheduling::stealing::{HANDS, Taken, Workers};
 use std::sync::atomic::Ordering;
 
 /// What is wrong with a kernel.

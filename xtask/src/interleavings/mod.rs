@@ -9,7 +9,7 @@ mod models;
 mod printed;
 mod words;
 
-use ccd_core::scheduling::stealing::Workers;
+use ccd_core::backend::scheduling::stealing::Workers;
 use kernels::{ENOUGH, Fault, Round, kernel};
 use models::{EXECUTIONS, Ring, Steals, deque, workers};
 use printed::{Lazy, Task};

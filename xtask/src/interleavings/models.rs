@@ -2,8 +2,8 @@
 //! item is taken exactly once, and none is lost.
 
 use super::words::{self, Traced};
-use ccd_core::scheduling::deque::{Deque, Item, Steal};
-use ccd_core::scheduling::stealing::{Taken, Workers};
+use ccd_core::backend::scheduling::deque::{Deque, Item, Steal};
+use ccd_core::backend::scheduling::stealing::{Taken, Workers};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Executions of the present model so far.

@@ -3,8 +3,8 @@
 
 use super::models::Scheme;
 use super::words::Traced;
-use ccd_core::kernel::Words;
-use ccd_core::scheduling::deque::Item;
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::scheduling::deque::Item;
 
 /// Items a take, of algorithm 3.13.
 const POP_SIZE: u32 = 1;

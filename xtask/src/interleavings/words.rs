@@ -1,6 +1,6 @@
 //! Words as loom's atomics, and what every thread did to them: the story of an execution.
 
-use ccd_core::kernel::Words;
+use ccd_core::backend::kernel::Words;
 use loom::sync::Arc;
 use loom::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};

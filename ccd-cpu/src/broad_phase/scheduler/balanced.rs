@@ -23,7 +23,7 @@
 
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Batches that a worker expands before it looks whether too many are idle.

@@ -14,7 +14,7 @@
 
 use super::{Launch, Lists, Schedule};
 use crate::stop::Stop;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Pairs that a worker takes from the queue at once.

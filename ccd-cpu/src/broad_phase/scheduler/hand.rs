@@ -1,6 +1,6 @@
 //! What a worker expands pairs with.
 
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
 /// Expands pairs that meet: hands on rows of leaves, and appends the children that meet and are no
 /// leaves.

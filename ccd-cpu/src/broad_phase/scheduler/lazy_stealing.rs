@@ -11,9 +11,9 @@
 //!            them there is most
 //! ```
 //!
-//! The deques and the three levels are those of [`ccd_core::scheduling`]; what was changed to make
-//! them sound is said there. What a deque has no room for stays on the stack. No worker waits for
-//! another, as in [`super::stealing`].
+//! The deques and the three levels are those of [`ccd_core::backend::scheduling`]; what was changed
+//! to make them sound is said there. What a deque has no room for stays on the stack. No worker
+//! waits for another, as in [`super::stealing`].
 //!
 //! Cost: a few atomic operations a batch rather than a pair, and none while a stack neither
 //! overflows nor runs empty. Choose it where tasks differ much and processors are not one's own.
@@ -21,7 +21,7 @@
 use super::stealing::{Deques, ROUNDS, pause};
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
 /// Pairs of a batch.
 const BATCH: usize = 16;

@@ -29,7 +29,7 @@ mod tests;
 
 use crate::stop::Stop;
 use crate::threads::Own;
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use hand::Hand;
 use std::fmt::Debug;
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -12,7 +12,7 @@
 
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// A stack a worker.

@@ -2,10 +2,10 @@
 //! own is empty takes one from the other end of another's [Arora 1998], algorithms 3.5 and 3.6 of
 //! [da Silva 2013].
 //!
-//! The deque is [`ccd_core::scheduling`], whose ends stand in one word, so that no pair is taken
-//! twice; a model checker goes through it (docs/SCHEDULING.md). A pair for which it has no room
-//! stays with its worker, where nobody else sees it. No worker waits for another: after some rounds
-//! without success it retires, and whoever has work drains its own deque.
+//! The deque is [`ccd_core::backend::scheduling`], whose ends stand in one word, so that no pair is
+//! taken twice; a model checker goes through it (docs/SCHEDULING.md). A pair for which it has no
+//! room stays with its worker, where nobody else sees it. No worker waits for another: after some
+//! rounds without success it retires, and whoever has work drains its own deque.
 //!
 //! Cost: a push and a pop a pair, each a few atomic operations on words that nobody else has in
 //! hand most of the time. Choose [`super::lazy_stealing`], which moves as much with fewer.
@@ -13,8 +13,8 @@
 use super::{Launch, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::stop::Stop;
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::scheduling::stealing::{Taken, Workers};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::scheduling::stealing::{Taken, Workers};
 use std::sync::atomic::AtomicU32;
 
 /// Rounds over all deques without success after which a worker retires: some 100 us in all.

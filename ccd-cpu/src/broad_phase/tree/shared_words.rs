@@ -3,9 +3,9 @@
 //! Twin: none; words of a device are shared as they are.
 
 use crate::threads::Threads;
-use ccd_core::broad_phase::node_numbering::BRANCH;
-use ccd_core::kernel::Words;
-use ccd_core::layout::Branch;
+use ccd_core::backend::broad_phase::node_numbering::BRANCH;
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::layout::Branch;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Words that threads share.
@@ -37,8 +37,8 @@ pub fn copy(threads: &Threads, words: &[AtomicU32], out: &mut Vec<u32>) {
     threads.fill(out, |i| words[i].load(Ordering::Relaxed));
 }
 
-/// Copies branches, in the words of [`ccd_core::broad_phase::node_numbering::store_branch`], to
-/// `out`.
+/// Copies branches, in the words of
+/// [`ccd_core::backend::broad_phase::node_numbering::store_branch`], to `out`.
 pub fn copy_branches(threads: &Threads, words: &[AtomicU32], out: &mut Vec<Branch>) {
     let word = |i: usize, k: usize| words[i * BRANCH + k].load(Ordering::Relaxed);
     out.resize(words.len() / BRANCH, Branch { left: 0, right: 0, first: 0, last: 0 });

@@ -5,8 +5,8 @@
 use super::binary_tree::BinaryTree;
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::threads::Threads;
-use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::layout::Node;
+use ccd_core::backend::broad_phase::stack_traversal::{NONE, Walk};
+use ccd_core::backend::layout::Node;
 use ccd_core::model::tree_statistics::TreeStatistics;
 
 /// Figures of a tree with the boxes of its last fit. Takes a walk of all queries.

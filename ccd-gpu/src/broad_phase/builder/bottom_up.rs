@@ -6,8 +6,8 @@ use crate::broad_phase::block_bvh::Tree;
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::node_numbering::JOIN;
-use ccd_core::layout::{Building, Frame, Params};
+use ccd_core::backend::broad_phase::node_numbering::JOIN;
+use ccd_core::backend::layout::{Building, Frame, Params};
 use wgpu::BufferUsages as U;
 
 /// The tree that is being built over some boxes of a set, at least one.

@@ -5,7 +5,7 @@ use super::{TreeBuilder, height_of_codes};
 use crate::bind::Branches;
 use crate::broad_phase::block_bvh::Tree;
 use crate::recorder::Recorder;
-use ccd_core::layout::{Blocks, Dispatch, Frame, Params};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Params};
 
 /// Over `n` boxes of a set.
 pub struct Lbvh {

@@ -1,6 +1,6 @@
 //! Builders of binary trees on a device: boxes in, an order of leaves and the branches over them
-//! out, in the numbering of [`ccd_core::broad_phase::node_numbering`]; so what fits boxes to a tree
-//! and what traverses it serve every builder. A new one is a file and an arm.
+//! out, in the numbering of [`ccd_core::backend::broad_phase::node_numbering`]; so what fits boxes
+//! to a tree and what traverses it serve every builder. A new one is a file and an arm.
 
 mod bottom_up;
 mod lbvh;
@@ -13,7 +13,7 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::Frame;
+use ccd_core::backend::layout::Frame;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::Builder;
 

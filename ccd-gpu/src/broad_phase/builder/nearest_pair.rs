@@ -17,8 +17,8 @@ use crate::broad_phase::block_bvh::Tree;
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::nearest_pair::parents;
-use ccd_core::layout::{Building, Cluster, Dispatch, Frame, Params};
+use ccd_core::backend::broad_phase::nearest_pair::parents;
+use ccd_core::backend::layout::{Building, Cluster, Dispatch, Frame, Params};
 use wgpu::BufferUsages as U;
 
 /// Distances that one dispatch looks at, at most, if one target has not more: some milliseconds of

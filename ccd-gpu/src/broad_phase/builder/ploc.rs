@@ -7,10 +7,11 @@
 //! ... until 256 clusters are left, or fewer:  one workgroup, all other rounds, in its own memory
 //! ```
 //!
-//! Clusters, fates and the rule of late rounds are those of [`ccd_core::broad_phase::ploc`], so the
-//! tree is that of a CPU wherever boxes have the same order. How many rounds there are is known on
-//! the device alone: there are dispatches for as many as there can be ([`rounds`]), and those after
-//! the last do nothing. No workgroup waits for another.
+//! Clusters, fates and the rule of late rounds are those of
+//! [`ccd_core::backend::broad_phase::ploc`], so the tree is that of a CPU wherever boxes have the
+//! same order. How many rounds there are is known on the device alone: there are dispatches for as
+//! many as there can be ([`rounds`]), and those after the last do nothing. No workgroup waits for
+//! another.
 //!
 //! Cost: three dispatches a round; 3 to 5 rounds halve the clusters, and there are dispatches for
 //! 6, so of a million boxes about 150 do something, and 70 nothing. Per box 32 bytes of joins, 72
@@ -24,9 +25,9 @@ use crate::broad_phase::block_bvh::Tree;
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::ploc::{COUNTS, FEW, clusters, rounds};
-use ccd_core::kernel::prefix;
-use ccd_core::layout::{Building, Cluster, Dispatch, Frame, Params};
+use ccd_core::backend::broad_phase::ploc::{COUNTS, FEW, clusters, rounds};
+use ccd_core::backend::kernel::prefix;
+use ccd_core::backend::layout::{Building, Cluster, Dispatch, Frame, Params};
 use wgpu::BufferUsages as U;
 
 /// Joins among so many neighbours to either side.

@@ -19,9 +19,9 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::pair_workers::ROUNDS;
-use ccd_core::kernel::Id;
-use ccd_core::layout::NodeDescent;
+use ccd_core::backend::broad_phase::pair_workers::ROUNDS;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::NodeDescent;
 use wgpu::BufferUsages as U;
 
 /// Pairs of nodes of two levels.

@@ -1,5 +1,5 @@
 //! Workers: workgroups with a stack each, which go on until they find nothing more; see
-//! [`ccd_core::broad_phase::pair_workers`].
+//! [`ccd_core::backend::broad_phase::pair_workers`].
 //!
 //! ```text
 //!   round 0   worker 0  ######..        .  has ended        static: whose part is done, is done
@@ -8,9 +8,10 @@
 //!   round 1   worker 0  ####                                stop, what is left is dealt out
 //! ```
 //!
-//! Workers that steal (`ccd_core::scheduling::stealing`) take tasks by the counter until there are
-//! no more, and then batches of each other's deques. That needs an order between workgroups, which
-//! the native path alone has. Idle workers look around a bounded number of times and retire.
+//! Workers that steal (`ccd_core::backend::scheduling::stealing`) take tasks by the counter until
+//! there are no more, and then batches of each other's deques. That needs an order between
+//! workgroups, which the native path alone has. Idle workers look around a bounded number of times
+//! and retire.
 //!
 //! What a stack has no room for, and what a worker has that ends early, are tasks of the next
 //! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs
@@ -27,11 +28,11 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::broad_phase::pair_workers::{
+use ccd_core::backend::broad_phase::pair_workers::{
     COUNTS, LEFT, ROUNDS, STACK, THREADS, words, words_with_deques,
 };
-use ccd_core::layout::NodeDescent;
-use ccd_core::scheduling::stealing;
+use ccd_core::backend::layout::NodeDescent;
+use ccd_core::backend::scheduling::stealing;
 use wgpu::BufferUsages as U;
 
 /// How workers find tasks, and when they end.

@@ -2,8 +2,8 @@
 
 use crate::entry::kernel;
 use crate::records::branch_words;
-use ccd_core::broad_phase::radix_tree;
-use ccd_core::kernel::memory::put;
+use ccd_core::backend::broad_phase::radix_tree;
+use ccd_core::backend::kernel::memory::put;
 use spirv_std::glam::UVec4;
 
 kernel! {

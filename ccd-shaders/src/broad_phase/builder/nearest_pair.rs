@@ -1,15 +1,17 @@
 //! Nodes paired bottom up, each with the nearest one that is free, by one workgroup; see
-//! `ccd_core::broad_phase::nearest_pair`.
+//! `ccd_core::backend::broad_phase::nearest_pair`.
 
 use crate::entry::kernel;
 use crate::records::{BoxWords, ClusterWords, box_at, cluster_at, put_join, put_root};
 use crate::workgroup::{barrier, get, lower_shared, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::morton_key::merged;
-use ccd_core::broad_phase::nearest_pair::{FAR, beginning, centre, distance, nearer, parents};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::layout::Cluster;
+use ccd_core::backend::broad_phase::morton_key::merged;
+use ccd_core::backend::broad_phase::nearest_pair::{
+    FAR, beginning, centre, distance, nearer, parents,
+};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::Cluster;
 use ccd_core::math::morton::MortonGrid;
 use spirv_std::glam::UVec4;
 

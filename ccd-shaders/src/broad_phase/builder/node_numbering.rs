@@ -1,10 +1,10 @@
 //! Numbers of the nodes of a tree that was joined bottom up; see
-//! `ccd_core::broad_phase::node_numbering`.
+//! `ccd_core::backend::broad_phase::node_numbering`.
 
 use crate::entry::kernel;
 use crate::records::branch_words;
-use ccd_core::broad_phase::node_numbering::{above, place};
-use ccd_core::kernel::memory::{at, put};
+use ccd_core::backend::broad_phase::node_numbering::{above, place};
+use ccd_core::backend::kernel::memory::{at, put};
 use spirv_std::glam::UVec4;
 
 kernel! {

@@ -1,19 +1,19 @@
 //! Clusters along the Morton curve, joined in rounds with their nearest neighbours; see
-//! `ccd_core::broad_phase::ploc`. A round is three dispatches, until so few are left that one
-//! workgroup does all further rounds in one.
+//! `ccd_core::backend::broad_phase::ploc`. A round is three dispatches, until so few are left that
+//! one workgroup does all further rounds in one.
 
 use crate::entry::kernel;
 use crate::records::{BoxWords, ClusterWords, box_at, cluster_at, put_join, put_root};
 use crate::workgroup::{add, add_shared, barrier, get, or_shared, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::morton_key::merged;
-use ccd_core::broad_phase::ploc::{
+use ccd_core::backend::broad_phase::morton_key::merged;
+use ccd_core::backend::broad_phase::ploc::{
     COUNTS, FEW, Fate, Nearest, fate, fate_beside, is_late, neighbour, window,
 };
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::kernel::prefix::{TILE, group_word, tile_word, tiles};
-use ccd_core::kernel::sort::before;
-use ccd_core::layout::{Building, Cluster, Params};
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::kernel::prefix::{TILE, group_word, tile_word, tiles};
+use ccd_core::backend::kernel::sort::before;
+use ccd_core::backend::layout::{Building, Cluster, Params};
 use ccd_core::math::morton::MortonGrid;
 
 /// Clusters of the round of a dispatch; 0 if they are few, which the last dispatch joins.

@@ -1,15 +1,17 @@
 //! A binary tree from lists of where neighbours of the sorted codes part; see
-//! `ccd_core::broad_phase::split_lists`.
+//! `ccd_core::backend::broad_phase::split_lists`.
 
 use crate::entry::kernel;
 use crate::records::branch_words;
 use crate::workgroup::{add_shared, barrier, get, or, or_shared, set};
-use ccd_core::broad_phase::radix_tree::branch_from;
-use ccd_core::broad_phase::split_lists::{MAX_LEVELS, PRESENT, branch, last_level, level, rank};
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::kernel::sort::{DIGITS, before};
-use ccd_core::layout::{Building, LIST_HEADER, Params};
+use ccd_core::backend::broad_phase::radix_tree::branch_from;
+use ccd_core::backend::broad_phase::split_lists::{
+    MAX_LEVELS, PRESENT, branch, last_level, level, rank,
+};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::kernel::sort::{DIGITS, before};
+use ccd_core::backend::layout::{Building, LIST_HEADER, Params};
 use spirv_std::glam::UVec4;
 
 /// Threads of a workgroup, which are the places of a tile.

@@ -5,11 +5,11 @@ use super::shared::{Round, Shared, Stack};
 use super::worker::{Child, claim, put_away};
 use crate::broad_phase::pair_descent::fate;
 use crate::broad_phase::volume::{Volume, internal};
-use ccd_core::broad_phase::pair_descent::{NodePair, expand};
-use ccd_core::broad_phase::pair_workers::THREADS;
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Node, NodeDescent, Pair, Params};
+use ccd_core::backend::broad_phase::pair_descent::{NodePair, expand};
+use ccd_core::backend::broad_phase::pair_workers::THREADS;
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Node, NodeDescent, Pair, Params};
 use ccd_core::model::method::Descent;
 use core::marker::PhantomData;
 

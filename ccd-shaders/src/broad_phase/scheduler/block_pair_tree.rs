@@ -1,5 +1,5 @@
 //! Pairs of blocks: 32 threads expand one, each a child of the first node against those of the
-//! second; see `ccd_core::broad_phase::block_workers`.
+//! second; see `ccd_core::backend::broad_phase::block_workers`.
 //!
 //! Which children of the second reach into the first is a word of workgroup memory a team of 32;
 //! their boxes are read again by all threads of the team at once. A thread keeps those that it met
@@ -11,13 +11,13 @@ use super::worker::{Child, put_away};
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{add_shared, barrier, get, or_shared, set};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
-use ccd_core::broad_phase::block_workers::{
+use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
+use ccd_core::backend::broad_phase::block_workers::{
     children_there, meeting, nodes_on, packed, partners, unpacked,
 };
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::layout::{BlockDescent, NodeDescent, Pair, Params};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::layout::{BlockDescent, NodeDescent, Pair, Params};
 
 /// Block trees, whose nodes are in one buffer.
 pub(super) struct BlockTrees;

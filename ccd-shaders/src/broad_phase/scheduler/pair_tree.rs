@@ -6,8 +6,8 @@
 //! is said by a type, because shaders have neither closures nor structures that hold views.
 
 use super::shared::{Round, Shared, Stack};
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::layout::{NodeDescent, Pair, Params};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::layout::{NodeDescent, Pair, Params};
 
 /// What becomes of a pair that meets: it is expanded, or it is one of leaves.
 pub(super) const INNER: u32 = 1;
@@ -40,8 +40,8 @@ pub(super) trait PairTree {
     fn begin(shared: &mut Shared);
 
     /// The children of a pair that this thread is to find. All threads of a worker call it, also
-    /// those that have [`NO_PAIR`](ccd_core::broad_phase::pair_descent::NO_PAIR): there may be
-    /// barriers in it.
+    /// those that have [`NO_PAIR`](ccd_core::backend::broad_phase::pair_descent::NO_PAIR): there
+    /// may be barriers in it.
     fn expand(
         params: &Params<Self::Own>,
         lane: u32,

@@ -1,8 +1,8 @@
 //! What the threads of a worker share: its stack, the words that they say to each other, its round.
 
-use ccd_core::broad_phase::pair_workers::{STACK, listed};
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Dispatch, NodeDescent};
+use ccd_core::backend::broad_phase::pair_workers::{STACK, listed};
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Dispatch, NodeDescent};
 
 /// Pairs in the memory of a worker.
 pub(super) type Stack = [u32; 2 * STACK as usize];

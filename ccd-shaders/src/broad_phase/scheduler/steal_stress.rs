@@ -1,17 +1,17 @@
 //! Workgroups that steal from each other: a worker's own stack in workgroup memory, its deque and
 //! the ranges that it has stolen in buffers, and what it does when it looks for work.
 //!
-//! Levels 1 to 4 of `ccd_core::scheduling::stealing`, with the threads of a workgroup as one
-//! worker: its first thread exchanges words of deques, all threads read and write items, one each,
-//! and a hand a thread steals.
+//! Levels 1 to 4 of `ccd_core::backend::scheduling::stealing`, with the threads of a workgroup as
+//! one worker: its first thread exchanges words of deques, all threads read and write items, one
+//! each, and a hand a thread steals.
 
 use crate::entry::kernel;
 use crate::workgroup::{
     DeviceWords, add, add_shared, barrier, barrier_of_buffers, get, lower_shared, set,
 };
-use ccd_core::kernel::Id;
-use ccd_core::kernel::memory::{at, put};
-use ccd_core::scheduling::stealing::{HANDS, Workers};
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 
 const THREADS: u32 = Id::StealStress.threads();
 /// Items of a worker's own stack, at most: what is left of one look for work and what the next

@@ -1,5 +1,5 @@
 //! Workers that descend pairs of nodes and steal them from each other; natively alone. As
-//! `workers`, with levels 2 to 4 of `ccd_core::scheduling::stealing`: the threads of a
+//! `workers`, with levels 2 to 4 of `ccd_core::backend::scheduling::stealing`: the threads of a
 //! workgroup are one worker, of which the first exchanges words of deques, all read and write the
 //! pairs of a batch, and each has a hand.
 //!
@@ -24,9 +24,9 @@ use super::worker::{
     ENDS, STOPS, WORKS, leave_rest, make_room, make_room_for_rest, spill, take, write_task,
 };
 use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, set};
-use ccd_core::broad_phase::pair_workers::{counts, thieves, victim};
-use ccd_core::layout::Params;
-use ccd_core::scheduling::stealing::{HANDS, Workers};
+use ccd_core::backend::broad_phase::pair_workers::{counts, thieves, victim};
+use ccd_core::backend::layout::Params;
+use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 
 /// What worker `me` does in a round.
 #[inline(always)]

@@ -8,10 +8,10 @@ use super::pair_tree::PairTree;
 use super::shared::{FROM_STACK, FROM_TASKS, Round, Shared, Stack, TOP};
 use super::worker::{ENDS, STOPS, WORKS, plan};
 use crate::workgroup::{DeviceWords, add, get, load, lower_shared, set};
-use ccd_core::broad_phase::pair_descent::NodePair;
-use ccd_core::broad_phase::pair_workers::{deques, idle, stolen, thieves};
-use ccd_core::layout::NodeDescent;
-use ccd_core::scheduling::stealing::{HANDS, Workers};
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_workers::{deques, idle, stolen, thieves};
+use ccd_core::backend::layout::NodeDescent;
+use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 
 /// Words that the threads of a worker share about batches: how many pairs of one were taken, from
 /// where, whose deque, which slot; the first hand that holds something; where a batch is pushed to;

@@ -1,5 +1,5 @@
-//! The parts of a worker's turn; see `ccd_core::broad_phase::pair_workers`. A scheduler of its own
-//! has another [`plan`].
+//! The parts of a worker's turn; see `ccd_core::backend::broad_phase::pair_workers`. A scheduler of
+//! its own has another [`plan`].
 
 use super::pair_tree::{INNER, LEAF, PairTree};
 use super::shared::{
@@ -8,11 +8,11 @@ use super::shared::{
 };
 use crate::broad_phase::pair_descent::{count_front, reserve, write_front};
 use crate::workgroup::{add, add_shared, count, get, load, raise, read_pair, set, write_pair};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
-use ccd_core::broad_phase::pair_workers::{
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::backend::broad_phase::pair_workers::{
     LEFT, QUANTUM, STACK, THREADS, idle, is_over, listed, piece, share, taken,
 };
-use ccd_core::layout::{NodeDescent, Pair};
+use ccd_core::backend::layout::{NodeDescent, Pair};
 
 /// What a worker does next.
 pub(super) const WORKS: u32 = 0;

@@ -1,5 +1,5 @@
 //! Workers that descend pairs of nodes, of binary trees or of blocks, and fronts at which they
-//! begin; see `ccd_core::broad_phase::pair_workers`.
+//! begin; see `ccd_core::backend::broad_phase::pair_workers`.
 //!
 //! A turn of a worker: its first thread says how many pairs come from the stack and how many from
 //! the tasks; a thread, or a team of some, expands one; inner pairs go onto the stack or, where
@@ -24,12 +24,12 @@ use crate::broad_phase::volume::{Boxes, Oriented};
 use crate::entry::kernel;
 use crate::records::{BoxWords, ObbWords};
 use crate::workgroup::{add, barrier, count, get, get_uniform, read_pair, set};
-use ccd_core::broad_phase::block_workers::packed;
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair};
-use ccd_core::broad_phase::pair_workers::{counts, listed};
-use ccd_core::broad_phase::stack_traversal::NONE;
-use ccd_core::kernel::memory::at;
-use ccd_core::layout::{Node, Params};
+use ccd_core::backend::broad_phase::block_workers::packed;
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
+use ccd_core::backend::broad_phase::pair_workers::{counts, listed};
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Node, Params};
 
 /// What worker `me` does in a round.
 #[inline(always)]

@@ -3,11 +3,11 @@
 
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
-use ccd_core::broad_phase::node_numbering::{
+use ccd_core::backend::broad_phase::node_numbering::{
     BRANCH, JOIN, join_words, number, root_words, store_words,
 };
-use ccd_core::kernel::Words;
-use ccd_core::layout::Branch;
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::layout::Branch;
 use std::sync::atomic::AtomicU32;
 
 /// A node and how many leaves it has.

@@ -5,8 +5,8 @@ use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::{morton_key, radix_tree};
-use ccd_core::layout::Branch;
+use ccd_core::backend::broad_phase::{morton_key, radix_tree};
+use ccd_core::backend::layout::Branch;
 
 /// Sorts by 63-bit codes; ties are broken by place.
 #[derive(Debug, Default)]

@@ -14,7 +14,7 @@ pub mod split_lists;
 
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
-use ccd_core::layout::Branch;
+use ccd_core::backend::layout::Branch;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
 

@@ -21,8 +21,10 @@ use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::{Own, Threads};
-use ccd_core::broad_phase::nearest_pair::{Found, beginning, centre, distance, nearer, parents};
-use ccd_core::layout::Branch;
+use ccd_core::backend::broad_phase::nearest_pair::{
+    Found, beginning, centre, distance, nearer, parents,
+};
+use ccd_core::backend::layout::Branch;
 use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Error};
 

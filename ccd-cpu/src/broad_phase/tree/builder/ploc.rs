@@ -10,9 +10,9 @@
 //!
 //! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some five
 //! to seven times as many clusters in all rounds together as boxes. What is joined in a round, and
-//! how many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where
-//! one tree serves so many queries or refits that fewer visited nodes pay for the build, which
-//! takes several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
+//! how many rounds there may be, is in [`ccd_core::backend::broad_phase::ploc`]. When to choose it:
+//! where one tree serves so many queries or refits that fewer visited nodes pay for the build,
+//! which takes several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
 
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
@@ -23,9 +23,9 @@ use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::ploc::{Fate, fate, is_late, neighbour};
-use ccd_core::kernel::Words;
-use ccd_core::layout::Branch;
+use ccd_core::backend::broad_phase::ploc::{Fate, fate, is_late, neighbour};
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::layout::Branch;
 use std::sync::atomic::AtomicU32;
 
 /// Clusters that a task counts and moves.

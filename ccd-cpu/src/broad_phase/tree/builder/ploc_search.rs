@@ -5,7 +5,7 @@
 use crate::broad_phase::leaf_boxes::set_lane;
 use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
-use ccd_core::broad_phase::ploc::{self, distance, prefers};
+use ccd_core::backend::broad_phase::ploc::{self, distance, prefers};
 use ccd_core::model::method::Builder;
 use ccd_core::{Aabb, Num};
 
@@ -33,7 +33,7 @@ const MAX_BLOCKS: usize = 2 * Builder::MAX_RADIUS as usize / WIDTH + 2;
 const FAR: F32x8 = F32x8([ploc::FAR; WIDTH]);
 
 /// The nearest neighbours of some clusters, eight distances at a time; the same clusters as by
-/// [`ccd_core::broad_phase::ploc::nearest`].
+/// [`ccd_core::backend::broad_phase::ploc::nearest`].
 pub struct Search<'a> {
     /// Of all clusters, in order.
     pub boxes: &'a [Block],
@@ -109,7 +109,7 @@ fn nearest_of<S: RowSimd>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ccd_core::broad_phase::ploc::nearest;
+    use ccd_core::backend::broad_phase::ploc::nearest;
 
     #[test]
     fn lanes_find_the_neighbours_that_a_kernel_finds() {

@@ -1,10 +1,10 @@
 //! LBVH by split lists: neighbours of the sorted Morton codes part at a level each, and every level
 //! has a list of where they did [Lauterbach 2009].
 //!
-//! What the lists are is said in [`ccd_core::broad_phase::split_lists`]. Here they are one array,
-//! sorted by level and then by place, as in the paper: every thread counts how many entries its
-//! places have on each level, the sums of the counts say where they go, and every thread writes its
-//! own. The tree is that of [`super::lbvh`], node by node.
+//! What the lists are is said in [`ccd_core::backend::broad_phase::split_lists`]. Here they are one
+//! array, sorted by level and then by place, as in the paper: every thread counts how many entries
+//! its places have on each level, the sums of the counts say where they go, and every thread writes
+//! its own. The tree is that of [`super::lbvh`], node by node.
 //!
 //! Cost: the sort of the codes, and per box the two to four entries that it has on the lists; up to
 //! as many as there are different levels where close neighbours lie among far ones. When to choose
@@ -17,11 +17,11 @@ use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::morton_key;
-use ccd_core::broad_phase::node_numbering::{BRANCH, store_branch};
-use ccd_core::broad_phase::split_lists::{MAX_LEVELS, NONE, branch, last_level, level};
-use ccd_core::kernel::Words;
-use ccd_core::layout::Branch;
+use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::node_numbering::{BRANCH, store_branch};
+use ccd_core::backend::broad_phase::split_lists::{MAX_LEVELS, NONE, branch, last_level, level};
+use ccd_core::backend::kernel::Words;
+use ccd_core::backend::layout::Branch;
 use std::sync::atomic::AtomicU32;
 
 /// Places that a task counts and writes.

@@ -10,7 +10,7 @@ use crate::broad_phase::rows::{Gathered, IntoRows, Scratch};
 use crate::broad_phase::tasks::DepthFirst;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
-use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
+use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::model::method::Descent;
 
 /// The pair at which a traversal begins.

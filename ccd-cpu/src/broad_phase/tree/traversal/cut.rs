@@ -26,7 +26,7 @@ use crate::broad_phase::leaf_boxes::Sides;
 use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
 use std::collections::BinaryHeap;
 
@@ -153,7 +153,7 @@ mod tests {
                 let sizes = || cut.cuts[1].iter().map(|&node| tree.range(node).len());
                 let parent = |node: u32| {
                     let is_child = |b: &_| -> bool {
-                        let ccd_core::layout::Branch { left, right, .. } = *b;
+                        let ccd_core::backend::layout::Branch { left, right, .. } = *b;
                         left == node || right == node
                     };
                     tree.branches

@@ -8,10 +8,10 @@
 //!    2      4 3
 //! ```
 //!
-//! The stack is [`ccd_core::broad_phase::stack_traversal::Walk`], which a GPU uses too: there it
-//! makes neighbouring threads run the same loop, whatever each decides. On a CPU it saves the calls
-//! of [`super::recursive`]. Neighbours in the input need not be neighbours in the tree, so each
-//! query may begin with cold caches; [`super::leaf_order`] mends that.
+//! The stack is [`ccd_core::backend::broad_phase::stack_traversal::Walk`], which a GPU uses too:
+//! there it makes neighbouring threads run the same loop, whatever each decides. On a CPU it saves
+//! the calls of [`super::recursive`]. Neighbours in the input need not be neighbours in the tree,
+//! so each query may begin with cold caches; [`super::leaf_order`] mends that.
 //!
 //! Cost: per query, the nodes whose boxes overlap it; each pair is found twice within one set and
 //! kept once. It is here for comparison.

@@ -33,7 +33,7 @@ use crate::broad_phase::leaf_boxes::Sides;
 use crate::broad_phase::rows::{Rows, Scratch};
 use crate::threads::Threads;
 #[cfg(feature = "catalogue")]
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::fmt::Debug;
 
 /// The trees of both sides; the same if pairs are sought within one.

@@ -10,7 +10,7 @@ use crate::broad_phase::rows::{Rows, Scratch};
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU32, Ordering};

@@ -18,7 +18,7 @@
 use super::queries::Query;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use ccd_core::Aabb;
-use ccd_core::layout::Branch;
+use ccd_core::backend::layout::Branch;
 
 /// In the order of input, by recursion.
 #[derive(Debug)]

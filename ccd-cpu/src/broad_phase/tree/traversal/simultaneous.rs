@@ -21,7 +21,7 @@ use crate::broad_phase::descend::Descend;
 use crate::broad_phase::leaf_boxes::Sides;
 use crate::broad_phase::rows::{Gathered, Rows, Scratch};
 use crate::threads::Threads;
-use ccd_core::broad_phase::pair_descent::NodePair;
+use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::model::method::Descent;
 
 /// From the roots, in one task.

@@ -18,7 +18,7 @@ use crate::kernel::memory::at;
 pub const HEADER: usize = 4;
 
 /// Whether features of two bodies may be looked at, by classes and worlds; bodies as words of
-/// [`Rules`](crate::model::rules::Rules), the table from word `first` on.
+/// [`Rules`](crate::backend::rules::Rules), the table from word `first` on.
 #[inline(always)]
 pub fn classes_meet(a: u32, b: u32, table: &[u32], first: usize) -> bool {
     let n = at(table, first) as usize;

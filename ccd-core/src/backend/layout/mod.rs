@@ -14,7 +14,7 @@ use bytemuck::{Pod, Zeroable};
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
 ///
 /// ```
-/// use ccd_core::layout::Pair;
+/// use ccd_core::records::Pair;
 ///
 /// assert_eq!(Pair::ordered(7, 3), Pair { a: 3, b: 7 });
 /// ```
@@ -180,7 +180,7 @@ impl WideNode {
 /// | `t1` | 16..32 |
 ///
 /// ```
-/// use ccd_core::layout::Path;
+/// use ccd_core::records::Path;
 ///
 /// let path = Path { t0: [0.0, 1.0, 0.0, 0.0], t1: [0.0, -1.0, 0.0, 0.0] };
 /// assert_eq!(bytemuck::bytes_of(&path).len(), 32);
@@ -264,7 +264,7 @@ pub struct NearTest {
 /// | `approach` | 24..28 |
 ///
 /// ```
-/// use ccd_core::layout::{Touch, split};
+/// use ccd_core::records::{Touch, split};
 /// use ccd_core::model::contact::{Contact, Kind};
 ///
 /// let touch = Touch { a: 3, b: 7, toi: split(0.25), ..Touch::default() };
@@ -301,7 +301,7 @@ pub struct Touch {
 /// | `vertices` | 48..64 |
 ///
 /// ```
-/// use ccd_core::layout::TouchGeometry;
+/// use ccd_core::records::TouchGeometry;
 ///
 /// /// How fast `a`, a vertex, moves against `b`, a face, along the normal.
 /// fn along(at: &TouchGeometry, velocity: impl Fn(u32) -> [f32; 3]) -> f32 {

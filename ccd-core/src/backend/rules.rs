@@ -1,11 +1,11 @@
 //! The rules of bodies as both backends read them: a word a vertex, and a table for what words do
 //! not say.
 
-use super::bodies::Bodies;
-use super::contact::Kind;
 use crate::broad_phase::candidate::bodies_meet;
 use crate::broad_phase::pair_rules::{HEADER, classes_meet, is_excluded};
 use crate::math::real::{Num, Real};
+use crate::model::bodies::Bodies;
+use crate::model::contact::Kind;
 use crate::model::error::Error;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 /// The rules of [`Bodies`], to be read.
 ///
 /// ```
-/// use ccd_core::model::{bodies::Bodies, rules::Rules};
+/// use ccd_core::{backend::rules::Rules, model::bodies::Bodies};
 ///
 /// // Two bodies without self-contact, the first fixed.
 /// let rules = Rules::new(&Bodies::new(&[0, 0, 1], &[true], false))?;

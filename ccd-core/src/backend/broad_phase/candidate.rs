@@ -45,7 +45,7 @@ pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
 /// besides is asked where there is a table.
 ///
 /// A word is four times the number of a body, plus two with self-contact, plus one if it stands
-/// still: [`crate::model::rules::Rules::words`].
+/// still: [`crate::backend::rules::Rules::words`].
 #[inline(always)]
 pub fn bodies_meet(a: u32, b: u32) -> bool {
     (a / 4 != b / 4 || a & 2 != 0) && a & b & 1 == 0

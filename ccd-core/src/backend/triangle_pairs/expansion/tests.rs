@@ -3,16 +3,16 @@
 extern crate std;
 
 use super::*;
+use crate::backend::rules::Rules;
+use crate::backend::triangle_pairs::near_tests::NearTests;
+use crate::backend::triangle_pairs::orphans::OrphanSets;
+use crate::backend::triangle_pairs::representatives::Triangles;
 use crate::broad_phase::swept_box;
 use crate::layout::Triangle;
 use crate::model::bodies::Bodies;
 use crate::model::groups::Groups;
 use crate::model::mesh::Mesh;
-use crate::model::rules::Rules;
 use crate::random::Random;
-use crate::triangle_pairs::near_tests::NearTests;
-use crate::triangle_pairs::orphans::OrphanSets;
-use crate::triangle_pairs::representatives::Triangles;
 use std::collections::BTreeMap;
 use std::vec::Vec;
 

@@ -65,7 +65,7 @@ pub struct Frame {
     /// By how much exact boxes are grown: bits of an `f64`, low word first.
     pub margin_bits: [u32; 2],
     /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`,
-    /// low word first. See [`Table`](crate::model::quantization::Table).
+    /// low word first. See [`Table`](crate::backend::quantization::Table).
     pub scale_bits: [u32; 2],
     /// How early a certain time of impact may be; rounded down.
     pub tolerance: f32,
