@@ -107,7 +107,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Undecided pairs stay open in f32; they are contacts for an engine, too. A real one would go
     // on with all lists on the device.
     let lists = [found.contacts, found.undecided[0], found.undecided[1]]
-        .map(|list| (list.buffer().clone(), list.room(), list.bytes(list.room())));
+        .map(|list| (list.buffer().clone(), list.capacity(), list.bytes(list.capacity())));
     let copies: Vec<wgpu::Buffer> = lists
         .iter()
         .map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes))
@@ -122,8 +122,8 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // On the host: how many, then which.
     let words =
         copies.iter().map(|copy| read(&device, copy)).collect::<Result<Vec<Vec<u32>>, _>>()?;
-    for (list, (_, room, _)) in words.iter().zip(&lists) {
-        assert!(list[0] <= *room, "a list was too short: `Session::step` would make room");
+    for (list, (_, capacity, _)) in words.iter().zip(&lists) {
+        assert!(list[0] <= *capacity, "a list was too short: `Session::step` would make room");
     }
     let n = words[0][0] as usize;
     let entries = &words[0][LIST_HEADER..LIST_HEADER + n * size_of::<Touch>() / 4];

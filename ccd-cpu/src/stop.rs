@@ -97,9 +97,9 @@ impl Stop {
     /// To twice the room, or else just enough.
     #[cold]
     fn grow<T>(&self, what: &'static str, list: &mut Vec<T>, more: usize) -> bool {
-        let (room, least) = (list.capacity(), list.len() + more);
-        let bytes = |wanted: usize| ((wanted - room) * size_of::<T>()) as u64;
-        let amortized = least.max(2 * room);
+        let (capacity, least) = (list.capacity(), list.len() + more);
+        let bytes = |wanted: usize| ((wanted - capacity) * size_of::<T>()) as u64;
+        let amortized = least.max(2 * capacity);
         let wanted = if self.take(bytes(amortized)) {
             amortized
         } else if self.take(bytes(least)) {

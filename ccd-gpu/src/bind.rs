@@ -11,7 +11,7 @@ pub trait Bind<B> {
     /// The kernel.
     const ID: Id;
     /// Its record in [`Params`].
-    type Own: Pod;
+    type Args: Pod;
     /// Its buffers in the order of their bindings.
     fn buffers(&self) -> Vec<&B>;
     /// The same, to be changed.
@@ -22,12 +22,12 @@ pub trait Bind<B> {
 /// a device may ask for.
 pub const PARAMS_BYTES: usize = 512;
 
-macro_rules! own {
+macro_rules! args {
     () => {
         ccd_core::backend::layout::Plain
     };
-    ($own:ident) => {
-        ccd_core::backend::layout::$own
+    ($args:ident) => {
+        ccd_core::backend::layout::$args
     };
 }
 
@@ -35,7 +35,7 @@ macro_rules! binds {
     ($($group:ident {$(
         $(#[$doc:meta])*
         $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
-            $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
+            $(, Params<$args:ident>)?) { $($field:ident: $access:ident),* }
     )*})*) => {$($(
         $(#[$doc])*
         #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ macro_rules! binds {
 
         impl<B> Bind<B> for $id<B> {
             const ID: Id = Id::$id;
-            type Own = own!($($own)?);
+            type Args = args!($($args)?);
 
             fn buffers(&self) -> Vec<&B> {
                 vec![$(&self.$field),*]
@@ -59,7 +59,7 @@ macro_rules! binds {
             }
         }
 
-        const _: () = assert!(size_of::<Params<own!($($own)?)>>() <= PARAMS_BYTES);
+        const _: () = assert!(size_of::<Params<args!($($args)?)>>() <= PARAMS_BYTES);
     )*)*};
 }
 

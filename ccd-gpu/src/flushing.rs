@@ -57,7 +57,7 @@ impl Device {
     /// The results of a kernel, its second buffer.
     fn try_all<K: Bind<Vec<u8>>, R: Pod>(&self, kernel: &mut K) -> Result<R, Error>
     where
-        K::Own: Default,
+        K::Args: Default,
     {
         harness::run(self, kernel, &Params::default(), 1, 1)?;
         Ok(pod_read_unaligned(kernel.buffers()[1]))

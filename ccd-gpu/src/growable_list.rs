@@ -73,7 +73,7 @@ pub struct List {
     what: &'static str,
     buffer: wgpu::Buffer,
     /// Entries that fit.
-    room: u32,
+    capacity: u32,
     /// 32-bit words of an entry; 0: there are no entries and never room for one, so that a header
     /// which counts any says that a search is not complete.
     words: u32,
@@ -82,14 +82,19 @@ pub struct List {
 }
 
 impl List {
-    /// A list of entries of `words` words with room for `room`.
+    /// A list of entries of `words` words with room for `capacity`.
     ///
     /// # Errors
     /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
-    pub fn new(device: &Device, what: &'static str, words: u32, room: u32) -> Result<Self, Error> {
-        let bytes = HEADER_BYTES + room as u64 * words as u64 * 4;
+    pub fn new(
+        device: &Device,
+        what: &'static str,
+        words: u32,
+        capacity: u32,
+    ) -> Result<Self, Error> {
+        let bytes = HEADER_BYTES + capacity as u64 * words as u64 * 4;
         let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-        Ok(Self { what, buffer, room, words, was_short: false })
+        Ok(Self { what, buffer, capacity, words, was_short: false })
     }
 
     /// A list that holds these pairs from the start.
@@ -115,25 +120,25 @@ impl List {
     }
 
     /// Entries that fit.
-    pub fn room(&self) -> u32 {
-        self.room
+    pub fn capacity(&self) -> u32 {
+        self.capacity
     }
 
     /// Bytes of the header and `n` entries, at most of all.
     pub fn bytes(&self, n: u32) -> u64 {
-        HEADER_BYTES + n.min(self.room) as u64 * self.words as u64 * 4
+        HEADER_BYTES + n.min(self.capacity) as u64 * self.words as u64 * 4
     }
 
     /// The same list with another room; one without entries stays as it is.
     ///
     /// # Errors
     /// Those of [`List::new`].
-    pub fn resized(&self, device: &Device, room: u32) -> Result<Self, Error> {
-        Self::new(device, self.what, self.words, if self.words == 0 { 0 } else { room })
+    pub fn resized(&self, device: &Device, capacity: u32) -> Result<Self, Error> {
+        Self::new(device, self.what, self.words, if self.words == 0 { 0 } else { capacity })
     }
 
-    /// A list with room for `room`: one that was made for the same purpose, if it is there and has
-    /// as much, else a new one.
+    /// A list with room for `capacity`: one that was made for the same purpose, if it is there and
+    /// has as much, else a new one.
     ///
     /// # Errors
     /// Those of [`List::new`].
@@ -142,17 +147,17 @@ impl List {
         old: Option<&Self>,
         what: &'static str,
         words: u32,
-        room: u32,
+        capacity: u32,
     ) -> Result<Self, Error> {
         match old {
-            Some(old) if old.room >= room && old.words == words => Ok(old.clone()),
-            _ => Self::new(device, what, words, room),
+            Some(old) if old.capacity >= capacity && old.words == words => Ok(old.clone()),
+            _ => Self::new(device, what, words, capacity),
         }
     }
 
     /// Takes the place of a list for the same purpose that has less room.
     pub fn replace_shorter(&self, other: &mut Self) {
-        if other.what == self.what && other.words == self.words && other.room < self.room {
+        if other.what == self.what && other.words == self.words && other.capacity < self.capacity {
             *other = self.clone();
         }
     }
@@ -185,7 +190,7 @@ impl List {
     /// # Errors
     /// Those of [`List::new`].
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
-        self.was_short = wanted > self.room;
+        self.was_short = wanted > self.capacity;
         if !self.was_short || self.words == 0 {
             return Ok(self.was_short);
         }

@@ -32,7 +32,7 @@ pub fn set_faults(device: &Device, faults: Faults) -> Faults {
 pub fn run<K: Bind<Vec<u8>>>(
     device: &Device,
     kernel: &mut K,
-    params: &Params<K::Own>,
+    params: &Params<K::Args>,
     groups: u32,
     fold: u32,
 ) -> Result<(), Error> {

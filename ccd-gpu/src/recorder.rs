@@ -237,7 +237,7 @@ impl Recorder<'_> {
     pub fn each<'b, K: Bind<&'b wgpu::Buffer>>(
         &mut self,
         kernel: &K,
-        params: &Params<K::Own>,
+        params: &Params<K::Args>,
         n: u32,
     ) {
         self.dispatch(kernel, params, n.div_ceil(K::ID.threads()));
@@ -247,7 +247,7 @@ impl Recorder<'_> {
     pub fn dispatch<'b, K: Bind<&'b wgpu::Buffer>>(
         &mut self,
         kernel: &K,
-        params: &Params<K::Own>,
+        params: &Params<K::Args>,
         groups: u32,
     ) {
         let buffers: Vec<&wgpu::Buffer> = kernel.buffers().into_iter().copied().collect();
@@ -259,7 +259,7 @@ impl Recorder<'_> {
         &mut self,
         kernel: &K,
         oriented: Option<&'b wgpu::Buffer>,
-        params: &Params<K::Own>,
+        params: &Params<K::Args>,
         n: u32,
     ) {
         self.dispatch_variant(kernel, (oriented, false), params, n.div_ceil(K::ID.threads()));
@@ -270,7 +270,7 @@ impl Recorder<'_> {
         &mut self,
         kernel: &K,
         (oriented, steals): (Option<&'b wgpu::Buffer>, bool),
-        params: &Params<K::Own>,
+        params: &Params<K::Args>,
         groups: u32,
     ) {
         let id = K::ID.variant(oriented.is_some(), steals);

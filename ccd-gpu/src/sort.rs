@@ -15,7 +15,7 @@ pub struct Sort {
     keys: [wgpu::Buffer; 2],
     values: [wgpu::Buffer; 2],
     table: wgpu::Buffer,
-    room: u32,
+    capacity: u32,
 }
 
 impl Sort {
@@ -26,7 +26,7 @@ impl Sort {
 
     /// The same, with the buffers of another sort as far as they are large enough.
     pub fn reusing(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
-        if let Some(old) = old.filter(|old| old.room >= n) {
+        if let Some(old) = old.filter(|old| old.capacity >= n) {
             return Ok(old.clone());
         }
         let words =
@@ -36,13 +36,13 @@ impl Sort {
             keys: [words("sort keys", n)?, words("sort keys", n)?],
             values: [words("sort values", n)?, words("sort values", n)?],
             table: words("sort table", (n_tiles + 1) * sort::DIGITS as u64)?,
-            room: n as u32,
+            capacity: n as u32,
         })
     }
 
     /// Pairs for which there is room.
-    pub fn room(&self) -> u32 {
-        self.room
+    pub fn capacity(&self) -> u32 {
+        self.capacity
     }
 
     /// Keys and values of one of both halves.
@@ -58,7 +58,7 @@ impl Sort {
             let p = Params {
                 frame: Frame::default(),
                 dispatch: Dispatch { n, ..Dispatch::default() },
-                own: SortPass { shift: 8 * pass, n_tiles },
+                args: SortPass { shift: 8 * pass, n_tiles },
             };
             let ([keys, values], [keys_out, values_out]) = (self.half(from), self.half(1 - from));
             let table = &self.table;

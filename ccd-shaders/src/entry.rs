@@ -23,11 +23,11 @@ pub(crate) struct Thread {
 /// A view is a storage buffer; bindings count from 1, behind `params`.
 macro_rules! kernel {
     (
-        $(#[$doc:meta])* $name:ident[$threads:tt]($thread:ident; $params:ident: $own:ident;
+        $(#[$doc:meta])* $name:ident[$threads:tt]($thread:ident; $params:ident: $args:ident;
             $($shared:ident: $array:ty),*; $($views:tt)*) $body:block
     ) => {
         kernel! { @
-            { $(#[$doc])* } $name $threads $thread { $params: $own } { $($shared: $array),* }
+            { $(#[$doc])* } $name $threads $thread { $params: $args } { $($shared: $array),* }
             [1 2 3 4 5 6 7 8] [$($views)*,] [] $body
         }
     };
@@ -53,7 +53,7 @@ macro_rules! kernel {
         }
     };
     (
-        @ { $(#[$doc:meta])* } $name:ident $threads:tt $thread:ident { $params:ident: $own:ident }
+        @ { $(#[$doc:meta])* } $name:ident $threads:tt $thread:ident { $params:ident: $args:ident }
         { $($shared:ident: $array:ty),* } $numbers:tt [$(,)?] [$($views:tt)*] $body:block
     ) => {
         $(#[$doc])*
@@ -64,7 +64,7 @@ macro_rules! kernel {
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(workgroup)] $shared: &mut $array,)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)]
-            $params: &ccd_core::backend::layout::Params<ccd_core::backend::layout::$own>,
+            $params: &ccd_core::backend::layout::Params<ccd_core::backend::layout::$args>,
             $($views)*
         ) {
             let group = id.y * n.x + id.x;

@@ -18,7 +18,7 @@ kernel! {
         set(counts, t.lane + THREADS, 0);
         barrier();
         let first = tile * TILE + t.lane;
-        let shift = params.own.shift;
+        let shift = params.args.shift;
         // All loads before the first addition, so that they overlap.
         macro_rules! count {
             ($($k:literal)*) => {
@@ -30,10 +30,10 @@ kernel! {
         }
         count!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         barrier();
-        if tile < params.own.n_tiles {
+        if tile < params.args.n_tiles {
             for half in 0..2 {
                 let d = t.lane + half * THREADS;
-                put(table, (d * params.own.n_tiles + tile) as usize, get(counts, d));
+                put(table, (d * params.args.n_tiles + tile) as usize, get(counts, d));
             }
         }
     }
@@ -43,7 +43,7 @@ kernel! {
     /// Workgroup `d` turns the counts of digit `d` into the number of keys with that digit in
     /// earlier tiles, and writes their total behind the table. Four counts a thread and round.
     sort_scan[256](t; params: SortPass; sums: [u32; 512]; mut table: [u32]) {
-        let n_tiles = params.own.n_tiles;
+        let n_tiles = params.args.n_tiles;
         let row = t.group * n_tiles;
         let mut carry = 0;
         for round in 0..n_tiles.div_ceil(1024) {
@@ -54,8 +54,8 @@ kernel! {
                 count_of(table, row, n_tiles, i + 2),
                 count_of(table, row, n_tiles, i + 3),
             ];
-            let own = count[0] + count[1] + count[2] + count[3];
-            let mut start = carry + scan(t.lane, 8, 256, own, sums) - own;
+            let sum = count[0] + count[1] + count[2] + count[3];
+            let mut start = carry + scan(t.lane, 8, 256, sum, sums) - sum;
             macro_rules! write {
                 ($($k:literal)*) => {$(
                     if i + $k < n_tiles {
@@ -112,8 +112,8 @@ kernel! {
         starts: [u32; 256]; table: [u32], keys: [u32], values: [u32], mut keys_out: [u32],
         mut values_out: [u32]) {
         let tile = t.group;
-        let (run, shift, n_keys) = (t.lane / 32 * DIGITS, params.own.shift, params.dispatch.n);
-        let n_tiles = params.own.n_tiles;
+        let (run, shift, n_keys) = (t.lane / 32 * DIGITS, params.args.shift, params.dispatch.n);
+        let n_tiles = params.args.n_tiles;
         // Unrolled, so that what is indexed by `k` stays in registers.
         macro_rules! move_all {
             ($($k:literal $second:literal)*) => {

@@ -140,14 +140,14 @@ pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
 
 /// Entries of a list that are there: those wanted, as far as there was room.
 #[inline(always)]
-pub fn length(list: &[u32], room: u32) -> u32 {
-    at(list, 0).min(room)
+pub fn length(list: &[u32], capacity: u32) -> u32 {
+    at(list, 0).min(capacity)
 }
 
 /// Entries of a list from `dispatch.first` on that one dispatch takes, at most `dispatch.n`.
 #[inline(always)]
 pub fn part(list: &[u32], dispatch: &Dispatch) -> u32 {
-    let there = length(list, dispatch.room_in);
+    let there = length(list, dispatch.capacity_in);
     let left = if there > dispatch.first { there - dispatch.first } else { 0 };
     left.min(dispatch.n)
 }
@@ -161,8 +161,8 @@ pub fn read_pair(list: &[u32], i: u32) -> Pair {
 
 /// Writes pair `i` of a list; one for which there is no room is only counted.
 #[inline(always)]
-pub fn write_pair(list: &mut [u32], room: u32, i: u32, pair: Pair) {
-    if i < room {
+pub fn write_pair(list: &mut [u32], capacity: u32, i: u32, pair: Pair) {
+    if i < capacity {
         let to = LIST_HEADER + 2 * i as usize;
         put(list, to, pair.a);
         put(list, to + 1, pair.b);
@@ -171,9 +171,9 @@ pub fn write_pair(list: &mut [u32], room: u32, i: u32, pair: Pair) {
 
 /// Counts and writes one pair.
 #[inline(always)]
-pub fn append(list: &mut [u32], room: u32, pair: Pair) {
+pub fn append(list: &mut [u32], capacity: u32, pair: Pair) {
     let i = count(list, 0, 1);
-    write_pair(list, room, i, pair);
+    write_pair(list, capacity, i, pair);
 }
 
 /// As [`barrier`], also for what the threads of the workgroup stored to buffers and loaded from

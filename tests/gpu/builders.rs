@@ -35,21 +35,21 @@ fn bounds(twin: &Twin) -> Vec<u8> {
     bytes(&words)
 }
 
-fn params(twin: &Twin, dispatch: Dispatch, own: Building) -> Params<Building> {
-    Params { frame: twin.frame, dispatch, own }
+fn params(twin: &Twin, dispatch: Dispatch, args: Building) -> Params<Building> {
+    Params { frame: twin.frame, dispatch, args }
 }
 
 /// Numbers the nodes, and puts the leaves of a set in order.
 fn number(device: &Device, twin: &Twin, set: usize, joins: Vec<u8>, sorted: u32) -> Built {
     let n = twin.frame.count[set];
-    let own = Building { set: set as u32, sorted, ..Building::default() };
+    let args = Building { set: set as u32, sorted, ..Building::default() };
     let kernel = NumberLeaves {
         joins,
         order: bytes(&twin.order),
         ordered: zeros::<u32>(twin.order.len()),
         branches: zeros::<Branch>(n as usize - 1),
     };
-    let p = params(twin, Dispatch::default(), own);
+    let p = params(twin, Dispatch::default(), args);
     let done = run(device, kernel, &p, n.div_ceil(256));
     let range = twin.frame.start[set] as usize..twin.frame.start[set + 1] as usize;
     (read::<u32>(&done.ordered)[range].to_vec(), read(&done.branches))
@@ -59,8 +59,8 @@ fn number(device: &Device, twin: &Twin, set: usize, joins: Vec<u8>, sorted: u32)
 fn ploc(device: &Device, twin: &Twin, set: usize, radius: u32) -> (Built, Vec<u32>) {
     let n = twin.frame.count[set];
     let wide = rounds(n, FEW);
-    let own = Building { set: set as u32, radius, rounds: wide, ..Building::default() };
-    let p = |first: u32, n: u32| params(twin, Dispatch { n, first, ..Dispatch::default() }, own);
+    let args = Building { set: set as u32, radius, rounds: wide, ..Building::default() };
+    let p = |first: u32, n: u32| params(twin, Dispatch { n, first, ..Dispatch::default() }, args);
     let groups = n.div_ceil(256);
     let kernel = PlocLeaves {
         boxes: bytes(&twin.boxes),
@@ -122,8 +122,8 @@ fn ploc(device: &Device, twin: &Twin, set: usize, radius: u32) -> (Built, Vec<u3
 fn nearest_pair(device: &Device, twin: &Twin, set: usize, part: u32) -> Built {
     let mut n = twin.frame.count[set];
     let p = |n: u32, first: u32, rounds: u32, made: u32| {
-        let own = Building { set: set as u32, rounds, made, ..Building::default() };
-        params(twin, Dispatch { n, first, ..Dispatch::default() }, own)
+        let args = Building { set: set as u32, rounds, made, ..Building::default() };
+        params(twin, Dispatch { n, first, ..Dispatch::default() }, args)
     };
     let mut joins = zeros::<[u32; 4]>(2 * n as usize - 1);
     let kernel = PairLeaves {
@@ -153,8 +153,8 @@ fn branches_of_codes(device: &Device, twin: &Twin, set: usize) -> Vec<Branch> {
     let n = twin.frame.count[set];
     let keys = bytes(&sorted_keys(twin));
     let kernel = Branches { keys, branches: zeros::<Branch>(n as usize - 1) };
-    let own = Blocks { kind: set as u32, ..twin.tree };
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let args = Blocks { kind: set as u32, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
     read(&run(device, kernel, &p, n.div_ceil(256)).branches)
 }
 
@@ -163,22 +163,22 @@ fn sorted_keys(twin: &Twin) -> Vec<u32> {
 }
 
 /// Branches from split lists with so much room, and how many entries they want.
-fn split_lists(device: &Device, twin: &Twin, set: usize, room: u32) -> (Vec<Branch>, u32) {
+fn split_lists(device: &Device, twin: &Twin, set: usize, capacity: u32) -> (Vec<Branch>, u32) {
     let n = twin.frame.count[set] - 1;
     let (groups, places) = (n.div_ceil(256), n as usize);
-    let own = Building { set: set as u32, ..Building::default() };
-    let p = params(twin, Dispatch { room_out: room, ..Dispatch::default() }, own);
+    let args = Building { set: set as u32, ..Building::default() };
+    let p = params(twin, Dispatch { capacity_out: capacity, ..Dispatch::default() }, args);
     let keys = bytes(&sorted_keys(twin));
     let kernel = SplitLevels { keys, levels: zeros::<u32>(places), present: vec![0; 16] };
     let SplitLevels { keys, levels, present } = run(device, kernel, &p, groups);
     // What is in the table before does not matter.
     let table = bytes(&vec![77u32; 256 * (groups as usize + 1)]);
     let done = run(device, SplitCount { levels, present, table }, &p, groups);
-    let own = SortPass { shift: 0, n_tiles: groups };
-    let scan = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let args = SortPass { shift: 0, n_tiles: groups };
+    let scan = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
     let table = run(device, SortScan { table: done.table }, &scan, 256).table;
     let (levels, present) = (done.levels, done.present);
-    let list = vec![0; 4 * (LIST_HEADER + room as usize)];
+    let list = vec![0; 4 * (LIST_HEADER + capacity as usize)];
     let entries = zeros::<u32>(places);
     let kernel = SplitEmit { levels, present, table, entries, list };
     let SplitEmit { levels, present, table, entries, list } = run(device, kernel, &p, groups);

@@ -2,7 +2,7 @@
 //! nodes.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, read, room, run, zeros};
+use crate::support::{bytes, capacity, entries, read, run, zeros};
 use crate::trees::radix_tree;
 use crate::twin::Twin;
 use ccd::gpu::Device;
@@ -18,7 +18,7 @@ pub const TESTS: crate::Tests = &[("cuts", check_cuts), ("levels_of_pairs", chec
 
 /// Words that count the pairs of each level.
 const LEVELS: usize = 256;
-const ROOM: u32 = 20_000;
+const CAPACITY: u32 = 20_000;
 /// Words of the cut of one side.
 const CUT: usize = LIST_HEADER + 1024;
 
@@ -37,20 +37,20 @@ impl Trees {
         Self { twin, kind, nodes: [a.0, b.0], branches: [a.1, b.1] }
     }
 
-    pub fn params(&self, kind: u32, own: NodeDescent, dispatch: Dispatch) -> Params<NodeDescent> {
-        Params { frame: self.twin.frame, dispatch, own: NodeDescent { kind, ..own } }
+    pub fn params(&self, kind: u32, args: NodeDescent, dispatch: Dispatch) -> Params<NodeDescent> {
+        Params { frame: self.twin.frame, dispatch, args: NodeDescent { kind, ..args } }
     }
 
     /// Nodes of the cut through one tree.
     pub fn cut(&self, device: &Device, side: usize, nodes: u32) -> Vec<u32> {
-        let own = NodeDescent { nodes, ..NodeDescent::default() };
+        let args = NodeDescent { nodes, ..NodeDescent::default() };
         let dispatch = Dispatch { first: side as u32, ..Dispatch::default() };
-        let p = self.params(sets(self.kind)[side] as u32, own, dispatch);
+        let p = self.params(sets(self.kind)[side] as u32, args, dispatch);
         let kernel = CutNodes { branches: self.branches[side].clone(), cuts: vec![0; 8 * CUT] };
         let words: Vec<u32> = read(&run(device, kernel, &p, 1).cuts);
-        let (own, other) = (&words[side * CUT..][..CUT], &words[(1 - side) * CUT..][..CUT]);
+        let (cut, other) = (&words[side * CUT..][..CUT], &words[(1 - side) * CUT..][..CUT]);
         assert!(other.iter().all(|&word| word == 0), "the cut of the other side");
-        own[LIST_HEADER..LIST_HEADER + own[0] as usize].to_vec()
+        cut[LIST_HEADER..LIST_HEADER + cut[0] as usize].to_vec()
     }
 
     /// Both cuts as a kernel reads them.
@@ -65,9 +65,9 @@ impl Trees {
     }
 
     /// The pairs of two cuts: how many were counted, and the list.
-    fn of_cuts(&self, device: &Device, nodes: u32, room_nodes: u32) -> (u32, Vec<u8>) {
-        let own = NodeDescent { nodes, room_nodes, ..NodeDescent::default() };
-        let done = self.cut_pairs(device, own, vec![0; 16]);
+    fn of_cuts(&self, device: &Device, nodes: u32, capacity_nodes: u32) -> (u32, Vec<u8>) {
+        let args = NodeDescent { nodes, capacity_nodes, ..NodeDescent::default() };
+        let done = self.cut_pairs(device, args, vec![0; 16]);
         (read::<u32>(&done.control)[0], done.output)
     }
 
@@ -75,20 +75,20 @@ impl Trees {
     pub fn cut_pairs(
         &self,
         device: &Device,
-        own: NodeDescent,
+        args: NodeDescent,
         front: Vec<u8>,
     ) -> CutPairs<Vec<u8>> {
         let [a_nodes, b_nodes] = self.nodes.clone();
         let kernel = CutPairs {
             a_nodes,
             b_nodes,
-            cuts: self.cuts(device, own.nodes),
+            cuts: self.cuts(device, args.nodes),
             control: zeros::<u32>(words(0)),
-            output: room(2 * own.room_nodes.max(1)),
+            output: capacity(2 * args.capacity_nodes.max(1)),
             front,
         };
-        let p = self.params(self.kind, own, Dispatch::default());
-        run(device, kernel, &p, (own.nodes * own.nodes).div_ceil(256))
+        let p = self.params(self.kind, args, Dispatch::default());
+        run(device, kernel, &p, (args.nodes * args.nodes).div_ceil(256))
     }
 }
 
@@ -149,10 +149,10 @@ fn check_levels(device: &Device) {
 }
 
 fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair> {
-    let (counted, mut list) = trees.of_cuts(device, nodes, ROOM);
+    let (counted, mut list) = trees.of_cuts(device, nodes, CAPACITY);
     let mut levels = vec![0u32; LEVELS];
     levels[0] = counted;
-    let mut pairs = room(ROOM);
+    let mut pairs = capacity(CAPACITY);
     for level in 0..LEVELS as u32 - 1 {
         if levels[level as usize] == 0 {
             break;
@@ -163,12 +163,14 @@ fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair>
             b_nodes,
             input: list.clone(),
             levels: bytes(&levels),
-            output: room(ROOM),
+            output: capacity(CAPACITY),
             pairs: pairs.clone(),
         };
-        let dispatch = Dispatch { n: 0, first: level, room_in: ROOM, room_out: ROOM };
-        let own = NodeDescent { larger, nodes, room_nodes: ROOM, ..NodeDescent::default() };
-        let p = trees.params(trees.kind, own, dispatch);
+        let dispatch =
+            Dispatch { n: 0, first: level, capacity_in: CAPACITY, capacity_out: CAPACITY };
+        let args =
+            NodeDescent { larger, nodes, capacity_nodes: CAPACITY, ..NodeDescent::default() };
+        let p = trees.params(trees.kind, args, dispatch);
         let done = run(device, kernel.clone(), &p, 3);
         let want: Vec<u32> = read(&done.levels);
         // On some levels, lists that are too short: everything is counted, nothing is written
@@ -176,8 +178,8 @@ fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair>
         if level % 5 == 2 {
             let (output, pairs_before) = (bytes(&[7u32, 0, 0, 0, 0, 0]), bytes(&[0u32; 6]));
             let short = ExpandPairs { output, pairs: pairs_before, ..kernel };
-            let own = NodeDescent { room_nodes: 0, ..own };
-            let p = trees.params(trees.kind, own, Dispatch { room_out: 0, ..dispatch });
+            let args = NodeDescent { capacity_nodes: 0, ..args };
+            let p = trees.params(trees.kind, args, Dispatch { capacity_out: 0, ..dispatch });
             let short = run(device, short, &p, 2);
             assert_eq!(want, read::<u32>(&short.levels), "pairs of nodes counted beyond the room");
             let most = want[level as usize + 1].max(7);

@@ -1,7 +1,7 @@
 //! What a caller sees when something is too short, too large, missing, or lost; and that a session
 //! goes on afterwards.
 
-use crate::support::{bytes, list, not_run, read, read_back, room, run};
+use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
 use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
@@ -13,7 +13,7 @@ use ccd_testkit::generate::{Step, crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
-    ("rooms", check_rooms),
+    ("rooms", check_capacities),
     ("bad_input", check_input),
     ("too_large", check_too_large),
     ("no_adapter", check_no_adapter),
@@ -54,19 +54,19 @@ pub fn check_growth_of(
 }
 
 /// Pairs that `f32` leaves open beyond the room of their list are counted and not written.
-fn check_rooms(device: &Device) {
+fn check_capacities(device: &Device) {
     // All vertices are one point: no arithmetic decides that.
-    let (n, room_open) = (200u32, 10u32);
+    let (n, capacity_open) = (200u32, 10u32);
     let paths = vec![Path { t0: [0.0; 4], t1: [0.0; 4] }; 8];
     let pairs: Vec<Pair> = (0..n).map(|i| Pair { a: i % 2, b: i % 2 }).collect();
     for kind in [0, 1] {
         let frame = Frame { flags: Frame::FLAG_KEEP, ..Frame::default() };
         let frame = frame.searching(&Search::whole(0.0));
-        let mut undecided = room(n);
+        let mut undecided = capacity(n);
         // In two parts, of which the second may take more than there is.
         for (first, most, sum) in [(0, 150, 150), (150, n, n)] {
-            let dispatch = Dispatch { n: most, first, room_in: n, room_out: n };
-            let p = Params { frame, dispatch, own: Decision { kind, room_open } };
+            let dispatch = Dispatch { n: most, first, capacity_in: n, capacity_out: n };
+            let p = Params { frame, dispatch, args: Decision { kind, capacity_open } };
             let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
             let (paths, input, earliest) = (bytes(&paths), list(&pairs), vec![0xff; 16]);
             let elements =
@@ -76,7 +76,7 @@ fn check_rooms(device: &Device) {
             assert_eq!(read::<u32>(&undecided)[0], sum, "pairs of this part and those before");
         }
         let words: Vec<u32> = read(&undecided);
-        let (within, beyond) = words[LIST_HEADER..].split_at(2 * room_open as usize);
+        let (within, beyond) = words[LIST_HEADER..].split_at(2 * capacity_open as usize);
         assert!(within.iter().any(|&w| w != 0), "nothing is written");
         assert!(beyond.iter().all(|&w| w == 0), "written beyond the room: {beyond:?}");
     }

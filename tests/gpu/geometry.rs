@@ -63,7 +63,7 @@ fn check_kernels(device: &Device) {
                 *p = Path { t0: [pick(), pick(), pick(), 0.0], t1: [pick(), pick(), pick(), 0.0] };
             }
         }
-        let (room, wanted) = (700usize, 1000u32);
+        let (capacity, wanted) = (700usize, 1000u32);
         let (n_e, n_f) = (mesh.edges().len() as u32, mesh.faces().len() as u32);
         let counts = [[mesh.n_vertices() as u32, n_f], [n_e; 2]];
         let mut touch = |i: u32| {
@@ -73,43 +73,45 @@ fn check_kernels(device: &Device) {
         };
         let touches: Vec<Touch> = (0..wanted).map(&mut touch).collect();
         let mut contacts = bytes(&[wanted, 0, 0, 0]);
-        contacts.extend(bytes(&touches[..room]));
-        let list: Vec<u32> =
-            [wanted, 0, 0, 0].into_iter().chain(read::<u32>(&bytes(&touches[..room]))).collect();
+        contacts.extend(bytes(&touches[..capacity]));
+        let list: Vec<u32> = [wanted, 0, 0, 0]
+            .into_iter()
+            .chain(read::<u32>(&bytes(&touches[..capacity])))
+            .collect();
         // In two parts, of which the second may take more than there is.
-        let part = |(first, n)| Dispatch { n, first, room_in: 700, room_out: 0 };
+        let part = |(first, n)| Dispatch { n, first, capacity_in: 700, capacity_out: 0 };
         let dispatch = [(0, 300), (300, 700)].map(part);
         let n = mesh.n_vertices() as u32;
         let frame = Frame { count: [n, 0, 0], flags: Frame::FLAG_EXACT, ..Frame::default() };
-        let own = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
-        let p = dispatch.map(|dispatch| Params { frame, dispatch, own });
+        let args = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
+        let p = dispatch.map(|dispatch| Params { frame, dispatch, args });
         let mut kernel = ContactGeometry {
             paths: bytes(&paths),
             edges: bytes(mesh.edges()),
             faces: bytes(mesh.faces()),
             contacts: contacts.clone(),
-            geometry: zeros::<TouchGeometry>(room + 64),
+            geometry: zeros::<TouchGeometry>(capacity + 64),
         };
         kernel = run(device, kernel, &p[0], 5);
         check_part(&kernel.geometry);
         let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
-        check_records(&got, &touches[..room], poison, rounds_like_a_cpu(device), |i| {
+        check_records(&got, &touches[..capacity], poison, rounds_like_a_cpu(device), |i| {
             touch_geometry::narrow(i, &p[0], &paths, mesh.edges(), mesh.faces(), &list)
         });
         if device.info().wide {
-            let p = dispatch.map(|dispatch| Params { frame, dispatch, own: Plain::default() });
+            let p = dispatch.map(|dispatch| Params { frame, dispatch, args: Plain::default() });
             let mut kernel = ContactGeometryWide {
                 paths: bytes(&paths),
                 positions: bytes(&[[0.0f64; 3]]),
                 edges: bytes(mesh.edges()),
                 faces: bytes(mesh.faces()),
                 contacts,
-                geometry: zeros::<TouchGeometry>(room + 64),
+                geometry: zeros::<TouchGeometry>(capacity + 64),
             };
             kernel = run(device, kernel, &p[0], 5);
             check_part(&kernel.geometry);
             let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
-            check_records(&got, &touches[..room], poison, rounds_like_a_cpu(device), |i| {
+            check_records(&got, &touches[..capacity], poison, rounds_like_a_cpu(device), |i| {
                 touch_geometry::wide(i, &p[0], &paths, &[], mesh.edges(), mesh.faces(), &list)
             });
         }

@@ -2,7 +2,7 @@
 //! keys, pieces of work, pairs.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, check_boxes, entries, list, read, room, run, zeros};
+use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{
@@ -110,15 +110,16 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
     // No work where cells are too full, and no pairs of what the list held before.
     let asking = of.twin.frame.count[1].div_ceil(GROUP);
     let done = |limit: u32| {
-        let dispatch = Dispatch { n: 1000, room_in: 1000, room_out: 1000, ..Dispatch::default() };
+        let dispatch =
+            Dispatch { n: 1000, capacity_in: 1000, capacity_out: 1000, ..Dispatch::default() };
         let kernel = IntervalWork {
             sorted: bytes(&of.boxes),
             keys: bytes(&of.keys),
             survey: bytes(&found),
-            work: room(1000),
+            work: capacity(1000),
         };
         let mut p = params(&of.twin, dispatch, UNIFORM_GRID, 1, 0);
-        p.own.most[of_set] = limit;
+        p.args.most[of_set] = limit;
         let work = run(device, kernel, &p, asking).work;
         let kernel = IntervalPairs {
             sorted: bytes(&of.boxes),
@@ -126,7 +127,7 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
             order: bytes(&of.order),
             survey: bytes(&found),
             work: work.clone(),
-            pairs: room(1000),
+            pairs: capacity(1000),
         };
         let pairs = run(device, kernel, &p, asking).pairs;
         [read::<u32>(&work)[0], read::<u32>(&pairs)[0]]
@@ -149,7 +150,7 @@ fn params(twin: &Twin, dispatch: Dispatch, method: u32, kind: u32, row: u32) -> 
     Params {
         frame: twin.frame,
         dispatch,
-        own: Intervals { method, kind, row, most: [u32::MAX; 3] },
+        args: Intervals { method, kind, row, most: [u32::MAX; 3] },
     }
 }
 
@@ -188,11 +189,11 @@ fn sorted(device: &Device, method: u32, sets: [&[Aabb]; 3]) -> Sorted {
 
 /// The pieces of work of a kind, and the pairs that they give.
 fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
-    let (room_out, mut all) = (100_000, Vec::new());
+    let (capacity_out, mut all) = (100_000, Vec::new());
     for row in 0..rows(method, kind) {
         let asking = of.twin.frame.count[asks(method, kind, row)[0] as usize];
-        let p = |room_out| {
-            let dispatch = Dispatch { room_out, ..Dispatch::default() };
+        let p = |capacity_out| {
+            let dispatch = Dispatch { capacity_out, ..Dispatch::default() };
             params(&of.twin, dispatch, method, kind, row)
         };
         let kernel = |work| IntervalWork {
@@ -201,7 +202,8 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
             survey: bytes(&of.survey),
             work,
         };
-        let done = run(device, kernel(room(room_out)), &p(room_out), asking.div_ceil(GROUP));
+        let done =
+            run(device, kernel(capacity(capacity_out)), &p(capacity_out), asking.div_ceil(GROUP));
         let pieces = entries(&done.work);
         for piece in &pieces {
             let [of_row, tiles, group, first] = unpack([piece.a, piece.b]);
@@ -210,7 +212,7 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
             );
             assert!(tiles <= CHUNK / GROUP, "{tiles} groups in a piece");
         }
-        let short = run(device, kernel(room(3)), &p(1), asking.div_ceil(GROUP));
+        let short = run(device, kernel(capacity(3)), &p(1), asking.div_ceil(GROUP));
         let words: Vec<u32> = read(&short.work);
         assert_eq!(words[0] as usize, pieces.len(), "pieces counted beyond the room");
         assert!(words[LIST_HEADER + 2..].iter().all(|&w| w == 0), "written beyond the room");
@@ -219,7 +221,7 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
     let mut pairs = Vec::new();
     let n = all.len() as u32;
     let work = |first, n, pairs| {
-        let dispatch = Dispatch { n, first, room_in: all.len() as u32, room_out };
+        let dispatch = Dispatch { n, first, capacity_in: all.len() as u32, capacity_out };
         let kernel = IntervalPairs {
             sorted: bytes(&of.boxes),
             keys: bytes(&of.keys),
@@ -232,10 +234,10 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
     };
     // In two parts, as a dispatch of many pieces is.
     for (first, n) in [(0, n / 3), (n / 3, n)] {
-        pairs.extend(entries(&work(first, n, room(room_out))));
+        pairs.extend(entries(&work(first, n, capacity(capacity_out))));
     }
     if !pairs.is_empty() {
-        let mut full = room(room_out);
+        let mut full = capacity(capacity_out);
         full[..4].fill(u8::MAX);
         let counted: Vec<u32> = read(&work(0, n, full));
         assert_eq!(counted[..4], [pairs.len() as u32 - 1, 0, 1, 0], "a count that runs over");

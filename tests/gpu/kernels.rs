@@ -228,7 +228,7 @@ fn check_bounds(device: &Device) {
 
 fn check_fit(device: &Device) {
     let (twin, step) = twin(40, 2);
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own: twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args: twin.tree };
     let slots = &twin.tree.slots;
     let kernel = FitLeaves {
         boxes: bytes(&twin.boxes),
@@ -242,7 +242,7 @@ fn check_fit(device: &Device) {
     let second = slots[2][0] as usize;
     check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
     assert!(read::<Leaf>(&done.leaves) == twin.leaves);
-    let p = Params { own: Blocks { level: 1, ..twin.tree }, ..p };
+    let p = Params { args: Blocks { level: 1, ..twin.tree }, ..p };
     let done =
         run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
     let third = slots[3][0] as usize;

@@ -3,7 +3,7 @@
 
 use crate::pairs::{candidates, filtered};
 use crate::scenes::{check_pairs, check_step};
-use crate::support::{bytes, entries, list, methods, paths, read, room, run, twin};
+use crate::support::{bytes, capacity, entries, list, methods, paths, read, run, twin};
 use crate::twin::Twin;
 use ccd::gpu::bind::{FilterListed, ListListed};
 use ccd::gpu::{Device, Session};
@@ -38,9 +38,9 @@ fn looked_at(
     let (boxes, bodies, keys) = (bytes(&twin.boxes), vec![0; 16], vec![0; 48]);
     let elements = if kind == 0 { bytes(step.mesh.faces()) } else { bytes(step.mesh.edges()) };
     let paths = bytes(&paths(step, false));
-    let (input, output) = (list(pairs), room(dispatch.room_out));
-    let dispatch = Dispatch { room_in: pairs.len() as u32, ..dispatch };
-    let p = Params { frame: twin.frame, dispatch, own: Decision { kind, room_open: 0 } };
+    let (input, output) = (list(pairs), capacity(dispatch.capacity_out));
+    let dispatch = Dispatch { capacity_in: pairs.len() as u32, ..dispatch };
+    let p = Params { frame: twin.frame, dispatch, args: Decision { kind, capacity_open: 0 } };
     if filters {
         let k = FilterListed { boxes, elements, bodies, keys, paths, input, output };
         run(device, k, &p, 3).output
@@ -52,7 +52,7 @@ fn looked_at(
 
 fn check_listed(device: &Device) {
     let (twin, step) = twin(40, 5);
-    let room_out = 100_000;
+    let capacity_out = 100_000;
     for kind in [0, 1] {
         let (pairs, want) = (overlaps(&twin, kind), candidates(&twin, &step, kind));
         assert!(pairs.len() > want.len() + 1000, "few neighbours show nothing");
@@ -63,7 +63,7 @@ fn check_listed(device: &Device) {
             let n = pairs.len() as u32;
             let (mut found, mut counted) = (Vec::new(), 0);
             for (first, n) in [(0, n / 3), (n / 3, n)] {
-                let dispatch = Dispatch { n, first, room_in: 0, room_out };
+                let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out };
                 let part = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
                 counted += read::<u32>(&part)[1];
                 found.extend(entries(&part));
@@ -75,10 +75,10 @@ fn check_listed(device: &Device) {
             check_pairs("listed pairs", want.clone(), found);
             assert!(fails, "a pair too many passes");
             // A list that is too short counts everything and writes nothing beyond its end.
-            let dispatch = Dispatch { n, first: 0, room_in: 0, room_out: 20 };
+            let dispatch = Dispatch { n, first: 0, capacity_in: 0, capacity_out: 20 };
             let short = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
             assert_eq!(read::<u32>(&short)[0] as usize, want.len());
-            let dispatch = Dispatch { room_out: 0, ..dispatch };
+            let dispatch = Dispatch { capacity_out: 0, ..dispatch };
             let none = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
             assert_eq!(none.len(), 4 * LIST_HEADER);
             assert_eq!(read::<u32>(&none)[0] as usize, want.len());

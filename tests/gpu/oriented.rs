@@ -3,7 +3,7 @@
 
 use crate::descent::Trees;
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, read, room, rounds_like_a_cpu, run, zeros};
+use crate::support::{bytes, capacity, entries, read, rounds_like_a_cpu, run, zeros};
 use crate::trees::{radix_tree, wide_tree};
 use crate::twin::Twin;
 use ccd::gpu::Device;
@@ -24,7 +24,7 @@ use ccd_testkit::generate::{Random, uniform_boxes};
 pub const TESTS: crate::Tests =
     &[("oriented_nodes", check_nodes), ("oriented_traversals", check_traversals)];
 
-const ROOM: u32 = 200_000;
+const CAPACITY: u32 = 200_000;
 
 /// Boxes in a sheet across the diagonal of space, each of which overlaps those beside it: flat for
 /// oriented boxes, thick for boxes along the axes.
@@ -91,8 +91,8 @@ struct Oriented {
 fn orient(device: &Device, twin: Twin, set: usize, boxes: Vec<u8>) -> Oriented {
     let (_, branches) = radix_tree(device, &twin, set, 2);
     let n = twin.frame.count[set];
-    let own = Blocks { kind: set as u32, level: 2, ..twin.tree };
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let args = Blocks { kind: set as u32, level: 2, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
     let kernel = OrientNear {
         branches: branches.clone(),
         block_nodes: bytes(&twin.nodes),
@@ -130,15 +130,15 @@ fn orient(device: &Device, twin: Twin, set: usize, boxes: Vec<u8>) -> Oriented {
 }
 
 /// Room for the oriented boxes of all sets.
-fn room_for(twin: &Twin) -> Vec<u8> {
+fn capacity_for(twin: &Twin) -> Vec<u8> {
     zeros::<[f32; WORDS]>(twin.boxes.len().max(1))
 }
 
 impl Oriented {
     fn over(device: &Device, boxes: &[Aabb]) -> Self {
         let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
-        let room = room_for(&twin);
-        orient(device, twin, 1, room)
+        let capacity = capacity_for(&twin);
+        orient(device, twin, 1, capacity)
     }
 
     /// The boxes of internal nodes.
@@ -265,15 +265,15 @@ fn traverse_full(
 ) -> Vec<Pair> {
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, room_in: 0, room_out: ROOM };
-        let own = Queries { kind, sorted };
-        let p = Params { frame: tree.twin.frame, dispatch, own };
+        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: CAPACITY };
+        let args = Queries { kind, sorted };
+        let p = Params { frame: tree.twin.frame, dispatch, args };
         let kernel = TraverseFullOriented {
             boxes: bytes(&tree.twin.boxes),
             order: bytes(&tree.twin.order),
             nodes: nodes.to_vec(),
             oriented: tree.boxes.clone(),
-            pairs: room(ROOM),
+            pairs: capacity(CAPACITY),
         };
         found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
     }
@@ -283,14 +283,14 @@ fn traverse_full(
 fn traverse_half(device: &Device, tree: &Oriented, nodes: &[u8], n: u32) -> Vec<Pair> {
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, room_in: 0, room_out: ROOM };
-        let p = Params { frame: tree.twin.frame, dispatch, own: tree.twin.tree };
+        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: CAPACITY };
+        let p = Params { frame: tree.twin.frame, dispatch, args: tree.twin.tree };
         let kernel = TraverseHalfOriented {
             leaves: bytes(&tree.twin.nodes),
             order: bytes(&tree.twin.order),
             nodes: nodes.to_vec(),
             oriented: tree.boxes.clone(),
-            pairs: room(ROOM),
+            pairs: capacity(CAPACITY),
         };
         found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
     }
@@ -301,18 +301,19 @@ fn traverse_half(device: &Device, tree: &Oriented, nodes: &[u8], n: u32) -> Vec<
 fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec<Pair>, usize) {
     let [a_nodes, b_nodes] = trees.nodes.clone();
     let nodes = 7;
-    let own = NodeDescent { nodes, larger, room_nodes: ROOM, ..NodeDescent::default() };
-    let dispatch = Dispatch { room_in: ROOM, room_out: ROOM, ..Dispatch::default() };
+    let args = NodeDescent { nodes, larger, capacity_nodes: CAPACITY, ..NodeDescent::default() };
+    let dispatch =
+        Dispatch { capacity_in: CAPACITY, capacity_out: CAPACITY, ..Dispatch::default() };
     let kernel = CutPairsOriented {
         a_nodes: a_nodes.clone(),
         b_nodes: b_nodes.clone(),
         cuts: trees.cuts(device, nodes),
         oriented: oriented.to_vec(),
         control: zeros::<u32>(words(0)),
-        output: room(ROOM),
+        output: capacity(CAPACITY),
         front: vec![0; 16],
     };
-    let p = trees.params(trees.kind, own, dispatch);
+    let p = trees.params(trees.kind, args, dispatch);
     let done = run(device, kernel, &p, (nodes * nodes).div_ceil(256));
     let mut kernel = ExpandPairsOriented {
         a_nodes,
@@ -320,8 +321,8 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
         oriented: oriented.to_vec(),
         input: done.output,
         levels: done.control,
-        output: room(ROOM),
-        pairs: room(ROOM),
+        output: capacity(CAPACITY),
+        pairs: capacity(CAPACITY),
     };
     let mut n_pairs = 0;
     for level in 0..255 {
@@ -331,7 +332,7 @@ fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec
             return (entries(&kernel.pairs), n_pairs);
         }
         let dispatch = Dispatch { first: level as u32, ..dispatch };
-        kernel = run(device, kernel, &trees.params(trees.kind, own, dispatch), n.div_ceil(128));
+        kernel = run(device, kernel, &trees.params(trees.kind, args, dispatch), n.div_ceil(128));
         std::mem::swap(&mut kernel.input, &mut kernel.output);
     }
     panic!("pairs of nodes on every level");
@@ -352,8 +353,8 @@ fn check_traversals(device: &Device) {
         }
         // As the second set of two, whose nodes stand behind the first set's.
         let twin = Twin::new([&loose, &[], &boxes], |_, i| [i; 3]);
-        let room = room_for(&twin);
-        let first = orient(device, twin, 0, room);
+        let capacity = capacity_for(&twin);
+        let first = orient(device, twin, 0, capacity);
         let second = orient(device, first.twin, 2, first.boxes);
         let nodes = wide_tree(device, &second.twin, 2, 2);
         let between = brute::pairs(&loose, &boxes);
@@ -362,10 +363,10 @@ fn check_traversals(device: &Device) {
             let found = traverse_full(device, &second, 0, &nodes, sorted, n);
             check_pairs(name, between.clone(), found);
         }
-        let own = Trees::new(device, 1, [&[], &boxes, &[]]);
+        let one = Trees::new(device, 1, [&[], &boxes, &[]]);
         let two = Trees::new(device, 0, [&loose, &[], &boxes]);
         for larger in [0, 1] {
-            let (found, _) = descend(device, &own, &within.boxes, larger);
+            let (found, _) = descend(device, &one, &within.boxes, larger);
             check_pairs(name, all.clone(), found);
             let (found, _) = descend(device, &two, &second.boxes, larger);
             check_pairs(name, between.clone(), found);

@@ -2,7 +2,7 @@
 //! force; and the broad phase made of them.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, entries, list, methods, paths, read, room, run, twin};
+use crate::support::{bytes, capacity, entries, list, methods, paths, read, run, twin};
 use crate::twin::Twin;
 use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
@@ -26,7 +26,7 @@ fn check_node_pairs(device: &Device) {
         let above = twin.node_pairs(2, kind);
         let want = twin.node_pairs(1, kind);
         let kernel =
-            NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: room(50_000) };
+            NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: capacity(50_000) };
         // Few workgroups, so that each takes several rounds; many, so that some have nothing to do.
         for groups in [1, 3, 500] {
             let done =
@@ -34,7 +34,7 @@ fn check_node_pairs(device: &Device) {
             check_pairs("node pairs", want.clone(), entries(&done.output));
         }
         // A list that is too short counts everything and writes nothing beyond its end.
-        let short = NodePairs { output: room(20), ..kernel };
+        let short = NodePairs { output: capacity(20), ..kernel };
         let words: Vec<u32> =
             read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
         assert_eq!(words[0] as usize, want.len());
@@ -94,7 +94,7 @@ fn check_candidates(device: &Device) {
     for kind in [0, 1] {
         let want = candidates(&twin, &step, kind);
         let blocks = twin.node_pairs(1, kind);
-        let kernel = lister(&twin, &blocks, room(100_000));
+        let kernel = lister(&twin, &blocks, capacity(100_000));
         let done = run(device, kernel, &twin.pass(kind, 1, blocks.len(), 100_000), 9);
         check_pairs("candidates", want, entries(&done.output));
     }
@@ -102,7 +102,7 @@ fn check_candidates(device: &Device) {
     let boxes = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 200];
     let twin = Twin::new([&[], &boxes, &[]], |_, i| [2 * i, 2 * i + 1, 2 * i + 1]);
     let blocks = twin.node_pairs(1, 1);
-    let kernel = lister(&twin, &blocks, room(20_000));
+    let kernel = lister(&twin, &blocks, capacity(20_000));
     let done = run(device, kernel, &twin.pass(1, 1, blocks.len(), 20_000), 2);
     const { assert!(4 * 1024 > block_bvh::POOL) };
     check_pairs("boxes on one another", brute::self_pairs(&boxes), entries(&done.output));
@@ -149,7 +149,7 @@ pub fn filtered(
     groups: u32,
 ) -> Vec<u8> {
     let (nodes, leaves, paths) = (bytes(&twin.nodes), bytes(&twin.leaves), bytes(paths));
-    let (bodies, keys, input, output) = (vec![0; 16], vec![0; 48], list(blocks), room(100_000));
+    let (bodies, keys, input, output) = (vec![0; 16], vec![0; 48], list(blocks), capacity(100_000));
     let p = twin.pass(kind, 1, blocks.len(), 100_000);
     if kind == 0 {
         run(

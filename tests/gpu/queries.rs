@@ -1,7 +1,7 @@
 //! All published queries through the kernels that decide, against exact answers.
 
 use crate::scenes::{Runnable, Test};
-use crate::support::{bytes, entries, list, room, run};
+use crate::support::{bytes, capacity, entries, list, run};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{Decide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
@@ -96,11 +96,12 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         ..Frame::default()
     }
     .searching(&Search::whole(0.0));
-    let dispatch = Dispatch { n: count, first: 0, room_in: count, room_out: count };
+    let dispatch = Dispatch { n: count, first: 0, capacity_in: count, capacity_out: count };
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
-    let p = Params { frame, dispatch, own: Decision { kind: !is_vf as u32, room_open: count } };
+    let p =
+        Params { frame, dispatch, args: Decision { kind: !is_vf as u32, capacity_open: count } };
     if device.info().wide {
         let positions = bytes(&[x0, x1].concat());
         let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
@@ -111,7 +112,7 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
                 if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
         }
     } else {
-        let undecided = room(count);
+        let undecided = capacity(count);
         let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
         let done = run(device, kernel, &p, 3);
         let (contacts, undecided) = (done.contacts, done.undecided);

@@ -2,7 +2,9 @@
 //! the CPU, whose rules are tested against brute force.
 
 use crate::scenes::{check_candidates, check_pairs, check_reports, check_step};
-use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
+use crate::support::{
+    bytes, capacity, check_boxes, entries, list, methods, read, run, twin, zeros,
+};
 use crate::twin::{code, union};
 use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
 use ccd::gpu::{Device, Session};
@@ -30,7 +32,7 @@ fn check_kernels(device: &Device) {
         let p = Params {
             frame: twin.frame,
             dispatch: Dispatch { n, ..Dispatch::default() },
-            own: Worlds { bits: 4 },
+            args: Worlds { bits: 4 },
         };
         let kernel = WorldBounds {
             boxes: bytes(&twin.boxes),
@@ -93,7 +95,7 @@ fn check_kernels(device: &Device) {
         for groups in [1, 40] {
             let (nodes, worlds) = (nodes.clone(), worlds.clone());
             let kernel =
-                NodePairsOfWorlds { nodes, worlds, input: list(&above), output: room(50_000) };
+                NodePairsOfWorlds { nodes, worlds, input: list(&above), output: capacity(50_000) };
             let done = run(device, kernel, &twin.pass(kind, 2, above.len(), 50_000), groups);
             check_pairs("node pairs of worlds", want.clone(), entries(&done.output));
             let found = entries(&done.output);

@@ -141,11 +141,12 @@ fn check_wide(device: &Device) {
 fn check_layouts(device: &Device) {
     let fill = |n: usize, first: u32| -> Vec<u32> { (0..n as u32).map(|i| first + i).collect() };
     let n_words = |part: &[u8]| part.len() / 4;
-    let [frame, dispatch, own] = Params::<Blocks>::default().parts().map(n_words);
+    let [frame, dispatch, args] = Params::<Blocks>::default().parts().map(n_words);
     let params = Params {
         frame: bytemuck::cast_slice(&fill(frame, 0x100))[0],
         dispatch: bytemuck::cast_slice(&fill(dispatch, 0x100 + frame as u32))[0],
-        own: bytemuck::cast_slice::<u32, Blocks>(&fill(own, 0x100 + (frame + dispatch) as u32))[0],
+        args: bytemuck::cast_slice::<u32, Blocks>(&fill(args, 0x100 + (frame + dispatch) as u32))
+            [0],
     };
     let record =
         |size: usize, first| bytemuck::cast_slice::<u32, u8>(&fill(2 * size / 4, first)).to_vec();
@@ -182,7 +183,7 @@ pub fn check_decorations() {
     let (dispatch, params) = ([0, 4, 8, 12], [0, 132, 148]);
     for kernel in TABLE {
         let Some(record) = kernel.params else { continue };
-        let own: &[u32] = match record {
+        let args: &[u32] = match record {
             "Blocks" => &[0, 128, 132, 136, 140],
             "SortPass" | "Queries" | "Decision" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
@@ -196,7 +197,7 @@ pub fn check_decorations() {
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };
         let found = offsets(kernel.name);
-        for want in [&frame[..], &dispatch, &params, own] {
+        for want in [&frame[..], &dispatch, &params, args] {
             let name = kernel.name;
             assert!(found.iter().any(|o| o == want), "{name}: none of {found:?} is {want:?}");
         }

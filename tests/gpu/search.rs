@@ -12,7 +12,7 @@ use ccd_core::backend::layout::{Dispatch, NodeDescent};
 use ccd_testkit::generate::Random;
 
 /// Room of the lists of tasks and of results.
-pub const ROOM: u32 = 12_000;
+pub const CAPACITY: u32 = 12_000;
 /// Of the number of workers, the power of two.
 pub const WORKERS: u32 = 3;
 
@@ -29,16 +29,17 @@ pub struct Buffers {
 pub trait Descends {
     /// Pairs that a worker expands in a turn.
     fn width(&self) -> u32;
-    /// The first tasks, without a front, for lists of `own.room_nodes` and [`ROOM`] entries.
-    fn first(&self, device: &Device, own: NodeDescent) -> Buffers;
+    /// The first tasks, without a front, for lists of `args.capacity_nodes` and [`CAPACITY`]
+    /// entries.
+    fn first(&self, device: &Device, args: NodeDescent) -> Buffers;
     /// The tasks with which a search begins at the front that another has left.
-    fn resume(&self, device: &Device, own: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers;
+    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers;
     /// A round of `2^WORKERS` workers.
-    fn round(&self, device: &Device, own: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers;
+    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers;
     /// What must be found, by brute force.
     fn want(&self) -> Vec<Pair>;
     /// Pairs below these tasks, these included, that workers expand.
-    fn below(&self, own: NodeDescent, tasks: Vec<NodePair>) -> u64;
+    fn below(&self, args: NodeDescent, tasks: Vec<NodePair>) -> u64;
     /// Each pair of leaves is below exactly one pair of a front.
     fn check_covers(&self, front: &[NodePair]);
     /// The same trees over boxes that are somewhere else, at most so far.
@@ -54,7 +55,7 @@ pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
         piece: 1,
         stack: STACK,
         turns: 4096,
-        room_nodes: ROOM,
+        capacity_nodes: CAPACITY,
         ..NodeDescent::default()
     };
     let mut all = vec![
@@ -93,16 +94,16 @@ pub struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Without a front.
-    pub fn new(device: &'a Device, of: &'a dyn Descends, own: NodeDescent) -> Self {
-        Self { device, of, buffers: of.first(device, own) }
+    pub fn new(device: &'a Device, of: &'a dyn Descends, args: NodeDescent) -> Self {
+        Self { device, of, buffers: of.first(device, args) }
     }
 
     /// The search after this one, of other trees: begins at the front that this one has written.
-    pub fn resumed(&self, of: &'a dyn Descends, own: NodeDescent) -> Self {
+    pub fn resumed(&self, of: &'a dyn Descends, args: NodeDescent) -> Self {
         let n = self.word(FRONT);
-        assert!(n <= own.room_front, "{n} pairs of a front");
-        let dispatch = Dispatch { n, room_out: ROOM, ..Dispatch::default() };
-        let buffers = of.resume(self.device, own, dispatch, self.buffers.front.clone());
+        assert!(n <= args.capacity_front, "{n} pairs of a front");
+        let dispatch = Dispatch { n, capacity_out: CAPACITY, ..Dispatch::default() };
+        let buffers = of.resume(self.device, args, dispatch, self.buffers.front.clone());
         Self { device: self.device, of, buffers }
     }
 
@@ -111,20 +112,20 @@ impl<'a> Search<'a> {
     }
 
     /// Round after round until nothing is left; how many there were.
-    pub fn run(&mut self, own: NodeDescent) -> u32 {
+    pub fn run(&mut self, args: NodeDescent) -> u32 {
         for round in 0..ROUNDS - 1 {
             if self.word(listed(round)) == 0 {
                 assert_eq!(self.word(LEFT), 0);
                 return round;
             }
-            self.round(own, round);
+            self.round(args, round);
         }
-        panic!("pairs are left after {ROUNDS} rounds: {own:?}");
+        panic!("pairs are left after {ROUNDS} rounds: {args:?}");
     }
 
-    pub fn round(&mut self, own: NodeDescent, round: u32) {
-        let dispatch = Dispatch { first: round, room_out: ROOM, ..Dispatch::default() };
-        self.buffers = self.of.round(self.device, own, dispatch, self.buffers.clone());
+    pub fn round(&mut self, args: NodeDescent, round: u32) {
+        let dispatch = Dispatch { first: round, capacity_out: CAPACITY, ..Dispatch::default() };
+        self.buffers = self.of.round(self.device, args, dispatch, self.buffers.clone());
     }
 
     /// Pairs that workers expanded, all together.
@@ -138,8 +139,8 @@ impl<'a> Search<'a> {
     }
 
     /// The front that was written.
-    pub fn written(&self, own: NodeDescent) -> Vec<NodePair> {
-        let from = (own.written * own.room_front) as usize;
+    pub fn written(&self, args: NodeDescent) -> Vec<NodePair> {
+        let from = (args.written * args.capacity_front) as usize;
         let all: Vec<NodePair> = read(&self.buffers.front);
         all[from..from + self.word(FRONT) as usize].to_vec()
     }

@@ -1,8 +1,8 @@
 //! Workers over two block trees, or one with itself.
 
-use crate::search::{Buffers, Descends, ROOM, WORKERS};
+use crate::search::{Buffers, CAPACITY, Descends, WORKERS};
 use crate::search_trees::written;
-use crate::support::{bytes, list, room, run, zeros};
+use crate::support::{bytes, capacity, list, run, zeros};
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{BlockWorkers, FirstBlockPairs, ResumeBlockFront, StealBlockPairs};
@@ -27,10 +27,10 @@ impl SearchBlocks {
         Self { twin: Twin::new(of, |_, i| [i; 3]), kind, top }
     }
 
-    fn params(&self, own: NodeDescent, dispatch: Dispatch) -> Params<BlockDescent> {
+    fn params(&self, args: NodeDescent, dispatch: Dispatch) -> Params<BlockDescent> {
         let slots = self.twin.tree.slots.map(|slots| sets(self.kind).map(|set| slots[set]));
-        let of_pairs = NodeDescent { kind: self.kind, ..own };
-        Params { frame: self.twin.frame, dispatch, own: BlockDescent { of_pairs, slots } }
+        let of_pairs = NodeDescent { kind: self.kind, ..args };
+        Params { frame: self.twin.frame, dispatch, args: BlockDescent { of_pairs, slots } }
     }
 
     /// All pairs of nodes of a level, within one set each once and with itself.
@@ -46,32 +46,34 @@ impl Descends for SearchBlocks {
         TEAMS
     }
 
-    fn first(&self, device: &Device, own: NodeDescent) -> Buffers {
+    fn first(&self, device: &Device, args: NodeDescent) -> Buffers {
         let all = self.all(self.top);
         let kernel = FirstBlockPairs {
             boxes: bytes(&self.twin.nodes),
             first: list(&all),
-            control: zeros::<u32>(words_with_deques(thieves(&own))),
-            nodes: room(2 * own.room_nodes),
-            pairs: room(ROOM),
-            front: vec![0xee; 16 * own.room_front.max(1) as usize],
+            control: zeros::<u32>(words_with_deques(thieves(&args))),
+            nodes: capacity(2 * args.capacity_nodes),
+            pairs: capacity(CAPACITY),
+            front: vec![0xee; 16 * args.capacity_front.max(1) as usize],
         };
         let n = all.len() as u32;
-        let dispatch = Dispatch { n, first: self.top, room_out: ROOM, ..Dispatch::default() };
-        written!(device, &self.params(own, dispatch), n.div_ceil(THREADS), kernel)
+        let dispatch =
+            Dispatch { n, first: self.top, capacity_out: CAPACITY, ..Dispatch::default() };
+        written!(device, &self.params(args, dispatch), n.div_ceil(THREADS), kernel)
     }
 
-    fn resume(&self, device: &Device, own: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
-        let control = zeros::<u32>(words_with_deques(thieves(&own)));
-        let (boxes, nodes, pairs) = (bytes(&self.twin.nodes), room(2 * ROOM), room(ROOM));
+    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
+        let control = zeros::<u32>(words_with_deques(thieves(&args)));
+        let (boxes, nodes, pairs) =
+            (bytes(&self.twin.nodes), capacity(2 * CAPACITY), capacity(CAPACITY));
         let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };
-        written!(device, &self.params(own, of), of.n.div_ceil(THREADS), kernel)
+        written!(device, &self.params(args, of), of.n.div_ceil(THREADS), kernel)
     }
 
-    fn round(&self, device: &Device, own: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
+    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
         let Buffers { control, nodes, pairs, front } = buffers;
-        let (p, boxes, n) = (self.params(own, of), bytes(&self.twin.nodes), 1 << WORKERS);
-        if own.batches > 0 {
+        let (p, boxes, n) = (self.params(args, of), bytes(&self.twin.nodes), 1 << WORKERS);
+        if args.batches > 0 {
             written!(device, &p, n, StealBlockPairs { boxes, control, nodes, pairs, front })
         } else {
             written!(device, &p, n, BlockWorkers { boxes, control, nodes, pairs, front })

@@ -1,8 +1,8 @@
 //! Workers over two binary trees, or one with itself.
 
 use crate::descent::Trees;
-use crate::search::{Buffers, Descends, ROOM, WORKERS};
-use crate::support::{bytes, read, room, run, zeros};
+use crate::search::{Buffers, CAPACITY, Descends, WORKERS};
+use crate::support::{bytes, capacity, read, run, zeros};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{
     PairWorkers, PairWorkersOriented, ResumeFront, ResumeFrontOriented, StealPairs,
@@ -65,19 +65,19 @@ impl Descends for SearchTrees {
     }
 
     /// The pairs of two cuts.
-    fn first(&self, device: &Device, own: NodeDescent) -> Buffers {
-        let front = vec![0xee; 16 * own.room_front.max(1) as usize];
-        let done = self.trees.cut_pairs(device, own, front);
+    fn first(&self, device: &Device, args: NodeDescent) -> Buffers {
+        let front = vec![0xee; 16 * args.capacity_front.max(1) as usize];
+        let done = self.trees.cut_pairs(device, args, front);
         let mut control = done.control;
-        control.resize(4 * words_with_deques(thieves(&own)), 0);
-        Buffers { control, nodes: done.output, pairs: room(ROOM), front: done.front }
+        control.resize(4 * words_with_deques(thieves(&args)), 0);
+        Buffers { control, nodes: done.output, pairs: capacity(CAPACITY), front: done.front }
     }
 
-    fn resume(&self, device: &Device, own: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
-        let control = zeros::<u32>(words_with_deques(thieves(&own)));
-        let (nodes, pairs) = (room(2 * ROOM), room(ROOM));
+    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
+        let control = zeros::<u32>(words_with_deques(thieves(&args)));
+        let (nodes, pairs) = (capacity(2 * CAPACITY), capacity(CAPACITY));
         let (p, [a_nodes, b_nodes]) =
-            (self.trees.params(self.trees.kind, own, of), self.nodes.clone());
+            (self.trees.params(self.trees.kind, args, of), self.nodes.clone());
         let n = of.n.div_ceil(THREADS);
         match self.oriented.clone() {
             None => {
@@ -93,12 +93,12 @@ impl Descends for SearchTrees {
         }
     }
 
-    fn round(&self, device: &Device, own: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
+    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
         let Buffers { control, nodes, pairs, front } = buffers;
         let (p, [a_nodes, b_nodes]) =
-            (self.trees.params(self.trees.kind, own, of), self.nodes.clone());
+            (self.trees.params(self.trees.kind, args, of), self.nodes.clone());
         let n = 1 << WORKERS;
-        match (self.oriented.clone(), own.batches > 0) {
+        match (self.oriented.clone(), args.batches > 0) {
             (None, false) => {
                 let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };
                 written!(device, &p, n, kernel)
@@ -132,8 +132,8 @@ impl Descends for SearchTrees {
         if self.trees.kind == 1 { brute::self_pairs(&a) } else { brute::pairs(&a, &b) }
     }
 
-    fn below(&self, own: NodeDescent, tasks: Vec<NodePair>) -> u64 {
-        let rule = if own.larger == 1 { Descent::Larger } else { Descent::Both };
+    fn below(&self, args: NodeDescent, tasks: Vec<NodePair>) -> u64 {
+        let rule = if args.larger == 1 { Descent::Larger } else { Descent::Both };
         let ([a, b], mut stack) = (self.both(), tasks);
         let is_leaf = |[i, j]: NodePair| a[i as usize].is_leaf() && b[j as usize].is_leaf();
         let (mut n, mut is_task) = (0, stack.len());

@@ -64,15 +64,15 @@ fn check_sort(device: &Device) {
     );
 }
 
-fn sort_pass(n: u32, own: SortPass) -> Params<SortPass> {
-    Params { frame: Frame::default(), dispatch: Dispatch { n, ..Dispatch::default() }, own }
+fn sort_pass(n: u32, args: SortPass) -> Params<SortPass> {
+    Params { frame: Frame::default(), dispatch: Dispatch { n, ..Dispatch::default() }, args }
 }
 
 /// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them.
 fn check_order(device: &Device) {
     let mut random = Random::new(5);
     let count = [300, 500, 200];
-    for (n, room) in [(0, 40), (1, 40), (5000, 6000), (6000, 6000)] {
+    for (n, capacity) in [(0, 40), (1, 40), (5000, 6000), (6000, 6000)] {
         let touches: Vec<Touch> = (0..n)
             .map(|i| {
                 let kind = random.below(2);
@@ -84,26 +84,26 @@ fn check_order(device: &Device) {
         let mut list = bytes(&[n, 0, 0, 0]);
         list.extend(bytes(&touches));
         // What stands behind the last contact is left from another frame.
-        list.resize(16 + room as usize * size_of::<Touch>(), 0x11);
+        list.resize(16 + capacity as usize * size_of::<Touch>(), 0x11);
         let mut want = touches.clone();
         want.sort_by_key(|t| (t.kind, t.a, t.b));
         let frame = Frame { count, ..Frame::default() };
-        let dispatch = Dispatch { n: room, room_in: room, ..Dispatch::default() };
-        let groups = room.div_ceil(256);
-        let mut order: Vec<u32> = vec![0; room as usize];
+        let dispatch = Dispatch { n: capacity, capacity_in: capacity, ..Dispatch::default() };
+        let groups = capacity.div_ceil(256);
+        let mut order: Vec<u32> = vec![0; capacity as usize];
         for pass in [0, 1] {
-            let p = Params { frame, dispatch, own: ContactSort { pass } };
-            let (contacts, keys) = (list.clone(), zeros::<u32>(room as usize));
+            let p = Params { frame, dispatch, args: ContactSort { pass } };
+            let (contacts, keys) = (list.clone(), zeros::<u32>(capacity as usize));
             let kernel = ContactKeys { contacts, keys, order: bytes(&order) };
             let done = run(device, kernel, &p, groups);
-            let mut sorter = Sorter::new(device, room).unwrap();
+            let mut sorter = Sorter::new(device, capacity).unwrap();
             (_, order) = sorter.sort(&read(&done.keys), &read(&done.order)).unwrap();
         }
-        let p = Params { frame, dispatch, own: Plain::default() };
+        let p = Params { frame, dispatch, args: Plain::default() };
         let kernel = OrderContacts {
             contacts: list,
             order: bytes(&order),
-            ordered: zeros::<Touch>(room as usize),
+            ordered: zeros::<Touch>(capacity as usize),
         };
         let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
         assert!(ordered[..n as usize] == want, "{n} contacts");

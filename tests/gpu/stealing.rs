@@ -37,7 +37,7 @@ const MOST_DISPATCHES: u32 = 10_000;
 /// few workers as they fit into, those for which there is no room on stacks.
 #[derive(Clone, Copy, Debug)]
 struct Work {
-    own: Stealing,
+    args: Stealing,
     n_items: u32,
     lives: u32,
 }
@@ -56,7 +56,7 @@ struct Found {
 
 impl Work {
     fn workers(&self) -> Workers {
-        let Stealing { workers, batches, batch, .. } = self.own;
+        let Stealing { workers, batches, batch, .. } = self.args;
         Workers { n: workers, batches, batch }
     }
 
@@ -88,7 +88,7 @@ impl Work {
     }
 
     fn params(&self) -> Params<Stealing> {
-        Params { own: self.own, ..Params::default() }
+        Params { args: self.args, ..Params::default() }
     }
 
     /// Dispatches until nothing is left.
@@ -97,7 +97,7 @@ impl Work {
         let mut found = Found::default();
         loop {
             kernel.status.fill(0);
-            kernel = run(device, kernel, &self.params(), self.own.workers);
+            kernel = run(device, kernel, &self.params(), self.args.workers);
             let status: Vec<u32> = read(&kernel.status);
             found.popped += status[0] as u64;
             found.stolen += status[1] as u64;
@@ -133,8 +133,8 @@ fn check_refused(device: &Device) {
     if device.check_native().is_ok() {
         return not_run("the native path steals");
     }
-    let own = Stealing { workers: 1, batches: 2, batch: 1, most: 0, rounds: 1, patience: 1 };
-    let work = Work { own, n_items: 1, lives: 1 };
+    let args = Stealing { workers: 1, batches: 2, batch: 1, most: 0, rounds: 1, patience: 1 };
+    let work = Work { args, n_items: 1, lives: 1 };
     let result = harness::run(device, &mut work.kernel(), &work.params(), 1, 65_535);
     let Err(Error::Unavailable { why }) = result else { panic!("{result:?}") };
     assert!(why.contains("WGSL") && why.contains("workgroups"), "{why}");
@@ -145,8 +145,8 @@ fn check_indices(device: &Device) {
     if harness::failures(device).unwrap().is_none() {
         return not_run("kernels check their indices with CCD_CHECKED_SHADERS and SPIR-V alone");
     }
-    let own = Stealing { workers: 1, batches: 2, batch: 1, most: 0, rounds: 1, patience: 1 };
-    let work = Work { own, n_items: 4, lives: 1 };
+    let args = Stealing { workers: 1, batches: 2, batch: 1, most: 0, rounds: 1, patience: 1 };
+    let work = Work { args, n_items: 4, lives: 1 };
     // Nothing; a tag that is counted nowhere; 129 items on a stack of 128, each of two words.
     for (word, value, want) in [(0, 2, None), (1, 1000, Some(1)), (0, STACK as u32 + 1, Some(2))] {
         let mut kernel = work.kernel();
@@ -175,18 +175,18 @@ fn check_steals(device: &Device) {
 /// Shapes of work, every item of which is taken as often as it lives; adds what was stolen, found a
 /// deque full, and took more than a dispatch.
 fn steal(device: &Device, seen: &mut [u64; 3]) {
-    let own = Stealing { workers: 8, batches: 8, batch: 4, most: 0, rounds: 40, patience: 10 };
-    for (own, n_items) in [
-        (Stealing { workers: 1, ..own }, 30),
-        (own, 200),
-        (Stealing { most: 2, ..own }, 200),
-        (Stealing { workers: 40, batches: 2, batch: 1, ..own }, 70),
-        (Stealing { workers: 40, batches: 2, batch: 1, most: 2, ..own }, 70),
-        (Stealing { workers: 5, batch: 64, most: 8, ..own }, 2000),
-        (Stealing { workers: 4, batches: 2, batch: 1, ..own }, 300),
-        (Stealing { workers: 4, batches: 2, batch: 1, most: 1, ..own }, 300),
+    let args = Stealing { workers: 8, batches: 8, batch: 4, most: 0, rounds: 40, patience: 10 };
+    for (args, n_items) in [
+        (Stealing { workers: 1, ..args }, 30),
+        (args, 200),
+        (Stealing { most: 2, ..args }, 200),
+        (Stealing { workers: 40, batches: 2, batch: 1, ..args }, 70),
+        (Stealing { workers: 40, batches: 2, batch: 1, most: 2, ..args }, 70),
+        (Stealing { workers: 5, batch: 64, most: 8, ..args }, 2000),
+        (Stealing { workers: 4, batches: 2, batch: 1, ..args }, 300),
+        (Stealing { workers: 4, batches: 2, batch: 1, most: 1, ..args }, 300),
     ] {
-        let work = Work { own, n_items, lives: 20 };
+        let work = Work { args, n_items, lives: 20 };
         let (found, mut counts) = work.run(device);
         work.check(&counts).unwrap();
         let of = [found.stolen, found.full, found.dispatches as u64 - 1];
@@ -207,14 +207,14 @@ fn check_many(device: &Device) {
     let wanted = wanted.unwrap_or(20_000);
     // Small work is for software, which runs few workgroups at once.
     let (workers, lives) = if wanted > 1_000_000 { (2048, 250) } else { (16, 10) };
-    let own = Stealing { workers, batches: 64, batch: 4, most: 0, rounds: 2000, patience: 100 };
+    let args = Stealing { workers, batches: 64, batch: 4, most: 0, rounds: 2000, patience: 100 };
     // The last: few items for many workers, in rings that they go around all the time.
-    let few = Stealing { batches: 2, batch: 1, ..own };
-    let shapes = [(own, 128), (Stealing { most: 4, ..own }, 128), (few, 1)];
+    let few = Stealing { batches: 2, batch: 1, ..args };
+    let shapes = [(args, 128), (Stealing { most: 4, ..args }, 128), (few, 1)];
     let start = Instant::now();
     let mut all = Found::default();
-    for (own, items) in shapes.into_iter().cycle() {
-        let work = Work { own, n_items: workers * items, lives };
+    for (args, items) in shapes.into_iter().cycle() {
+        let work = Work { args, n_items: workers * items, lives };
         let (found, counts) = work.run(device);
         work.check(&counts).unwrap();
         all.items += found.items;

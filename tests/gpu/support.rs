@@ -55,7 +55,7 @@ pub fn check_all_ran(wide: bool) {
 pub fn run<K: Bind<Vec<u8>>>(
     device: &Device,
     mut kernel: K,
-    params: &Params<K::Own>,
+    params: &Params<K::Args>,
     groups: u32,
 ) -> K {
     RAN.lock().unwrap().insert(K::ID.row().name);
@@ -177,6 +177,6 @@ pub fn entries(list: &[u8]) -> Vec<Pair> {
         .collect()
 }
 
-pub fn room(n: u32) -> Vec<u8> {
+pub fn capacity(n: u32) -> Vec<u8> {
     vec![0; 4 * (LIST_HEADER + 2 * n as usize)]
 }

@@ -2,7 +2,7 @@
 
 use crate::builders::check_well_formed;
 use crate::scenes::check_pairs;
-use crate::support::{bytes, check_boxes, entries, read, room, run, zeros};
+use crate::support::{bytes, capacity, check_boxes, entries, read, run, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{BranchBoxes, Branches, FarNodes, NearNodes, TraverseFull, TraverseHalf};
@@ -51,12 +51,12 @@ fn check_wide_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin, set: usize) {
         assert!(apart && (first..last).contains(&split), "split {split} of {first} to {last}");
         let smaller = split - first < last - split;
         assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
-        for (child, first, last, own) in [
+        for (child, first, last, boxed) in [
             (record.left, first, split, record.left_box()),
             (record.right, split + 1, last, record.right_box()),
         ] {
             let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
-            check_boxes("node", &[want], &[own]);
+            check_boxes("node", &[want], &[boxed]);
             if first == last {
                 assert_eq!(child, first | WideNode::MARK);
                 assert!(!std::mem::replace(&mut seen[first as usize], true), "{first} comes twice");
@@ -110,8 +110,8 @@ pub fn radix_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> (Vec<
     let n = twin.frame.count[set];
     let groups = n.div_ceil(256);
     let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
-    let own = Blocks { kind: set as u32, level, ..twin.tree };
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let args = Blocks { kind: set as u32, level, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
     let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
     let Branches { branches, .. } = run(device, kernel, &p, groups);
     let kernel = BranchBoxes {
@@ -133,8 +133,8 @@ fn sorted_keys(twin: &Twin, set: usize) -> Vec<u32> {
 pub fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8> {
     let n = twin.frame.count[set];
     let (_, branches) = radix_tree(device, twin, set, level);
-    let own = Blocks { kind: set as u32, level, ..twin.tree };
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let args = Blocks { kind: set as u32, level, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
     let kernel = NearNodes {
         branches: branches.clone(),
         block_nodes: bytes(&twin.nodes),
@@ -158,13 +158,13 @@ fn traverse_full(device: &Device, twin: &Twin, kind: u32, nodes: &[u8], n: u32) 
         let mut found = Vec::new();
         // In two parts, as a dispatch of many queries is.
         for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-            let dispatch = Dispatch { n, first, room_in: 0, room_out: 200_000 };
-            let p = Params { frame: twin.frame, dispatch, own: Queries { kind, sorted } };
+            let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: 200_000 };
+            let p = Params { frame: twin.frame, dispatch, args: Queries { kind, sorted } };
             let kernel = TraverseFull {
                 boxes: bytes(&twin.boxes),
                 order: bytes(&twin.order),
                 nodes: nodes.to_vec(),
-                pairs: room(200_000),
+                pairs: capacity(200_000),
             };
             found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
         }
@@ -179,18 +179,18 @@ fn traverse_full(device: &Device, twin: &Twin, kind: u32, nodes: &[u8], n: u32) 
 /// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
 /// that runs over.
 fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
-    let (n, room_out) = (boxes.len() as u32, 200_000);
+    let (n, capacity_out) = (boxes.len() as u32, 200_000);
     let all = brute::self_pairs(boxes);
     let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
         let (leaves, order) = (bytes(&twin.nodes), bytes(&twin.order));
         let kernel = TraverseHalf { leaves, order, nodes: nodes.to_vec(), pairs };
-        let p = Params { frame: twin.frame, dispatch, own: twin.tree };
+        let p = Params { frame: twin.frame, dispatch, args: twin.tree };
         run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
     };
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, room_in: 0, room_out };
-        found.extend(entries(&traverse(dispatch, room(room_out))));
+        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out };
+        found.extend(entries(&traverse(dispatch, capacity(capacity_out))));
     }
     check_pairs("overlaps by a tree", all.clone(), found);
     let found = traverse_full(device, twin, 1, nodes, n);

@@ -4,7 +4,9 @@
 
 use crate::failures::check_growth_of;
 use crate::scenes::{check_pairs, check_step};
-use crate::support::{bytes, check_boxes, entries, list, methods, read, room, run, twin, zeros};
+use crate::support::{
+    bytes, capacity, check_boxes, entries, list, methods, read, run, twin, zeros,
+};
 use crate::twin::union;
 use ccd::gpu::bind::{ExpandTriangles, NearTests, SweepTriangles};
 use ccd::gpu::{Candidates, Device, Error, Session};
@@ -27,8 +29,8 @@ pub const TESTS: crate::Tests = &[
 ];
 
 fn triangles(orphans: bool, cones: bool) -> Options {
-    let own = TriangleOptions::default().orphans(orphans).cones(cones);
-    Options::default().with_pipeline(Pipeline::Triangles(own))
+    let triangles = TriangleOptions::default().orphans(orphans).cones(cones);
+    Options::default().with_pipeline(Pipeline::Triangles(triangles))
 }
 
 /// Faces with corners near one another or twice, one of them twice, wires, vertices in nothing.
@@ -79,22 +81,22 @@ fn check_kernels(device: &Device) {
     let want = brute::candidates_among(&step.mesh, &[0, 1, 2].map(of_set));
     let sets = OrphanSets::new(&step.mesh, &triangles).unwrap();
     let near = near_tests::NearTests::new(&sets, &triangles, |_| true).unwrap();
-    let expand = |flags, rooms: [u32; 2]| {
+    let expand = |flags, capacities: [u32; 2]| {
         let (n_vf, orphans) = (near.n_vf, near.orphans);
-        let own = Expansion { flags, room_ee: rooms[1], n_vf, orphans, rules: 0 };
+        let args = Expansion { flags, capacity_ee: capacities[1], n_vf, orphans, rules: 0 };
         let (n_pairs, n_near) = (pairs.len() as u32, near.tests.len() as u32);
         let mut made = ExpandTriangles {
             triangles: bytes(&records),
             regions: vec![0; 16],
             boxes: bytes(&twin.boxes),
             input: list(&pairs),
-            vf: room(rooms[0]),
-            ee: room(rooms[1]),
+            vf: capacity(capacities[0]),
+            ee: capacity(capacities[1]),
             counts: zeros::<u32>(N_COUNTS * COUNT_STRIDE),
         };
-        let params = |n, first, room_in| {
-            let dispatch = Dispatch { n, first, room_in, room_out: rooms[0] };
-            Params { frame: twin.frame, dispatch, own }
+        let params = |n, first, capacity_in| {
+            let dispatch = Dispatch { n, first, capacity_in, capacity_out: capacities[0] };
+            Params { frame: twin.frame, dispatch, args }
         };
         for (first, n) in [(0, n_pairs / 3), (n_pairs / 3, n_pairs)] {
             made = run(device, made, &params(n, first, n_pairs), 3);
@@ -113,9 +115,9 @@ fn check_kernels(device: &Device) {
         Made { lists: [made.vf, made.ee], counts }
     };
     for flags in [0, Expansion::FLAG_ORPHANS] {
-        let rooms = [200_000; 2];
+        let capacities = [200_000; 2];
         let Made { lists, counts: [n_pairs, adjacent, _, represented, orphans] } =
-            expand(flags, rooms);
+            expand(flags, capacities);
         assert_eq!(n_pairs, pairs.len() as u64);
         let is_adjacent = |p: &&Pair| triangles.adjacent(p.a, p.b);
         let n_adjacent = pairs.iter().filter(is_adjacent).count() as u64;
@@ -132,13 +134,13 @@ fn check_kernels(device: &Device) {
         }
         // Lists that are too short count everything; what is in them is right.
         let short = expand(flags, [30, 50]).lists;
-        for (kind, room) in [(0, 30), (1, 50)] {
+        for (kind, capacity) in [(0, 30), (1, 50)] {
             let words: Vec<u32> = read(&short[kind]);
             assert_eq!(words[0] as usize, want[kind].len());
             let mut there: Vec<Pair> = bytemuck::pod_collect_to_vec(&short[kind][16..]);
             there.sort_unstable();
             there.dedup();
-            assert!(there.len() == room && there.iter().all(|p| want[kind].contains(p)));
+            assert!(there.len() == capacity && there.iter().all(|p| want[kind].contains(p)));
         }
     }
 }

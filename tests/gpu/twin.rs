@@ -122,14 +122,21 @@ impl Twin {
     }
 
     /// Parameters of a pass over pairs of nodes.
-    pub fn pass(&self, kind: u32, level: u32, room_in: usize, room_out: u32) -> Params<Blocks> {
-        let dispatch = Dispatch { room_in: room_in as u32, room_out, ..Dispatch::default() };
-        Params { frame: self.frame, dispatch, own: Blocks { kind, level, ..self.tree } }
+    pub fn pass(
+        &self,
+        kind: u32,
+        level: u32,
+        capacity_in: usize,
+        capacity_out: u32,
+    ) -> Params<Blocks> {
+        let dispatch =
+            Dispatch { capacity_in: capacity_in as u32, capacity_out, ..Dispatch::default() };
+        Params { frame: self.frame, dispatch, args: Blocks { kind, level, ..self.tree } }
     }
 
     /// Parameters of a kernel that knows nothing of block trees.
     pub fn plain(&self, dispatch: Dispatch) -> Params {
-        Params { frame: self.frame, dispatch, own: Plain::default() }
+        Params { frame: self.frame, dispatch, args: Plain::default() }
     }
 
     /// Nodes of a set on a level.

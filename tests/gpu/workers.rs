@@ -3,7 +3,7 @@
 //! that move.
 
 use crate::scenes::check_pairs;
-use crate::search::{Descends, ROOM, Search, WORKERS, rules};
+use crate::search::{CAPACITY, Descends, Search, WORKERS, rules};
 use crate::search_blocks::SearchBlocks;
 use crate::search_trees::SearchTrees;
 use crate::support::{entries, read};
@@ -17,7 +17,7 @@ use ccd_testkit::generate::{Random, uniform_boxes};
 pub const TESTS: crate::Tests = &[
     ("workers", check_tree_workers),
     ("workers_of_blocks", check_block_workers),
-    ("workers_without_room", check_room),
+    ("workers_without_room", check_capacity),
     ("fronts", check_fronts),
 ];
 
@@ -79,26 +79,26 @@ fn check_batches(device: &Device, again: &dyn Descends, mut batches: [u32; 3]) {
 /// once.
 fn check_workers(device: &Device, trees: &dyn Descends, batches: &mut [u32; 3]) {
     let (want, width) = (trees.want(), trees.width());
-    for (name, own) in rules(device, width) {
+    for (name, args) in rules(device, width) {
         let larger = (name.len() % 2) as u32;
-        let own = NodeDescent { larger, nodes: 5, ..own };
-        let mut search = Search::new(device, trees, own);
+        let args = NodeDescent { larger, nodes: 5, ..args };
+        let mut search = Search::new(device, trees, args);
         let mut tasks = search.buffers.nodes.clone();
         tasks[..4].copy_from_slice(&search.word(0).to_le_bytes());
         let tasks: Vec<NodePair> = entries(&tasks).iter().map(|p| [p.a, p.b]).collect();
         let n_tasks = tasks.len() as u64;
-        let n = trees.below(own, tasks);
-        let n_rounds = search.run(own);
-        assert!(read::<u32>(&search.buffers.nodes)[0] <= ROOM, "{name}: more tasks than room");
+        let n = trees.below(args, tasks);
+        let n_rounds = search.run(args);
+        assert!(read::<u32>(&search.buffers.nodes)[0] <= CAPACITY, "{name}: more tasks than room");
         check_pairs(name, want.clone(), entries(&search.buffers.pairs));
         assert_eq!(search.expanded(), n, "{name}: pairs expanded");
-        if own.batches > 0 {
+        if args.batches > 0 {
             *batches = std::array::from_fn(|i| batches[i] + search.batches()[i]);
         }
-        let short = own.turns == 1 && n > (width as u64) << WORKERS;
-        let spills = own.stack == 0 && n > n_tasks || own.stack == 9 && n > 2 * STACK as u64;
+        let short = args.turns == 1 && n > (width as u64) << WORKERS;
+        let spills = args.stack == 0 && n > n_tasks || args.stack == 9 && n > 2 * STACK as u64;
         assert!(!(short || spills) || n_rounds > 1, "{name}: {n_rounds} rounds");
-        if own.idle == 0 && own.stack == STACK && own.turns > 9 {
+        if args.idle == 0 && args.stack == STACK && args.turns > 9 {
             assert!(n_rounds <= 1, "{name}: {n_rounds} rounds, and all have room");
         }
     }
@@ -106,7 +106,7 @@ fn check_workers(device: &Device, trees: &dyn Descends, batches: &mut [u32; 3]) 
 
 /// Lists that are too short count what they lack, and nothing is written beyond their ends; what is
 /// left after the last round is said.
-fn check_room(device: &Device) {
+fn check_capacity(device: &Device) {
     let all = boxes(500, 0.05);
     let trees = SearchTrees::new(device, 1, [&[], &all, &[]], false);
     check_room_of(device, &trees, 30);
@@ -117,16 +117,17 @@ fn check_room(device: &Device) {
     check_last(device, &trees);
 }
 
-fn check_room_of(device: &Device, trees: &dyn Descends, room: u32) {
-    for (name, own) in rules(device, trees.width()) {
-        let short = NodeDescent { nodes: 20, room_nodes: room, stack: own.stack.min(40), ..own };
+fn check_room_of(device: &Device, trees: &dyn Descends, capacity: u32) {
+    for (name, args) in rules(device, trees.width()) {
+        let short =
+            NodeDescent { nodes: 20, capacity_nodes: capacity, stack: args.stack.min(40), ..args };
         let mut search = Search::new(device, trees, short);
         // Words behind both halves of the list.
-        let n_words = LIST_HEADER + 4 * room as usize;
+        let n_words = LIST_HEADER + 4 * capacity as usize;
         search.buffers.nodes.truncate(4 * n_words);
         search.buffers.nodes.extend([0xab; 64]);
         let wanted = search.word(0);
-        assert!(wanted > room, "{name}: {wanted} tasks");
+        assert!(wanted > capacity, "{name}: {wanted} tasks");
         assert_eq!(read::<u32>(&search.buffers.nodes)[0], wanted);
         for round in 0..3 {
             search.round(short, round);
@@ -139,8 +140,8 @@ fn check_room_of(device: &Device, trees: &dyn Descends, room: u32) {
 
 /// One round, which is the last.
 fn check_last(device: &Device, trees: &dyn Descends) {
-    for (name, own) in rules(device, trees.width()) {
-        let last = NodeDescent { nodes: 20, turns: 1, last: 1, ..own };
+    for (name, args) in rules(device, trees.width()) {
+        let last = NodeDescent { nodes: 20, turns: 1, last: 1, ..args };
         let mut search = Search::new(device, trees, last);
         search.round(last, 0);
         assert!(search.word(listed(1)) > 0, "{name}: nothing is left after a turn");
@@ -168,30 +169,30 @@ fn check_fronts(device: &Device) {
         }
         all.push(Box::new(of_blocks(2 + (k % 3) as u32)));
         for trees in all {
-            let (name, own) = rules(device, trees.width())[k];
-            let own = NodeDescent { nodes: 9, larger, room_front: 60_000, ..own };
-            check_front(device, name, &*trees, own);
+            let (name, args) = rules(device, trees.width())[k];
+            let args = NodeDescent { nodes: 9, larger, capacity_front: 60_000, ..args };
+            check_front(device, name, &*trees, args);
         }
     }
 }
 
-fn check_front(device: &Device, name: &str, trees: &dyn Descends, own: NodeDescent) {
+fn check_front(device: &Device, name: &str, trees: &dyn Descends, args: NodeDescent) {
     let mut random = Random::new(name.len() as u32);
     let moved = [0.02, 0.3, 0.05].map(|by| trees.moved(&mut random, by));
-    let mut search = Search::new(device, trees, own);
-    search.run(own);
+    let mut search = Search::new(device, trees, args);
+    search.run(args);
     let (mut found, mut n_begun) = (vec![0], 0);
     let all = std::iter::once(trees).chain(moved.iter().map(|trees| &**trees));
     for (i, of) in all.enumerate() {
-        let own = NodeDescent { written: i as u32 % 2, ..own };
+        let args = NodeDescent { written: i as u32 % 2, ..args };
         if i > 0 {
             n_begun += search.word(FRONT);
-            search = search.resumed(of, own);
-            search.run(own);
+            search = search.resumed(of, args);
+            search.run(args);
         }
         let pairs = entries(&search.buffers.pairs);
         check_pairs(name, of.want(), pairs.clone());
-        of.check_covers(&search.written(own));
+        of.check_covers(&search.written(args));
         found.push(pairs.len());
     }
     // The control: frames have other pairs, so that a front that stayed as it was is seen.

@@ -54,11 +54,11 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
     }
 }
 
-/// Rounds that workgroup `own` of `groups` needs for its share of `n` items.
+/// Rounds that workgroup `group` of `groups` needs for its share of `n` items.
 #[inline(always)]
-pub fn rounds(n: u32, own: u32, groups: u32, threads: u32) -> u32 {
+pub fn rounds(n: u32, group: u32, groups: u32, threads: u32) -> u32 {
     let tiles = n.div_ceil(threads);
-    if tiles > own { (tiles - own).div_ceil(groups) } else { 0 }
+    if tiles > group { (tiles - group).div_ceil(groups) } else { 0 }
 }
 
 /// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of

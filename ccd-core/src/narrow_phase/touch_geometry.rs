@@ -25,7 +25,7 @@ pub fn narrow(
     let (x0, x1) = ends(ids, paths);
     let toi = until(earliest_key(touch.toi));
     let g = contact_geometry(patch, &x0, &x1, toi, params.frame.path_error);
-    let Placing { origin, unit } = params.own;
+    let Placing { origin, unit } = params.args;
     TouchGeometry {
         point: add(scale(g.point, unit), origin),
         distance: g.distance * unit,

@@ -135,12 +135,12 @@ impl Front {
         let wanted = self.next.finish() as u64;
         // Both lists take turns.
         let most = most_bytes / (2 * size_of::<AtomicU64>());
-        let (n, room) = (self.next.n_pairs(), self.next.slots.len() as u64);
-        match self.state.end(options, n, wanted, room, most as u64) {
+        let (n, capacity) = (self.next.n_pairs(), self.next.slots.len() as u64);
+        match self.state.end(options, n, wanted, capacity, most as u64) {
             Fate::Kept => std::mem::swap(&mut self.kept, &mut self.next),
-            Fate::Grows(room) => {
-                self.kept.grow(room as usize);
-                self.next.grow(room as usize);
+            Fate::Grows(capacity) => {
+                self.kept.grow(capacity as usize);
+                self.next.grow(capacity as usize);
             }
             Fate::Dropped => {}
         }
@@ -171,9 +171,9 @@ impl List {
         self.cursors.resize_with(n_workers, Own::default);
     }
 
-    fn grow(&mut self, room: usize) {
-        self.slots.reserve_exact(room.saturating_sub(self.slots.len()));
-        self.slots.resize_with(room, AtomicU64::default);
+    fn grow(&mut self, capacity: usize) {
+        self.slots.reserve_exact(capacity.saturating_sub(self.slots.len()));
+        self.slots.resize_with(capacity, AtomicU64::default);
     }
 
     /// Ends all pieces. Returns the room that was wanted.

@@ -54,12 +54,12 @@ pub struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// Rows that are listed before they are handed on: they fit the cache of a core.
-    pub const ROOM: usize = 1024;
+    pub const CAPACITY: usize = 1024;
 
     /// An empty list.
     pub fn new(list: &'a mut Vec<Row>, flush: &'a mut (dyn FnMut(&[Row]) + Send)) -> Self {
         list.clear();
-        list.reserve(Self::ROOM);
+        list.reserve(Self::CAPACITY);
         Self { list, flush }
     }
 
@@ -68,7 +68,7 @@ impl<'a> Rows<'a> {
     pub fn push(&mut self, a: usize, b: usize, mask: u32) {
         if mask != 0 {
             self.list.push(Row { a: a as u32, b: b as u32, mask });
-            if self.list.len() == Self::ROOM {
+            if self.list.len() == Self::CAPACITY {
                 self.flush();
             }
         }

@@ -151,10 +151,10 @@ impl PairSource for Scheduled {
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
             let run = |k: usize, worker: &mut K::Worker, _: &mut Own<Buffers>| {
-                let rows = &rows[k * Rows::ROOM..((k + 1) * Rows::ROOM).min(rows.len())];
+                let rows = &rows[k * Rows::CAPACITY..((k + 1) * Rows::CAPACITY).min(rows.len())];
                 crate::simd::run_rows!(HandOn { rows, sink, worker });
             };
-            share(threads, rows.len().div_ceil(Rows::ROOM), 1, sink, workers, buffers, &run);
+            share(threads, rows.len().div_ceil(Rows::CAPACITY), 1, sink, workers, buffers, &run);
         } else {
             threads.each(workers, &|_, worker| sink.end(worker));
         }
@@ -235,8 +235,8 @@ impl Descent {
                 let front = written.map(|list| list.writer(*worker));
                 let mut traces = Traces { rows, front, n_expanded: 0 };
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
-                    let room = pairs.len() * MOST_CHILDREN;
-                    if !stop.is_stopped() && stop.reserve(PAIRS_OF_NODES, out, room) {
+                    let capacity = pairs.len() * MOST_CHILDREN;
+                    if !stop.is_stopped() && stop.reserve(PAIRS_OF_NODES, out, capacity) {
                         tree.expand(pairs, out, &mut traces);
                     }
                 };

@@ -131,9 +131,9 @@ impl Sweep<'_> {
             // In one order leaves that begin at one place come one after the other.
             return if b == self.block { !0 << (lane + 1) } else { !0 };
         }
-        let own = S::Lanes::splat(self.of.blocks()[self.block].min[axis].0[lane]);
+        let begin = S::Lanes::splat(self.of.blocks()[self.block].min[axis].0[lane]);
         let other = simd.load(&self.others[b].min[axis]);
-        finds(own, other, self.role == Role::First)
+        finds(begin, other, self.role == Role::First)
     }
 }
 

@@ -105,8 +105,8 @@ impl BinaryTree {
 
     /// What kernels over the nodes of the tree are told.
     pub fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
-        let own = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
-        Params { frame: *frame, dispatch: Dispatch::default(), own }
+        let args = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
+        Params { frame: *frame, dispatch: Dispatch::default(), args }
     }
 
     /// Lists all pairs within the tree, each query looking only at leaves after its own.
@@ -134,13 +134,13 @@ impl BinaryTree {
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        (own, oriented): (Queries, Option<&wgpu::Buffer>),
+        (args, oriented): (Queries, Option<&wgpu::Buffer>),
         pairs: &List,
     ) {
         let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
-        for dispatch in parts(frame.count[sets(own.kind)[0]], pairs) {
+        for dispatch in parts(frame.count[sets(args.kind)[0]], pairs) {
             let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
-            let p = Params { frame: *frame, dispatch, own };
+            let p = Params { frame: *frame, dispatch, args };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }
     }
@@ -148,11 +148,11 @@ impl BinaryTree {
 
 /// The dispatches over `n` queries.
 fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
-    let room_out = pairs.room();
+    let capacity_out = pairs.capacity();
     (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
         n: (n - first).min(DISPATCH_LIMIT),
         first,
-        room_in: 0,
-        room_out,
+        capacity_in: 0,
+        capacity_out,
     })
 }

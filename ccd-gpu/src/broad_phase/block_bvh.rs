@@ -203,7 +203,7 @@ impl Tree {
             worlds.keys(recorder, frame, boxes, n_bounding, [keys, order]);
         } else {
             let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
-            let p = Params { frame: *frame, dispatch, own: Plain::default() };
+            let p = Params { frame: *frame, dispatch, args: Plain::default() };
             let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
             recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
             recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
@@ -237,14 +237,14 @@ impl Tree {
     ) {
         let Self { boxes, nodes, leaves, .. } = self;
         let [_, order] = self.sorted();
-        let mut p = Params { frame: *frame, dispatch: Dispatch::default(), own: self.record() };
+        let mut p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
         recorder.each(
             &FitLeaves { boxes, order, edges, faces, nodes, leaves },
             &p,
             self.levels.padded(0),
         );
         for level in 1..self.levels.top() {
-            p.own.level = level;
+            p.args.level = level;
             recorder.each(&FitLevel { nodes }, &p, self.levels.padded(level));
         }
     }
@@ -272,7 +272,7 @@ impl Tree {
                 let lists = &self.pairs[kind as usize];
                 let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
                 let output = &lists[level as usize - 2];
-                let (nodes, groups) = (&self.nodes, self.groups.min(input.room()));
+                let (nodes, groups) = (&self.nodes, self.groups.min(input.capacity()));
                 let pass = Pass { kind, level, step: 1 };
                 self.each_part(frame, pass, input, output, |p| {
                     let (input, output) = (input.buffer(), output.buffer());
@@ -313,11 +313,11 @@ impl Tree {
     ) {
         let Pass { kind, level, step } = pass;
         let limit = if level == 1 { BLOCK_LIMIT } else { DISPATCH_LIMIT };
-        let own = Blocks { kind, level, step, limit, ..self.record() };
-        let (room_in, room_out) = (input.room(), output.room());
-        for part in 0..room_in.div_ceil(step).div_ceil(limit) {
-            let dispatch = Dispatch { n: 0, first: part * limit * step, room_in, room_out };
-            run(&Params { frame: *frame, dispatch, own });
+        let args = Blocks { kind, level, step, limit, ..self.record() };
+        let (capacity_in, capacity_out) = (input.capacity(), output.capacity());
+        for part in 0..capacity_in.div_ceil(step).div_ceil(limit) {
+            let dispatch = Dispatch { n: 0, first: part * limit * step, capacity_in, capacity_out };
+            run(&Params { frame: *frame, dispatch, args });
         }
     }
 }

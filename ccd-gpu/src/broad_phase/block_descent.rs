@@ -37,10 +37,10 @@ impl BlockDescent {
     pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
         // Of nodes of level 2 and above, each overlaps some tens of others; a list that is too
         // short grows.
-        let room = |n: u32| (n / (WIDTH * WIDTH)).saturating_mul(40).max(4096);
+        let capacity = |n: u32| (n / (WIDTH * WIDTH)).saturating_mul(40).max(4096);
         // A front has pairs of blocks, of which there are more, and grows as well.
         let front = (count[1] / WIDTH).max(count[2] / WIDTH).saturating_mul(40);
-        let scheduled = Scheduled::new(device, scheduling, TEAMS, count, room, front)?;
+        let scheduled = Scheduled::new(device, scheduling, TEAMS, count, capacity, front)?;
         Ok(Self { scheduled })
     }
 
@@ -59,8 +59,8 @@ impl BlockDescent {
         let trees = BlockTrees { boxes, slots };
         let of = Descended { frame, kind, trees: Trees::Blocks(trees), pairs };
         self.scheduled.run(recorder, &of, keeps_order, |recorder, written, (control, tasks)| {
-            let own = NodeDescent { room_nodes: tasks.room(), ..written.record() };
-            let p = of.params(own, levels.start(kind), first.room());
+            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.record() };
+            let p = of.params(args, levels.start(kind), first.capacity());
             let (first, nodes, front) = (first.buffer(), tasks.buffer(), written.front);
             let pairs = pairs.buffer();
             let kernel = FirstBlockPairs { boxes, first, control, nodes, pairs, front };

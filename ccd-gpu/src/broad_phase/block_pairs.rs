@@ -39,7 +39,7 @@ impl BlockSource {
             output: output.buffer(),
         };
         tree.each_part(frame, Pass { kind, level: 1, step: 1 }, input, output, |p| {
-            recorder.dispatch(&kernel, p, tree.groups.min(input.room()));
+            recorder.dispatch(&kernel, p, tree.groups.min(input.capacity()));
         });
     }
 }

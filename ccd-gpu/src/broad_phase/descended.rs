@@ -48,22 +48,27 @@ pub struct BlockTrees<'a> {
 
 impl Descended<'_> {
     /// The parameters of a dispatch; `first` and `n` as its kernel has them.
-    pub fn params(&self, own: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
+    pub fn params(&self, args: NodeDescent, first: u32, n: u32) -> Params<NodeDescent> {
         let larger = match self.trees {
             Trees::Binary(trees) => trees.larger,
             Trees::Blocks(_) => 0,
         };
-        let dispatch = Dispatch { n, first, room_in: own.room_nodes, room_out: self.pairs.room() };
-        let own = NodeDescent { kind: self.kind, larger, ..own };
-        Params { frame: *self.frame, dispatch, own }
+        let dispatch = Dispatch {
+            n,
+            first,
+            capacity_in: args.capacity_nodes,
+            capacity_out: self.pairs.capacity(),
+        };
+        let args = NodeDescent { kind: self.kind, larger, ..args };
+        Params { frame: *self.frame, dispatch, args }
     }
 }
 
 impl BlockTrees<'_> {
     /// The same for a kernel of blocks.
     pub fn params(&self, p: &Params<NodeDescent>) -> Params<BlockDescent> {
-        let own = BlockDescent { of_pairs: p.own, slots: self.slots };
-        Params { frame: p.frame, dispatch: p.dispatch, own }
+        let args = BlockDescent { of_pairs: p.args, slots: self.slots };
+        Params { frame: p.frame, dispatch: p.dispatch, args }
     }
 }
 
@@ -72,7 +77,7 @@ impl BlockTrees<'_> {
 pub struct Written<'a> {
     pub front: &'a wgpu::Buffer,
     /// Entries of either half; 0 if none is kept.
-    pub room: u32,
+    pub capacity: u32,
     /// Which half is written.
     pub written: u32,
 }
@@ -80,12 +85,16 @@ pub struct Written<'a> {
 impl<'a> Written<'a> {
     /// None is kept; a kernel wants a buffer all the same.
     pub fn none(front: &'a wgpu::Buffer) -> Self {
-        Self { front, room: 0, written: 0 }
+        Self { front, capacity: 0, written: 0 }
     }
 
     /// What kernels are told of it.
     pub fn record(&self) -> NodeDescent {
-        NodeDescent { room_front: self.room, written: self.written, ..NodeDescent::default() }
+        NodeDescent {
+            capacity_front: self.capacity,
+            written: self.written,
+            ..NodeDescent::default()
+        }
     }
 }
 
@@ -106,7 +115,7 @@ pub fn round(
     n: u32,
 ) {
     let Buffers { control, nodes, front } = buffers;
-    let (pairs, steals) = (of.pairs.buffer(), p.own.batches > 0);
+    let (pairs, steals) = (of.pairs.buffer(), p.args.batches > 0);
     match of.trees {
         Trees::Blocks(trees) => {
             let kernel = BlockWorkers { boxes: trees.boxes, control, nodes, pairs, front };

@@ -45,7 +45,7 @@ pub struct Front {
     search: Mutex<Search>,
     /// Two lists, used in turn, of so many entries.
     slots: wgpu::Buffer,
-    room: u32,
+    capacity: u32,
     /// Which of them is written next.
     written: u32,
 }
@@ -61,9 +61,9 @@ struct Search {
 impl Front {
     /// With room for `n` pairs, or for as many as half of its memory has room for.
     pub fn new(device: &Device, options: FrontOptions, n: u32) -> Result<Self, Error> {
-        let room = (n as u64).min(most(device, &options, 0) / 2) as u32;
-        let slots = slots(device, room)?;
-        Ok(Self { options, search: Mutex::default(), slots, room, written: 0 })
+        let capacity = (n as u64).min(most(device, &options, 0) / 2) as u32;
+        let slots = slots(device, capacity)?;
+        Ok(Self { options, search: Mutex::default(), slots, capacity, written: 0 })
     }
 
     /// A search is recorded. `keeps_order`: its trees are those of the search before. Returns with
@@ -72,8 +72,8 @@ impl Front {
         let mut search = lock(&self.search);
         let seen = !std::mem::replace(&mut search.is_open, true);
         search.state.begin(keeps_order && seen);
-        let room = if search.state.is_written() { self.room } else { 0 };
-        let written = Written { front: &self.slots, room, written: self.written };
+        let capacity = if search.state.is_written() { self.capacity } else { 0 };
+        let written = Written { front: &self.slots, capacity, written: self.written };
         (search.state.begun() as u32, written)
     }
 
@@ -85,11 +85,15 @@ impl Front {
         begun: u32,
         (control, tasks): (&wgpu::Buffer, &List),
     ) {
-        let (room_front, written) = (self.room, self.written);
-        let own =
-            NodeDescent { room_nodes: tasks.room(), room_front, written, ..Default::default() };
+        let (capacity_front, written) = (self.capacity, self.written);
+        let args = NodeDescent {
+            capacity_nodes: tasks.capacity(),
+            capacity_front,
+            written,
+            ..Default::default()
+        };
         let buffers = Buffers { control, nodes: tasks.buffer(), front: &self.slots };
-        descended::resume(recorder, of, buffers, &of.params(own, 0, begun));
+        descended::resume(recorder, of, buffers, &of.params(args, 0, begun));
     }
 
     /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it
@@ -109,12 +113,12 @@ impl Front {
         }
         let n = (counted[1] as u64) << 32 | counted[0] as u64;
         let most = most(device, &self.options, used);
-        match state.end(&self.options, n, n, self.room as u64, most) {
+        match state.end(&self.options, n, n, self.capacity as u64, most) {
             Fate::Kept => self.written = 1 - self.written,
             Fate::Dropped => {}
-            Fate::Grows(room) => match slots(device, room as u32) {
+            Fate::Grows(capacity) => match slots(device, capacity as u32) {
                 Ok(slots) => {
-                    (self.slots, self.room) = (slots, room as u32);
+                    (self.slots, self.capacity) = (slots, capacity as u32);
                     return Ok(true);
                 }
                 Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => state.give_up(),
@@ -126,7 +130,7 @@ impl Front {
 
     /// Memory that it takes.
     pub fn bytes(&self) -> u64 {
-        self.room as u64 * ENTRY
+        self.capacity as u64 * ENTRY
     }
 
     /// What the last search began with, and what it left.
@@ -147,6 +151,6 @@ fn most(device: &Device, options: &FrontOptions, used: u64) -> u64 {
     bytes.min(limits.max_storage_buffer_binding_size).min(limits.max_buffer_size) / ENTRY
 }
 
-fn slots(device: &Device, room: u32) -> Result<wgpu::Buffer, Error> {
-    device.buffer("fronts", room as u64 * ENTRY, U::STORAGE)
+fn slots(device: &Device, capacity: u32) -> Result<wgpu::Buffer, Error> {
+    device.buffer("fronts", capacity as u64 * ENTRY, U::STORAGE)
 }

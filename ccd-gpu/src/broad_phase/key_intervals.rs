@@ -77,7 +77,7 @@ impl IntervalSource {
         let params = |n: u32, first: u32| Params {
             frame: *frame,
             dispatch: Dispatch { n, first, ..Dispatch::default() },
-            own: Plain::default(),
+            args: Plain::default(),
         };
         match *method {
             SWEEP_AND_PRUNE => {
@@ -100,8 +100,8 @@ impl IntervalSource {
     }
 
     fn params(&self, frame: &Frame, kind: u32, row: u32, dispatch: Dispatch) -> Params<Intervals> {
-        let own = Intervals { method: self.method, kind, row, most: most(frame) };
-        Params { frame: *frame, dispatch, own }
+        let args = Intervals { method: self.method, kind, row, most: most(frame) };
+        Params { frame: *frame, dispatch, args }
     }
 
     /// How full cells are around a sample of each set that is large enough.
@@ -121,7 +121,7 @@ impl IntervalSource {
         let Self { method, sorted, survey, work, .. } = self;
         let ([keys, _], list) = (self.sort.half(0), &work[kind as usize]);
         for row in 0..rows(*method, kind) {
-            let dispatch = Dispatch { room_out: list.room(), ..Dispatch::default() };
+            let dispatch = Dispatch { capacity_out: list.capacity(), ..Dispatch::default() };
             let p = self.params(frame, kind, row, dispatch);
             let kernel = IntervalWork { sorted, keys, survey, work: list.buffer() };
             recorder.dispatch(&kernel, &p, asking(frame, *method, kind, row));
@@ -132,13 +132,13 @@ impl IntervalSource {
     fn pairs(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
         let Self { sorted, survey, work, .. } = self;
         let ([keys, order], list) = (self.sort.half(0), &work[kind as usize]);
-        let (room_in, room_out) = (list.room(), pairs.room());
-        for first in (0..room_in).step_by(DISPATCH_LIMIT as usize) {
-            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, room_in, room_out };
+        let (capacity_in, capacity_out) = (list.capacity(), pairs.capacity());
+        for first in (0..capacity_in).step_by(DISPATCH_LIMIT as usize) {
+            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, capacity_in, capacity_out };
             let p = self.params(frame, kind, 0, dispatch);
             let (work, pairs) = (list.buffer(), pairs.buffer());
             let kernel = IntervalPairs { sorted, keys, order, survey, work, pairs };
-            recorder.dispatch(&kernel, &p, self.groups.min(room_in - first));
+            recorder.dispatch(&kernel, &p, self.groups.min(capacity_in - first));
         }
     }
 }

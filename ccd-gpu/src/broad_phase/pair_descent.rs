@@ -44,12 +44,12 @@ impl PairDescent {
     ) -> Result<Self, Error> {
         let words = 2 * (LIST_HEADER as u64 + Traversal::MAX_CUT as u64);
         // About as many as pairs that overlap; a list that is too short grows.
-        let room = |n: u32| n.saturating_mul(4).max(4096);
+        let capacity = |n: u32| n.saturating_mul(4).max(4096);
         Ok(Self {
             nodes,
             rule,
             cuts: device.buffer("nodes of cuts", 4 * words, U::STORAGE)?,
-            scheduled: Scheduled::new(device, scheduling, THREADS, count, room, nodes * nodes)?,
+            scheduled: Scheduled::new(device, scheduling, THREADS, count, capacity, nodes * nodes)?,
         })
     }
 
@@ -84,17 +84,17 @@ impl PairDescent {
         (control, tasks): (&wgpu::Buffer, &List),
     ) {
         let (a_nodes, b_nodes, front) = (both.a_nodes, both.b_nodes, written.front);
-        let (cuts, room_nodes) = (&self.cuts, tasks.room());
-        let own = NodeDescent { nodes: self.nodes, room_nodes, ..written.record() };
+        let (cuts, capacity_nodes) = (&self.cuts, tasks.capacity());
+        let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.record() };
         // The order of a cut is that of the threads that were first: another cut through the same
         // tree has another one, so that pairs within a tree need one cut for both sides.
         let sides = (0..).zip(trees.into_iter().zip(sets(of.kind)));
         for (side, (tree, set)) in sides.take(if of.kind == 1 { 1 } else { 2 }) {
-            let mut p = of.params(own, side, 0);
-            p.own.kind = set as u32;
+            let mut p = of.params(args, side, 0);
+            p.args.kind = set as u32;
             recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
         }
-        let (output, p, n) = (tasks.buffer(), of.params(own, 0, 0), self.nodes * self.nodes);
+        let (output, p, n) = (tasks.buffer(), of.params(args, 0, 0), self.nodes * self.nodes);
         let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
         recorder.each_variant(&kernel, both.oriented, &p, n);
     }

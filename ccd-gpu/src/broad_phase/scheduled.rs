@@ -29,19 +29,19 @@ struct OfKind {
 
 impl Scheduled {
     /// For the kinds of pairs between sets of so many boxes. `width`: pairs that a worker expands
-    /// in a turn; `room`: tasks of a round, by the boxes of the second side; `front`: pairs for
+    /// in a turn; `capacity`: tasks of a round, by the boxes of the second side; `front`: pairs for
     /// which a front has room at first, at least.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
         width: u32,
         count: [u32; 3],
-        room: impl Fn(u32) -> u32,
+        capacity: impl Fn(u32) -> u32,
         front: u32,
     ) -> Result<Self, Error> {
         let mut of_kind = [None, None];
         for kind in kinds_of(count) {
-            let n = room(count[sets(kind)[1]]);
+            let n = capacity(count[sets(kind)[1]]);
             let front = match scheduling.front {
                 scheduling::Front::On(options) => {
                     Some(Front::new(device, options, n.saturating_mul(2).max(front))?)

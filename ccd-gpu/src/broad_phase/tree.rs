@@ -95,8 +95,8 @@ impl TreeSource {
                 b.traverse_half(recorder, frame, blocks, oriented, pairs);
             }
             other => {
-                let own = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
-                b.traverse_full(recorder, frame, blocks, (own, oriented), pairs);
+                let args = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
+                b.traverse_full(recorder, frame, blocks, (args, oriented), pairs);
             }
         }
     }

@@ -79,7 +79,7 @@ impl Worlds {
     ) {
         let Self { of_boxes: worlds, bounds, bits, .. } = self;
         let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
-        let p = Params { frame: *frame, dispatch, own: layout::Worlds { bits: *bits } };
+        let p = Params { frame: *frame, dispatch, args: layout::Worlds { bits: *bits } };
         let groups = n_bounding.div_ceil(Id::WorldBounds.threads() * morton_key::CHUNK as u32);
         recorder.dispatch(&WorldBounds { boxes, worlds, bounds }, &p, groups);
         recorder.each(&WorldKeys { boxes, worlds, bounds, keys, order }, &p, frame.start[3]);

@@ -72,13 +72,13 @@ impl Buffers {
     ) -> Result<Self, Error> {
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
         let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
-        let room = |of: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
+        let capacity = |of: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
             device.buffer_or(old.map(of), what, bytes as u64, usage)
         };
         let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
         let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
-        let list = |of: fn(&Self) -> &List, what, words, room: u32| {
-            List::reusing(device, old.map(of), what, words, room.max(1024))
+        let list = |of: fn(&Self) -> &List, what, words, capacity: u32| {
+            List::reusing(device, old.map(of), what, words, capacity.max(1024))
         };
         let features = count[0] + count[1] + count[2];
         let old_positions = old.map(|old| &old.positions);
@@ -92,8 +92,8 @@ impl Buffers {
                 count[0] as u64 * size_of::<Path>() as u64,
                 U::STORAGE,
             )?,
-            edges: room(|old| &old.edges, "edges", size_of_val(mesh.edges()))?,
-            faces: room(|old| &old.faces, "faces", size_of_val(mesh.faces()))?,
+            edges: capacity(|old| &old.edges, "edges", size_of_val(mesh.edges()))?,
+            faces: capacity(|old| &old.faces, "faces", size_of_val(mesh.faces()))?,
             bodies,
             body_flags,
             survivors: [
@@ -113,11 +113,11 @@ impl Buffers {
             to_order: 0,
             keeps_order: false,
             earliest: [
-                room(|old| &old.earliest[0], "time of impact", 4)?,
-                room(|old| &old.earliest[1], "time of impact", 4)?,
+                capacity(|old| &old.earliest[0], "time of impact", 4)?,
+                capacity(|old| &old.earliest[1], "time of impact", 4)?,
             ],
-            sample: room(|old| &old.sample, "numbers of a sample", 16)?,
-            never: room(|old| &old.never, "no time of impact", 16)?,
+            sample: capacity(|old| &old.sample, "numbers of a sample", 16)?,
+            never: capacity(|old| &old.never, "no time of impact", 16)?,
             source: Source::reusing(
                 device,
                 mesh,

@@ -19,7 +19,7 @@ impl Buffers {
                 let kernel = ListCandidates { nodes, leaves, bodies, keys, input, output };
                 let pass = Pass { kind: kind as u32, level: 1, step: 1 };
                 tree.each_part(frame, pass, pairs, list, |p| {
-                    recorder.dispatch(&kernel, p, tree.groups.min(pairs.room()));
+                    recorder.dispatch(&kernel, p, tree.groups.min(pairs.capacity()));
                 });
             }
             Source::Listed(listed) => {
@@ -47,7 +47,7 @@ impl Buffers {
         match &self.source {
             Source::Blocks(tree) => {
                 let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let (input, groups) = (pairs.buffer(), tree.groups.min(pairs.room()));
+                let (input, groups) = (pairs.buffer(), tree.groups.min(pairs.capacity()));
                 let pass = Pass { kind: kind as u32, level: 1, step };
                 tree.each_part(frame, pass, pairs, list, |p| match kind {
                     0 => recorder.dispatch(

@@ -23,7 +23,7 @@ pub struct Geometry {
 
 struct Made {
     buffer: wgpu::Buffer,
-    room: u32,
+    capacity: u32,
     /// What the recording needs: of its own, because a frame that the same encoder has is not
     /// submitted yet.
     bench: Bench,
@@ -31,11 +31,11 @@ struct Made {
 
 impl Made {
     fn new(device: &Device, contacts: &List) -> Result<Self, Error> {
-        let (room, n_parts) = (contacts.room(), parts(contacts, 0).count() as u64);
-        let bytes = room as u64 * size_of::<TouchGeometry>() as u64;
+        let (capacity, n_parts) = (contacts.capacity(), parts(contacts, 0).count() as u64);
+        let bytes = capacity as u64 * size_of::<TouchGeometry>() as u64;
         let usage = U::STORAGE | U::COPY_SRC;
         let buffer = device.buffer("geometry of contacts", bytes, usage)?;
-        Ok(Self { buffer, room, bench: Bench::of(device, n_parts.max(1))? })
+        Ok(Self { buffer, capacity, bench: Bench::of(device, n_parts.max(1))? })
     }
 }
 
@@ -52,8 +52,8 @@ impl Geometry {
         if !self.listed {
             return Err(Error::NoContacts);
         }
-        let room = buffers.contacts.room();
-        if self.made.as_ref().is_none_or(|made| made.room < room) {
+        let capacity = buffers.contacts.capacity();
+        if self.made.as_ref().is_none_or(|made| made.capacity < capacity) {
             self.made = Some(Made::new(device, &buffers.contacts)?);
         }
         let Some(Made { buffer, bench, .. }) = &mut self.made else {
@@ -84,11 +84,11 @@ fn dispatch(
     for dispatch in parts(&buffers.contacts, 0) {
         let groups = buffers.groups.min(dispatch.n.div_ceil(Id::ContactGeometry.threads()));
         if wide {
-            let p = Params { frame, dispatch, own: Plain::default() };
+            let p = Params { frame, dispatch, args: Plain::default() };
             let kernel = ContactGeometryWide { paths, positions, edges, faces, contacts, geometry };
             recorder.dispatch(&kernel, &p, groups);
         } else {
-            let p = Params { frame, dispatch, own: buffers.positions.placing() };
+            let p = Params { frame, dispatch, args: buffers.positions.placing() };
             let kernel = ContactGeometry { paths, edges, faces, contacts, geometry };
             recorder.dispatch(&kernel, &p, groups);
         }

@@ -25,10 +25,10 @@ pub struct ContactOrder {
 
 impl ContactOrder {
     /// For so many contacts at most.
-    pub fn new(device: &Device, room: u32) -> Result<Self, Error> {
-        let bytes = room as u64 * size_of::<Touch>() as u64;
+    pub fn new(device: &Device, capacity: u32) -> Result<Self, Error> {
+        let bytes = capacity as u64 * size_of::<Touch>() as u64;
         let make = || {
-            let sort = Sort::new(device, room)?;
+            let sort = Sort::new(device, capacity)?;
             Ok((sort, device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?))
         };
         let ((sort, ordered), bytes) = device.counting(make)?;
@@ -36,24 +36,24 @@ impl ContactOrder {
     }
 
     /// Contacts for which there is room.
-    pub fn room(&self) -> u32 {
-        self.sort.room()
+    pub fn capacity(&self) -> u32 {
+        self.sort.capacity()
     }
 
     /// Puts the contacts of a list in order if there are at most `n`.
     pub fn run(&self, recorder: &mut Recorder, frame: &Frame, contacts: &List, n: u32) {
         let bits = |greatest: u32| 32 - greatest.leading_zeros();
         let [vertices, edges, faces] = frame.count;
-        let dispatch = Dispatch { n, room_in: contacts.room(), ..Dispatch::default() };
+        let dispatch = Dispatch { n, capacity_in: contacts.capacity(), ..Dispatch::default() };
         let contacts = contacts.buffer();
         let mut half = 0;
         for (pass, bits) in [(0, bits(edges.max(faces))), (1, bits(vertices + edges))] {
-            let p = Params { frame: *frame, dispatch, own: ContactSort { pass } };
+            let p = Params { frame: *frame, dispatch, args: ContactSort { pass } };
             let [keys, order] = self.sort.half(half);
             recorder.each(&ContactKeys { contacts, keys, order }, &p, n);
             half = self.sort.run(recorder, n, bits, half);
         }
-        let p = Params { frame: *frame, dispatch, own: Plain::default() };
+        let p = Params { frame: *frame, dispatch, args: Plain::default() };
         let [_, order] = self.sort.half(half);
         recorder.each(&OrderContacts { contacts, order, ordered: &self.ordered }, &p, n);
     }

@@ -195,12 +195,12 @@ impl Frames {
     fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
         let Self { buffers, bench, expected, .. } = self;
         let n = if goal == Goal::Contacts {
-            (*expected + *expected / 4 + 256).min(buffers.contacts.room())
+            (*expected + *expected / 4 + 256).min(buffers.contacts.capacity())
         } else {
             0
         };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
-        if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
+        if buffers.order.as_ref().map_or(0, ContactOrder::capacity) < buffers.to_order {
             device.give_back(buffers.order.take().map_or(0, |old| old.bytes));
             bench.forget();
             // As for lists: some more, or else just enough; where there is no memory even for that,

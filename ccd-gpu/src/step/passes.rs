@@ -142,18 +142,18 @@ impl Buffers {
         recorder.stage(DECIDE[kind]);
         let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
-        let parts = parts(input, self.contacts.room());
+        let parts = parts(input, self.contacts.capacity());
         // Where contacts are not kept, a list that stays as it is and that the other kind does not
         // have, so that a device works on both at once.
         let keep = frame.has(Frame::FLAG_KEEP);
         let contacts = if keep { &self.contacts } else { &self.candidates[kind] }.buffer();
         let Positions { paths, wide: positions, .. } = &self.positions;
-        let (elements, own) =
-            (self.elements(kind), Decision { kind: kind as u32, room_open: open.room() });
+        let (elements, args) =
+            (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
         for dispatch in parts {
             let groups = self.groups.min(dispatch.n.div_ceil(Id::Decide.threads()));
-            let p = Params { frame, dispatch, own };
+            let p = Params { frame, dispatch, args };
             if wide {
                 let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
                 recorder.dispatch(&kernel, &p, groups);
@@ -176,13 +176,13 @@ impl Buffers {
 const DISPATCH_LIMIT: u32 = 1 << 21;
 
 /// The dispatches over the entries of a list, the first of all.
-pub fn parts(input: &List, room_out: u32) -> impl Iterator<Item = Dispatch> + use<> {
-    let room_in = input.room();
-    (0..room_in).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
-        n: (room_in - first).min(DISPATCH_LIMIT),
+pub fn parts(input: &List, capacity_out: u32) -> impl Iterator<Item = Dispatch> + use<> {
+    let capacity_in = input.capacity();
+    (0..capacity_in).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
+        n: (capacity_in - first).min(DISPATCH_LIMIT),
         first,
-        room_in,
-        room_out,
+        capacity_in,
+        capacity_out,
     })
 }
 

@@ -66,8 +66,8 @@ impl Source {
         };
         let choice = options.broad_phase;
         let finder = match options.pipeline {
-            Pipeline::Triangles(own) => {
-                let pairs = TrianglePairs::new(device, mesh, options, own, (rules, count))?;
+            Pipeline::Triangles(triangles) => {
+                let pairs = TrianglePairs::new(device, mesh, options, triangles, (rules, count))?;
                 Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
@@ -319,13 +319,13 @@ impl Listed {
         output: &List,
         mut run: impl FnMut(&Params<Decision>, u32),
     ) {
-        let (room_in, room_out) = (self.pairs[kind].room(), output.room());
-        for first in (0..room_in).step_by(DISPATCH_LIMIT as usize) {
-            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, room_in, room_out };
-            let n = (room_in - first).min(DISPATCH_LIMIT);
+        let (capacity_in, capacity_out) = (self.pairs[kind].capacity(), output.capacity());
+        for first in (0..capacity_in).step_by(DISPATCH_LIMIT as usize) {
+            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, capacity_in, capacity_out };
+            let n = (capacity_in - first).min(DISPATCH_LIMIT);
             let groups = n.div_ceil(Id::FilterListed.threads()).min(self.groups);
-            let own = Decision { kind: kind as u32, room_open: 0 };
-            run(&Params { frame: *frame, dispatch, own }, groups);
+            let args = Decision { kind: kind as u32, capacity_open: 0 };
+            run(&Params { frame: *frame, dispatch, args }, groups);
         }
     }
 }

@@ -44,7 +44,7 @@ pub struct TrianglePairs {
     /// What that is told.
     frame: Frame,
     pairs: List,
-    told: Told,
+    inputs: ExpansionInputs,
     /// Whether neighbours have tests of their own.
     orphans: bool,
     regions: Option<FreeRegions>,
@@ -53,17 +53,17 @@ pub struct TrianglePairs {
 }
 
 /// What kernels are told of triangles, by the rules of bodies.
-struct Told {
+struct ExpansionInputs {
     triangles: wgpu::Buffer,
     /// Those of neighbours, and how many.
     tests: wgpu::Buffer,
     n_tests: u32,
-    own: Expansion,
+    args: Expansion,
     /// The certified region of each triangle, then the table of rules.
     of_triangle: wgpu::Buffer,
 }
 
-impl Told {
+impl ExpansionInputs {
     fn new(
         device: &Device,
         mesh: &Mesh,
@@ -90,25 +90,25 @@ impl Told {
                 Err(e) => return Err(e),
             },
         };
-        let mut own = Expansion::default();
+        let mut args = Expansion::default();
         let (mut n_tests, mut tests) = (0, None);
         if let Some((near, buffer)) = near {
-            own.flags |= Expansion::FLAG_ORPHANS;
-            (own.n_vf, own.orphans) = (near.n_vf, near.orphans);
+            args.flags |= Expansion::FLAG_ORPHANS;
+            (args.n_vf, args.orphans) = (near.n_vf, near.orphans);
             (n_tests, tests) = (near.tests.len() as u32, Some(buffer));
         }
         let mut words = Vec::new();
         if has_regions {
-            own.flags |= Expansion::FLAG_REGIONS;
+            args.flags |= Expansion::FLAG_REGIONS;
             words.resize(n as usize, NONE);
         }
-        own.rules = words.len() as u32;
+        args.rules = words.len() as u32;
         words.extend(rules.map_or(&[][..], Rules::table));
         Ok(Self {
             triangles: sent("triangles", bytemuck::cast_slice(&records))?,
             tests: tests.map_or_else(|| sent("no tests of neighbours", &[]), Ok)?,
             n_tests,
-            own,
+            args,
             of_triangle: sent("free regions and rules", bytemuck::cast_slice(&words))?,
         })
     }
@@ -124,7 +124,7 @@ impl TrianglePairs {
         rules: Option<&Rules>,
     ) -> Result<(), Error> {
         let regions = self.regions.is_some();
-        self.told = Told::new(device, mesh, options, self.orphans, (rules, regions))?;
+        self.inputs = ExpansionInputs::new(device, mesh, options, self.orphans, (rules, regions))?;
         Ok(())
     }
 
@@ -133,7 +133,7 @@ impl TrianglePairs {
         device: &Device,
         mesh: &Mesh,
         options: &Options,
-        own: TriangleOptions,
+        args: TriangleOptions,
         (rules, count): (Option<&Rules>, [u32; 3]),
     ) -> Result<Self, Error> {
         let triangles = Triangles::new(mesh);
@@ -145,18 +145,19 @@ impl TrianglePairs {
         }
         let n = n as u32;
         let frame = frame_of([0, n, 0]);
-        let cones = own.cones && options.min_distance == 0.0;
+        let cones = args.cones && options.min_distance == 0.0;
         let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
-        let told = Told::new(device, mesh, options, own.orphans, (rules, regions.is_some()))?;
+        let inputs =
+            ExpansionInputs::new(device, mesh, options, args.orphans, (rules, regions.is_some()))?;
         // A triangle overlaps some tens of others on real scenes; a list that is too short grows.
-        let room = n.saturating_mul(16).max(4096);
+        let capacity = n.saturating_mul(16).max(4096);
         Ok(Self {
             boxes: boxes_of(device, count)?,
             source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
-            pairs: List::new(device, "overlapping triangles", 2, room)?,
-            told,
-            orphans: own.orphans,
+            pairs: List::new(device, "overlapping triangles", 2, capacity)?,
+            inputs,
+            orphans: args.orphans,
             regions,
             counts: device.buffer(
                 "counts of triangles",
@@ -185,7 +186,7 @@ impl TrianglePairs {
             });
         });
         let words = bytemuck::cast_slice(regions.of_face());
-        device.write("free regions", &self.told.of_triangle, 0, words)
+        device.write("free regions", &self.inputs.of_triangle, 0, words)
     }
 
     /// What was counted, [`COUNT_BYTES`] bytes.
@@ -202,11 +203,11 @@ impl TrianglePairs {
         mut run: impl FnMut(&Params<Expansion>, u32),
     ) {
         let [vf, ee] = search.pairs;
-        let own = Expansion { room_ee: ee.room(), ..self.told.own };
+        let args = Expansion { capacity_ee: ee.capacity(), ..self.inputs.args };
         for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
             let part = (n - first).min(DISPATCH_LIMIT);
-            let dispatch = Dispatch { n: part, first, room_in: n, room_out: vf.room() };
-            let p = Params { frame: *search.frame, dispatch, own };
+            let dispatch = Dispatch { n: part, first, capacity_in: n, capacity_out: vf.capacity() };
+            let p = Params { frame: *search.frame, dispatch, args };
             run(&p, part.div_ceil(threads).min(self.groups));
         }
     }
@@ -245,11 +246,11 @@ impl PairSource for TrianglePairs {
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        let Self { boxes, source, frame, told, counts, .. } = self;
-        let Told { triangles, tests, .. } = told;
-        let (n, swept, regions) = (frame.count[1], source.boxes(), &self.told.of_triangle);
+        let Self { boxes, source, frame, inputs, counts, .. } = self;
+        let ExpansionInputs { triangles, tests, .. } = inputs;
+        let (n, swept, regions) = (frame.count[1], source.boxes(), &self.inputs.of_triangle);
         let dispatch = Dispatch { n, ..Dispatch::default() };
-        let p = Params { frame: *search.frame, dispatch, own: Plain::default() };
+        let p = Params { frame: *search.frame, dispatch, args: Plain::default() };
         recorder.each(&bind::SweepTriangles { triangles, boxes, swept }, &p, n);
         let kinds: Vec<u32> = kinds_of(frame.count).collect();
         let pairs = [&self.pairs; 2];
@@ -258,12 +259,17 @@ impl PairSource for TrianglePairs {
         recorder.stage("expand");
         let (input, [vf, ee]) = (self.pairs.buffer(), search.pairs.map(List::buffer));
         let kernel = bind::ExpandTriangles { triangles, regions, boxes, input, vf, ee, counts };
-        self.each_part(self.pairs.room(), search, Id::ExpandTriangles.threads(), |p, groups| {
-            recorder.dispatch(&kernel, p, groups);
-        });
+        self.each_part(
+            self.pairs.capacity(),
+            search,
+            Id::ExpandTriangles.threads(),
+            |p, groups| {
+                recorder.dispatch(&kernel, p, groups);
+            },
+        );
         recorder.detail("neighbours");
         let kernel = bind::NearTests { tests, regions, swept, boxes, vf, ee, counts };
-        self.each_part(told.n_tests, search, Id::NearTests.threads(), |p, groups| {
+        self.each_part(inputs.n_tests, search, Id::NearTests.threads(), |p, groups| {
             recorder.dispatch(&kernel, p, groups);
         });
     }

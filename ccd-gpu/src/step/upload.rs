@@ -112,8 +112,8 @@ impl Positions {
         if self.boxes == Boxes::OfPositions {
             let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
             let wide = "positions in f64";
-            let replaced = make_room(device, wide, &mut self.wide, 2 * bytes)?
-                | make_room(
+            let replaced = reserve(device, wide, &mut self.wide, 2 * bytes)?
+                | reserve(
                     device,
                     "keys of exact boxes",
                     &mut self.keys,
@@ -158,7 +158,7 @@ impl Positions {
             self.host_boxes.push(exact.round_out());
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
-        let replaced = make_room(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
+        let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
         device.write("keys of exact boxes", &self.keys, 0, keys)?;
         device.write("boxes", boxes, 0, bytemuck::cast_slice(&self.host_boxes))?;
         Ok(replaced)
@@ -199,7 +199,7 @@ impl Positions {
 }
 
 /// Replaces a buffer that is too small. Returns whether it was.
-fn make_room(
+fn reserve(
     device: &Device,
     what: &'static str,
     buffer: &mut wgpu::Buffer,

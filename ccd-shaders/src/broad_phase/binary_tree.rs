@@ -16,15 +16,15 @@ use spirv_std::glam::UVec4;
 const FAR: u32 = Id::FarNodes.threads();
 
 kernel! {
-    /// Thread `i` boxes internal node `i` of the tree over set `own.kind`, and writes leaf `i`.
+    /// Thread `i` boxes internal node `i` of the tree over set `args.kind`, and writes leaf `i`.
     branch_boxes[256](t; params: Blocks;; branches: [Branch], block_nodes: [Aabb], leaves: [Leaf],
         mut nodes: [Node]) {
         let i = t.i;
-        let set = params.own.kind as usize;
+        let set = params.args.kind as usize;
         let n_leaves = params.frame.count[set];
         if i + 1 < n_leaves {
             let branch = at(branches, i as usize);
-            let b = block_bvh::range_box(&params.own, set, branch.first, branch.last, block_nodes);
+            let b = block_bvh::range_box(&params.args, set, branch.first, branch.last, block_nodes);
             put(
                 nodes,
                 i as usize,
@@ -32,7 +32,7 @@ kernel! {
             );
         }
         if i < n_leaves {
-            let slot = block_bvh::slot(&params.own, 0, set, i);
+            let slot = block_bvh::slot(&params.args, 0, set, i);
             let b = at(block_nodes, slot);
             put(
                 nodes,
@@ -50,13 +50,13 @@ kernel! {
         block_nodes: [BoxWords], mut nodes: [NodeWords], mut far: [u32]) {
         let tile = t.group * TILE;
         let i = tile + t.lane;
-        let of = params.own.kind as usize;
+        let of = params.args.kind as usize;
         let n_leaves = params.frame.count[of];
-        let mut own = Aabb::EMPTY;
+        let mut aabb = Aabb::EMPTY;
         if i < n_leaves {
-            own = box_at(block_nodes, block_bvh::slot(&params.own, 0, of, i));
+            aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, of, i));
         }
-        set(boxes, t.lane, own);
+        set(boxes, t.lane, aabb);
         if t.lane == 0 {
             set(counters, 0, 0);
         }
@@ -88,8 +88,8 @@ kernel! {
                 let from = half + right_from;
                 right = get(boxes, from).union(&get(boxes, from + right_length - reach));
             }
-            own = own.union(&get(boxes, half + (t.lane + reach).min(TILE - 1)));
-            set(boxes, TILE - half + t.lane, own);
+            aabb = aabb.union(&get(boxes, half + (t.lane + reach).min(TILE - 1)));
+            set(boxes, TILE - half + t.lane, aabb);
             barrier();
         }
         if there && is_near {
@@ -118,7 +118,7 @@ kernel! {
     /// The threads box the children of the nodes that are listed in `far`.
     far_nodes[128](t; params: Blocks;; branches: [UVec4], block_nodes: [BoxWords], far: [u32],
         mut nodes: [NodeWords]) {
-        let of = params.own.kind as usize;
+        let of = params.args.kind as usize;
         let (n_far, n_internal) = (at(far, 0), params.frame.count[of] - 1);
         let threads = t.groups * FAR;
         for round in 0..n_far.div_ceil(threads) {
@@ -129,8 +129,8 @@ kernel! {
             let i = at(far, LIST_HEADER + k as usize);
             let branch = branch_at(branches, i as usize);
             let split = radix_tree::last_of_left(&branch, n_internal);
-            let left = block_bvh::range_box(&params.own, of, branch.first, split, block_nodes);
-            let right = block_bvh::range_box(&params.own, of, split + 1, branch.last, block_nodes);
+            let left = block_bvh::range_box(&params.args, of, branch.first, split, block_nodes);
+            let right = block_bvh::range_box(&params.args, of, split + 1, branch.last, block_nodes);
             let node = wide::wide_node(&branch, split, n_internal, &left, &right);
             put(nodes, i as usize, NodeWords::of(&node));
         }

@@ -11,8 +11,8 @@ use spirv_std::glam::UVec4;
 
 /// Unites the boxes of 32 threads each; thread 0 of each 32 gets the result.
 #[inline(always)]
-fn unite(lane: u32, own: Aabb, shared: &mut [Aabb; 256]) -> Aabb {
-    let mut merged = own;
+fn unite(lane: u32, aabb: Aabb, shared: &mut [Aabb; 256]) -> Aabb {
+    let mut merged = aabb;
     set(shared, lane, merged);
     let mut half = 16;
     for _ in 0..5 {
@@ -32,14 +32,14 @@ kernel! {
     fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], order: [u32],
         edges: [[u32; 2]], faces: [[u32; 3]], mut nodes: [BoxWords], mut leaves: [UVec4]) {
         let i = t.group * 256 + t.lane;
-        let set = set_of(&params.own.slots[0], i);
-        let k = i - params.own.slots[0][set];
-        let there = i < params.own.slots[0][3];
-        let mut own = Aabb::EMPTY;
+        let set = set_of(&params.args.slots[0], i);
+        let k = i - params.args.slots[0][set];
+        let there = i < params.args.slots[0][3];
+        let mut aabb = Aabb::EMPTY;
         let mut leaf = Leaf { vertices: [0; 3], id: Leaf::NONE };
         if there && k < params.frame.count[set] {
             let at_box = at(order, (params.frame.start[set] + k) as usize);
-            own = box_at(boxes, at_box as usize);
+            aabb = box_at(boxes, at_box as usize);
             let feature = at_box - params.frame.start[set];
             leaf.id = feature;
             leaf.vertices = [feature; 3];
@@ -52,32 +52,32 @@ kernel! {
                 }
             }
         }
-        let node = unite(t.lane, own, shared);
+        let node = unite(t.lane, aabb, shared);
         if there {
-            put(nodes, i as usize, BoxWords::of(&own));
+            put(nodes, i as usize, BoxWords::of(&aabb));
             put(leaves, i as usize, leaf_words(&leaf));
             if t.lane % 32 == 0 {
-                put(nodes, slot(&params.own, 1, set, k / 32), BoxWords::of(&node));
+                put(nodes, slot(&params.args, 1, set, k / 32), BoxWords::of(&node));
             }
         }
     }
 }
 
 kernel! {
-    /// Nodes of level `own.level + 1` from those of level `own.level`. Thread `i` reads node `i` of
-    /// all sets.
+    /// Nodes of level `args.level + 1` from those of level `args.level`. Thread `i` reads node `i`
+    /// of all sets.
     fit_level[256](t; params: Blocks; shared: [Aabb; 256]; mut nodes: [BoxWords]) {
-        let first = params.own.slots[params.own.level as usize];
+        let first = params.args.slots[params.args.level as usize];
         let i = first[0] + t.group * 256 + t.lane;
         let set = set_of(&first, i);
         let there = i < first[3];
-        let mut own = Aabb::EMPTY;
+        let mut aabb = Aabb::EMPTY;
         if there {
-            own = box_at(nodes, i as usize);
+            aabb = box_at(nodes, i as usize);
         }
-        let node = unite(t.lane, own, shared);
+        let node = unite(t.lane, aabb, shared);
         if there && t.lane % 32 == 0 {
-            let to = slot(&params.own, params.own.level + 1, set, (i - first[set]) / 32);
+            let to = slot(&params.args, params.args.level + 1, set, (i - first[set]) / 32);
             put(nodes, to, BoxWords::of(&node));
         }
     }

@@ -28,7 +28,7 @@ macro_rules! leaf_entry {
                 counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8]; nodes: [BoxWords],
                 leaves: [Leaf], bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)?
                 input: [u32], mut output: [u32]) {
-                let there = length(input, params.dispatch.room_in);
+                let there = length(input, params.dispatch.capacity_in);
                 let (team, i) = (t.lane / WIDTH, t.lane % WIDTH);
                 let kind = $kind(params);
                 let [set_a, set_b] = sets(kind);
@@ -37,8 +37,8 @@ macro_rules! leaf_entry {
                         team_pair(params, input, there, t.group, t.groups, round, team);
                     clear(t.lane, counters);
                     let (first_a, first_b) = (
-                        slot(&params.own, 0, set_a, pair.a * WIDTH) as u32,
-                        slot(&params.own, 0, set_b, pair.b * WIDTH) as u32,
+                        slot(&params.args, 0, set_a, pair.a * WIDTH) as u32,
+                        slot(&params.args, 0, set_b, pair.b * WIDTH) as u32,
                     );
                     if i == 0 {
                         set(firsts, 2 * team, first_a);
@@ -61,7 +61,7 @@ macro_rules! leaf_entry {
                         let both = [&box_at(nodes, p), &box_at(nodes, q)];
                         if wanted(&params.frame, kind, &a, &b, both, bodies, keys) {
                             let pair = ids(set_a == set_b, a.id, b.id);
-                            append(output, params.dispatch.room_out, pair);
+                            append(output, params.dispatch.capacity_out, pair);
                             count(output, 1, 1);
                         }
                     }
@@ -112,7 +112,7 @@ macro_rules! leaf_entry {
                             );
                             write_pair(
                                 output,
-                                params.dispatch.room_out,
+                                params.dispatch.capacity_out,
                                 base + to,
                                 ids(set_a == set_b, a.id, b.id),
                             );
@@ -140,7 +140,7 @@ leaf_entry!(
 
 #[inline(always)]
 fn any_kind(params: &Params<Blocks>) -> u32 {
-    params.own.kind
+    params.args.kind
 }
 
 #[inline(always)]

@@ -25,23 +25,23 @@ const BASE: u32 = 6;
 /// Hits of the pool that a thread works on, at most.
 pub(super) const SHARE: u32 = POOL / THREADS;
 
-/// Rounds of workgroup `own` of `groups`: how often it takes `TEAMS` of the entries from
-/// `dispatch.first` on, every `own.step`-th.
+/// Rounds of workgroup `group` of `groups`: how often it takes `TEAMS` of the entries from
+/// `dispatch.first` on, every `group.step`-th.
 #[inline(always)]
-pub(super) fn rounds(params: &Params<Blocks>, there: u32, own: u32, groups: u32) -> u32 {
+pub(super) fn rounds(params: &Params<Blocks>, there: u32, group: u32, groups: u32) -> u32 {
     let n = entries(params, there).div_ceil(TEAMS);
-    if n > own { (n - own).div_ceil(groups) } else { 0 }
+    if n > group { (n - group).div_ceil(groups) } else { 0 }
 }
 
 /// Entries that this dispatch looks at.
 #[inline(always)]
 fn entries(params: &Params<Blocks>, there: u32) -> u32 {
     let wanted = if there > params.dispatch.first {
-        (there - params.dispatch.first).div_ceil(params.own.step)
+        (there - params.dispatch.first).div_ceil(params.args.step)
     } else {
         0
     };
-    wanted.min(params.own.limit)
+    wanted.min(params.args.limit)
 }
 
 /// The pair of nodes of a team; the second part says whether there is one: a team without tests
@@ -51,14 +51,14 @@ pub(super) fn team_pair(
     params: &Params<Blocks>,
     list: &[u32],
     there: u32,
-    own: u32,
+    group: u32,
     groups: u32,
     round: u32,
     team: u32,
 ) -> (Pair, bool) {
-    let i = (own + round * groups) * TEAMS + team;
+    let i = (group + round * groups) * TEAMS + team;
     let some = i < entries(params, there);
-    let pair = read_pair(list, params.dispatch.first + if some { i * params.own.step } else { 0 });
+    let pair = read_pair(list, params.dispatch.first + if some { i * params.args.step } else { 0 });
     (pair, some)
 }
 
@@ -84,19 +84,20 @@ pub(super) fn gather(
     names: &mut [u32; 128],
     counters: &mut [u32; 8],
 ) -> Aabb {
-    let [set_a, set_b] = sets(params.own.kind);
-    let (team, own) = (lane / WIDTH, lane % WIDTH);
+    let [set_a, set_b] = sets(params.args.kind);
+    let (team, child) = (lane / WIDTH, lane % WIDTH);
     let (a, b) = (
-        box_at(nodes, slot(&params.own, params.own.level, set_a, pair.a)),
-        box_at(nodes, slot(&params.own, params.own.level, set_b, pair.b)),
+        box_at(nodes, slot(&params.args, params.args.level, set_a, pair.a)),
+        box_at(nodes, slot(&params.args, params.args.level, set_b, pair.b)),
     );
-    let row = box_at(nodes, slot(&params.own, params.own.level - 1, set_a, pair.a * WIDTH + own));
+    let row =
+        box_at(nodes, slot(&params.args, params.args.level - 1, set_a, pair.a * WIDTH + child));
     let column =
-        box_at(nodes, slot(&params.own, params.own.level - 1, set_b, pair.b * WIDTH + own));
+        box_at(nodes, slot(&params.args, params.args.level - 1, set_b, pair.b * WIDTH + child));
     if some && column.overlaps(&a) {
         let to = team * WIDTH + add_shared(counters, team, 1);
         set(columns, to, column);
-        set(names, to, own);
+        set(names, to, child);
     }
     barrier();
     if some && row.overlaps(&b) { row } else { Aabb::EMPTY }
@@ -160,7 +161,7 @@ pub(super) fn reserve(lane: u32, counters: &mut [u32; 8], list: &mut [u32]) -> u
 }
 
 kernel! {
-    /// From pairs of nodes of level `own.level` to those of their children that overlap.
+    /// From pairs of nodes of level `args.level` to those of their children that overlap.
     node_pairs[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128], ranges: [u32; 1],
         counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8]; nodes: [BoxWords], input: [u32],
         mut output: [u32]) {
@@ -197,7 +198,7 @@ fn children<const N: usize, const OF_WORLDS: bool>(
     input: &[u32],
     output: &mut [u32],
 ) {
-    let there = length(input, params.dispatch.room_in);
+    let there = length(input, params.dispatch.capacity_in);
     let (team, i) = (t.lane / WIDTH, t.lane % WIDTH);
     for round in 0..rounds(params, there, t.group, t.groups) {
         let (pair, some) = team_pair(params, input, there, t.group, t.groups, round, team);
@@ -209,13 +210,13 @@ fn children<const N: usize, const OF_WORLDS: bool>(
         let mut of_row = 0;
         if OF_WORLDS {
             let ([a, b], level, n) =
-                (sets(params.own.kind), params.own.level - 1, params.frame.count);
-            let own = &params.own;
-            of_row = range(own, level, a, pair.a * WIDTH + i, n[a], worlds);
-            set(ranges, t.lane, range(own, level, b, pair.b * WIDTH + i, n[b], worlds));
+                (sets(params.args.kind), params.args.level - 1, params.frame.count);
+            let args = &params.args;
+            of_row = range(args, level, a, pair.a * WIDTH + i, n[a], worlds);
+            set(ranges, t.lane, range(args, level, b, pair.b * WIDTH + i, n[b], worlds));
         }
         let row = gather(t.lane, params, pair, some, nodes, columns, names, counters);
-        let same = params.own.kind == 1 && pair.a == pair.b;
+        let same = params.args.kind == 1 && pair.a == pair.b;
         let mut beyond = test::<N, OF_WORLDS>(
             t.lane, row, same, false, columns, names, counters, hits, of_row, ranges,
         );
@@ -226,7 +227,7 @@ fn children<const N: usize, const OF_WORLDS: bool>(
             let j = get(names, team * WIDTH + beyond.trailing_zeros());
             beyond &= beyond - 1;
             let pair = Pair { a: pair.a * WIDTH + i, b: pair.b * WIDTH + j };
-            append(output, params.dispatch.room_out, pair);
+            append(output, params.dispatch.capacity_out, pair);
         }
         barrier();
         let n_hits = get(counters, HITS).min(POOL);
@@ -241,7 +242,7 @@ fn children<const N: usize, const OF_WORLDS: bool>(
             }
             let [team, i, j] = unpack(get(hits, h));
             let pair = Pair { a: get(firsts, 2 * team) + i, b: get(firsts, 2 * team + 1) + j };
-            write_pair(output, params.dispatch.room_out, base + h, pair);
+            write_pair(output, params.dispatch.capacity_out, base + h, pair);
         }
         barrier();
     }

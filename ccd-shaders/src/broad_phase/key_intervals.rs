@@ -87,7 +87,7 @@ kernel! {
 }
 
 kernel! {
-    /// How full the cells of a grid are around a sample of the boxes of set `own.kind`, in order:
+    /// How full the cells of a grid are around a sample of the boxes of set `args.kind`, in order:
     /// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
     /// workgroup adds what its threads found to the survey.
     survey_cells[256](t; params: Intervals; sums: [u32; 4]; sorted: [Aabb], keys: [u32],
@@ -96,7 +96,7 @@ kernel! {
             set(sums, t.lane, 0);
         }
         barrier();
-        let (i, of_set) = (t.i, params.own.kind as usize);
+        let (i, of_set) = (t.i, params.args.kind as usize);
         if i < params.dispatch.n {
             let k = (params.frame.start[of_set] + i * params.dispatch.first) as usize;
             let (key, n_keys) = (at(keys, k), params.frame.start[3]);
@@ -114,9 +114,9 @@ kernel! {
             // Without itself; a sum of 256 such numbers fits in a word.
             add_shared(sums, 0, (around - 1).min((1 << 24) - 1));
             let all = sizes(survey).half;
-            let own = Sizes::of(&at(sorted, k)).half;
+            let half = Sizes::of(&at(sorted, k)).half;
             let largest = greatest(all);
-            let part = if largest > 0.0 { greatest(own) / largest * SIDE_UNITS } else { 0.0 };
+            let part = if largest > 0.0 { greatest(half) / largest * SIDE_UNITS } else { 0.0 };
             add_shared(sums, 1, part as u32);
             let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
             raise_shared(sums, 2, in_cell);
@@ -154,7 +154,7 @@ kernel! {
         if i < params.frame.start[3] {
             let set = set_of(&params.frame.start, i) as u32;
             let b = at(boxes, i as usize);
-            put(keys, i as usize, key_intervals::key(params.own.method, set, &b, survey));
+            put(keys, i as usize, key_intervals::key(params.args.method, set, &b, survey));
             put(order, i as usize, i);
         }
     }
@@ -173,7 +173,7 @@ kernel! {
 /// The place of a thread's box among all sorted ones, and whether there is one.
 #[inline(always)]
 fn asking(params: &Params<Intervals>, row: u32, group: u32, lane: u32) -> (u32, bool) {
-    let [set, _] = asks(params.own.method, params.own.kind, row);
+    let [set, _] = asks(params.args.method, params.args.kind, row);
     let k = group * GROUP + lane;
     (params.frame.start[set as usize] + k, k < params.frame.count[set as usize])
 }
@@ -193,10 +193,10 @@ fn partners(
     if !some {
         return [u32::MAX, 0, 0];
     }
-    let (method, kind) = (params.own.method, params.own.kind);
+    let (method, kind) = (params.args.method, params.args.kind);
     let [_, asked] = asks(method, kind, row);
-    let (own, b) = (at(keys, place as usize), at(sorted, place as usize));
-    let [from, to] = interval(method, kind, row, asked, own, &b, survey);
+    let (key, b) = (at(keys, place as usize), at(sorted, place as usize));
+    let [from, to] = interval(method, kind, row, asked, key, &b, survey);
     [from, to, if kind == 1 { place + 1 } else { 0 }]
 }
 
@@ -209,7 +209,7 @@ fn is_crowded(params: &Params<Intervals>, survey: &[u32]) -> bool {
 #[inline(always)]
 fn is_full(params: &Params<Intervals>, of_set: usize, survey: &[u32]) -> bool {
     let first = FULLNESS + SET_WORDS * of_set;
-    at(survey, first + 1) > 0 || at(survey, first) > params.own.most[of_set]
+    at(survey, first + 1) > 0 || at(survey, first) > params.args.most[of_set]
 }
 
 kernel! {
@@ -217,13 +217,13 @@ kernel! {
     /// that work. Where cells are too full there is none, and the list says that it is too short.
     interval_work[128](t; params: Intervals; counters: [u32; 8]; sorted: [Aabb], keys: [u32],
         survey: [u32], mut work: [u32]) {
-        let (own, row) = (t.group, params.own.row);
+        let (group, row) = (t.group, params.args.row);
         if t.lane == 0 {
             set(counters, FROM, u32::MAX);
             set(counters, TO, 0);
         }
         barrier();
-        let (place, some) = asking(params, row, own, t.lane);
+        let (place, some) = asking(params, row, group, t.lane);
         let [from, to, _] = partners(params, row, place, some, sorted, keys, survey);
         if from <= to {
             lower_shared(counters, FROM, from);
@@ -236,7 +236,7 @@ kernel! {
             // No key is the greatest number.
             let mut found =
                 lower_bound(keys, n_keys, if t.lane == 0 { least } else { greatest + 1 });
-            if t.lane == 0 && params.own.kind == 1 {
+            if t.lane == 0 && params.args.kind == 1 {
                 // The first of the group asks from the second on.
                 found = found.max(place + 1);
             }
@@ -260,8 +260,8 @@ kernel! {
             if c < n_chunks {
                 let first = begin + c * CHUNK;
                 let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
-                let [a, b] = pack(row, tiles, own, first);
-                write_pair(work, params.dispatch.room_out, base + c, Pair { a, b });
+                let [a, b] = pack(row, tiles, group, first);
+                write_pair(work, params.dispatch.capacity_out, base + c, Pair { a, b });
             }
         }
     }
@@ -272,13 +272,13 @@ kernel! {
     interval_pairs[128](t; params: Intervals; boxes: [Aabb; 128], names: [u32; 128],
         hits: [u32; 2048], counters: [u32; 8]; sorted: [Aabb], keys: [u32], order: [u32],
         survey: [u32], work: [u32], mut pairs: [u32]) {
-        let (own, groups) = (t.group, t.groups);
+        let (args, groups) = (t.group, t.groups);
         let there =
             if is_crowded(params, survey) { 0 } else { part(work, &params.dispatch) };
         let n_keys = params.frame.start[3];
         // One piece a workgroup and round.
-        for round in 0..decide::rounds(there, own, groups, 1) {
-            let piece = read_pair(work, params.dispatch.first + own + round * groups);
+        for round in 0..decide::rounds(there, group, groups, 1) {
+            let piece = read_pair(work, params.dispatch.first + group + round * groups);
             let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
             let (place, some) = asking(params, row, asks, t.lane);
             let [from, to, after] = partners(params, row, place, some, sorted, keys, survey);
@@ -310,7 +310,7 @@ kernel! {
                             set(hits, hit, t.lane << 7 | c);
                         } else {
                             let pair = pair_of(params, row, place, begin + c, order);
-                            append(pairs, params.dispatch.room_out, pair);
+                            append(pairs, params.dispatch.capacity_out, pair);
                         }
                     }
                 }
@@ -329,7 +329,7 @@ kernel! {
                     let hit = get(hits, h);
                     let (place, _) = asking(params, row, asks, hit >> 7);
                     let pair = pair_of(params, row, place, begin + hit % GROUP, order);
-                    write_pair(pairs, params.dispatch.room_out, base + h, pair);
+                    write_pair(pairs, params.dispatch.capacity_out, base + h, pair);
                 }
                 barrier();
             }
@@ -342,9 +342,9 @@ kernel! {
 fn pair_of(params: &Params<Intervals>, row: u32, asks: u32, asked: u32, order: &[u32]) -> Pair {
     let (a, b) = (at(order, asks as usize), at(order, asked as usize));
     let start = &params.frame.start;
-    if params.own.kind == 1 {
+    if params.args.kind == 1 {
         Pair::ordered(a - start[1], b - start[1])
-    } else if params.own.method == SWEEP_AND_PRUNE && row == 1 {
+    } else if params.args.method == SWEEP_AND_PRUNE && row == 1 {
         Pair { a: b, b: a - start[2] }
     } else {
         Pair { a, b: b - start[2] }

@@ -27,7 +27,7 @@ macro_rules! listed {
             $name[128](t; params: Decision; counters: [u32; 4]; boxes: [Aabb], elements: [u32],
                 bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)? input: [u32],
                 mut output: [u32]) {
-                let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.own.kind);
+                let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.args.kind);
                 let there = part(input, dispatch);
                 for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
@@ -64,7 +64,7 @@ macro_rules! listed {
                     }
                     barrier();
                     if keeps {
-                        write_pair(output, dispatch.room_out, get(counters, BASE) + to, pair);
+                        write_pair(output, dispatch.capacity_out, get(counters, BASE) + to, pair);
                     }
                 }
             }

@@ -23,15 +23,15 @@ const FITTED: u32 = 2;
 const LISTED: u32 = 3;
 
 kernel! {
-    /// Thread `i` fits internal node `i` of the tree over set `own.kind` once both children are, if
-    /// all of its leaves are in the tile of the workgroup; it lists all others, which have the box
-    /// of everything until then.
+    /// Thread `i` fits internal node `i` of the tree over set `args.kind` once both children are,
+    /// if all of its leaves are in the tile of the workgroup; it lists all others, which have the
+    /// box of everything until then.
     orient_near[256](t; params: Blocks; boxes: [Obb; 256], done: [u32; 8], counters: [u32; 2];
         branches: [UVec4], block_nodes: [BoxWords], mut oriented: [ObbWords], mut stamps: [u32],
         mut far: [u32]) {
         let tile = t.group * TILE;
         let i = tile + t.lane;
-        let of = params.own.kind as usize;
+        let of = params.args.kind as usize;
         let n_leaves = params.frame.count[of];
         if t.lane < 8 {
             set(done, t.lane, 0);
@@ -74,13 +74,13 @@ kernel! {
             }
         }
         barrier();
-        let own = (params.frame.start[of] + i) as usize;
+        let node = (params.frame.start[of] + i) as usize;
         if state == FITTED {
-            put(oriented, own, ObbWords::of(&get(boxes, t.lane)));
-            put(stamps, own, 1);
+            put(oriented, node, ObbWords::of(&get(boxes, t.lane)));
+            put(stamps, node, 1);
         } else if state != NOTHING {
-            put(oriented, own, ObbWords::of(&Obb::everything()));
-            put(stamps, own, 0);
+            put(oriented, node, ObbWords::of(&Obb::everything()));
+            put(stamps, node, 0);
             put(far, LIST_HEADER + (get(counters, 1) + to) as usize, i);
         }
     }
@@ -105,7 +105,7 @@ fn in_tile(
     block_nodes: &[BoxWords],
     boxes: &[Obb; 256],
 ) -> Obb {
-    if child + 1 >= params.frame.count[params.own.kind as usize] {
+    if child + 1 >= params.frame.count[params.args.kind as usize] {
         of_leaf(params, child, block_nodes)
     } else {
         get(boxes, child - tile)
@@ -115,9 +115,9 @@ fn in_tile(
 /// The box of a child that is a leaf.
 #[inline(always)]
 fn of_leaf(params: &Params<Blocks>, child: u32, block_nodes: &[BoxWords]) -> Obb {
-    let of = params.own.kind as usize;
+    let of = params.args.kind as usize;
     let leaf = child - (params.frame.count[of] - 1);
-    let b: Aabb = box_at(block_nodes, block_bvh::slot(&params.own, 0, of, leaf));
+    let b: Aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, of, leaf));
     Obb::of_box(&b)
 }
 
@@ -127,7 +127,7 @@ kernel! {
     orient_far[128](t; params: Blocks;; branches: [UVec4], block_nodes: [BoxWords], far: [u32],
         mut oriented: [ObbWords], mut stamps: [u32]) {
         let n_far = at(far, 0);
-        let first = params.frame.start[params.own.kind as usize];
+        let first = params.frame.start[params.args.kind as usize];
         let round = params.dispatch.first;
         let threads = t.groups * FAR;
         for part in 0..n_far.div_ceil(threads) {
@@ -136,16 +136,16 @@ kernel! {
                 break;
             }
             let i = at(far, LIST_HEADER + k as usize);
-            let own = (first + i) as usize;
-            if load(stamps, own) == 0 {
+            let node = (first + i) as usize;
+            if load(stamps, node) == 0 {
                 let branch = branch_at(branches, i as usize);
                 if was_fitted(params, branch.left, stamps)
                     && was_fitted(params, branch.right, stamps)
                 {
                     let left = fitted(params, branch.left, block_nodes, oriented);
                     let right = fitted(params, branch.right, block_nodes, oriented);
-                    put(oriented, own, ObbWords::of(&Obb::around_two(&left, &right)));
-                    raise(stamps, own, round);
+                    put(oriented, node, ObbWords::of(&Obb::around_two(&left, &right)));
+                    raise(stamps, node, round);
                 }
             }
         }
@@ -155,7 +155,7 @@ kernel! {
 /// Whether a child has its box since before this round.
 #[inline(always)]
 fn was_fitted(params: &Params<Blocks>, child: u32, stamps: &[u32]) -> bool {
-    let of = params.own.kind as usize;
+    let of = params.args.kind as usize;
     if child + 1 >= params.frame.count[of] {
         return true;
     }
@@ -170,7 +170,7 @@ fn fitted(
     block_nodes: &[BoxWords],
     oriented: &[ObbWords],
 ) -> Obb {
-    let of = params.own.kind as usize;
+    let of = params.args.kind as usize;
     if child + 1 >= params.frame.count[of] {
         of_leaf(params, child, block_nodes)
     } else {

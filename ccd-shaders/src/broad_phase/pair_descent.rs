@@ -28,14 +28,14 @@ const NODES_BASE: u32 = 2;
 const LEAVES_BASE: u32 = 3;
 
 kernel! {
-    /// One workgroup lists the nodes of a cut through the tree over set `own.kind`, at most
-    /// `own.nodes` of them, as the cut of side `dispatch.first`. A node is split, if there is room,
-    /// while it has more than its share of the leaves.
+    /// One workgroup lists the nodes of a cut through the tree over set `args.kind`, at most
+    /// `args.nodes` of them, as the cut of side `dispatch.first`. A node is split, if there is
+    /// room, while it has more than its share of the leaves.
     cut_nodes[256](t; params: NodeDescent; nodes: [u32; 1024], counters: [u32; 4];
         branches: [Branch], mut cuts: [u32]) {
         let first = cut_start(params.dispatch.first) + LIST_HEADER;
-        let n_leaves = params.frame.count[params.own.kind as usize];
-        let (n_internal, share) = (n_leaves - 1, n_leaves / params.own.nodes);
+        let n_leaves = params.frame.count[params.args.kind as usize];
+        let (n_internal, share) = (n_leaves - 1, n_leaves / params.args.nodes);
         if t.lane == 0 {
             set(nodes, 0, 0);
             set(counters, 0, 1);
@@ -53,7 +53,7 @@ kernel! {
                         let branch = at(branches, node as usize);
                         if branch.last - branch.first >= share {
                             let to = n + add_shared(counters, 1, 1);
-                            if to < params.own.nodes {
+                            if to < params.args.nodes {
                                 set(nodes, k, branch.left);
                                 set(nodes, to, branch.right);
                             }
@@ -63,7 +63,7 @@ kernel! {
             }
             barrier();
             if t.lane == 0 {
-                set(counters, 0, (n + get(counters, 1)).min(params.own.nodes));
+                set(counters, 0, (n + get(counters, 1)).min(params.args.nodes));
                 set(counters, 1, 0);
             }
             barrier();
@@ -88,12 +88,12 @@ fn cut_start(side: u32) -> usize {
 }
 
 kernel! {
-    /// Thread `i * own.nodes + j` looks at the pair of node `i` of the first cut and node `j` of
+    /// Thread `i * args.nodes + j` looks at the pair of node `i` of the first cut and node `j` of
     /// the second; within one tree if `i <= j`. Those that meet are listed, the others go to the
     /// front that is written, if one is kept.
     cut_pairs[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
         mut control: [u32], mut output: [u32], mut front: [u32]) {
-        let pair = of_cuts(&params.own, t.i, cuts);
+        let pair = of_cuts(&params.args, t.i, cuts);
         begin::<Boxes>(params, pair, a_nodes, b_nodes, a_nodes, control, output, front);
     }
 }
@@ -102,7 +102,7 @@ kernel! {
     /// As `cut_pairs`, of trees of oriented boxes.
     cut_pairs_oriented[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
         oriented: [ObbWords], mut control: [u32], mut output: [u32], mut front: [u32]) {
-        let pair = of_cuts(&params.own, t.i, cuts);
+        let pair = of_cuts(&params.args, t.i, cuts);
         begin::<Oriented>(params, pair, a_nodes, b_nodes, oriented, control, output, front);
     }
 }
@@ -122,7 +122,7 @@ fn begin<V: Volume>(
 ) {
     if pair[0] != NONE {
         let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
-        let same = params.own.kind == 1 && pair[0] == pair[1];
+        let same = params.args.kind == 1 && pair[0] == pair[1];
         // A leaf makes no pair with itself.
         if !same || !x.is_leaf() {
             let meets =
@@ -134,8 +134,8 @@ fn begin<V: Volume>(
 
 /// Pair `k` of two cuts, or of one, of which the second node does not stand before the first.
 #[inline(always)]
-fn of_cuts(own: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
-    let (i, j, within) = (k / own.nodes, k % own.nodes, own.kind == 1);
+fn of_cuts(args: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
+    let (i, j, within) = (k / args.nodes, k % args.nodes, args.kind == 1);
     let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
     let mut pair = [NONE; 2];
     if i < at(cuts, a) && j < at(cuts, b) && (!within || i <= j) {
@@ -156,10 +156,10 @@ fn place(
 ) {
     if meets {
         let to = reserve(control, 0, output, 1);
-        write_pair(output, params.own.room_nodes, to, Pair { a: pair[0], b: pair[1] });
-    } else if params.own.room_front > 0 {
+        write_pair(output, params.args.capacity_nodes, to, Pair { a: pair[0], b: pair[1] });
+    } else if params.args.capacity_front > 0 {
         let to = count_front(control, 1);
-        write_front(&params.own, front, to, pair);
+        write_front(&params.args, front, to, pair);
     }
 }
 
@@ -175,9 +175,9 @@ pub(super) fn count_front(control: &mut [u32], n: u32) -> u32 {
 
 /// Writes a pair of the front; one for which there is no room is only counted.
 #[inline(always)]
-pub(super) fn write_front(own: &NodeDescent, front: &mut [u32], i: u32, pair: NodePair) {
-    if i < own.room_front {
-        let to = 2 * (own.written * own.room_front + i) as usize;
+pub(super) fn write_front(args: &NodeDescent, front: &mut [u32], i: u32, pair: NodePair) {
+    if i < args.capacity_front {
+        let to = 2 * (args.written * args.capacity_front + i) as usize;
         put(front, to, pair[0]);
         put(front, to + 1, pair[1]);
     }
@@ -243,13 +243,13 @@ fn expand_level<V: Volume>(
     output: &mut [u32],
     pairs: &mut [u32],
 ) {
-    let (kind, level) = (params.own.kind, params.dispatch.first as usize);
+    let (kind, level) = (params.args.kind, params.dispatch.first as usize);
     let internal = internal(params);
-    let rule = if params.own.larger != 0 { Descent::Larger } else { Descent::Both };
-    let there = at(levels, level).min(params.dispatch.room_in);
+    let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
+    let there = at(levels, level).min(params.dispatch.capacity_in);
     // As many rounds as the room would take, because only that is the same for all threads for
     // certain.
-    for round in 0..params.dispatch.room_in.div_ceil(t.groups * THREADS) {
+    for round in 0..params.dispatch.capacity_in.div_ceil(t.groups * THREADS) {
         let i = (t.group + round * t.groups) * THREADS + t.lane;
         if t.lane == 0 {
             set(counters, NODES, 0);
@@ -320,10 +320,10 @@ fn keep(
     let fate = fate(pair, internal);
     if fate == 1 {
         let pair = Pair { a: pair[0], b: pair[1] };
-        write_pair(output, params.own.room_nodes, bases[0] + to, pair);
+        write_pair(output, params.args.capacity_nodes, bases[0] + to, pair);
     } else if fate == 2 {
         let (a, b) = (at(a_nodes, pair[0] as usize).left, at(b_nodes, pair[1] as usize).left);
-        let pair = if params.own.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } };
-        write_pair(pairs, params.dispatch.room_out, bases[1] + to, pair);
+        let pair = if params.args.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } };
+        write_pair(pairs, params.dispatch.capacity_out, bases[1] + to, pair);
     }
 }

@@ -60,7 +60,7 @@ fn walk_half<V: Volume>(
 ) {
     if i < params.dispatch.n {
         let leaf_idx = params.dispatch.first + i;
-        let query = box_at(leaves, block_bvh::slot(&params.own, 0, SET, leaf_idx));
+        let query = box_at(leaves, block_bvh::slot(&params.args, 0, SET, leaf_idx));
         let (first, n_leaves) = (params.frame.start[SET], params.frame.count[SET]);
         let a = at(order, (first + leaf_idx) as usize) - first;
         let mut walk = WideWalk::new();
@@ -86,7 +86,7 @@ fn keep_ordered(params: &Params<Blocks>, a: u32, order: &[u32], found: u32, pair
     if found != NONE {
         let first = params.frame.start[SET];
         let b = at(order, (first + found) as usize) - first;
-        append(pairs, params.dispatch.room_out, Pair::ordered(a, b));
+        append(pairs, params.dispatch.capacity_out, Pair::ordered(a, b));
     }
 }
 
@@ -101,9 +101,9 @@ fn walk_full<V: Volume>(
     pairs: &mut [u32],
 ) {
     if i < params.dispatch.n {
-        let [queries, tree] = sets(params.own.kind);
+        let [queries, tree] = sets(params.args.kind);
         let mut a = params.frame.start[queries] + params.dispatch.first + i;
-        if params.own.sorted != 0 {
+        if params.args.sorted != 0 {
             a = at(order, a as usize);
         }
         let query = box_at(boxes, a as usize);
@@ -137,10 +137,10 @@ fn walk_full<V: Volume>(
 #[inline(always)]
 fn keep(params: &Params<Queries>, a: u32, order: &[u32], found: u32, pairs: &mut [u32]) {
     if found != NONE {
-        let first = params.frame.start[sets(params.own.kind)[1]];
+        let first = params.frame.start[sets(params.args.kind)[1]];
         let b = at(order, (first + found) as usize) - first;
-        if params.own.kind == 0 || b > a {
-            append(pairs, params.dispatch.room_out, Pair { a, b });
+        if params.args.kind == 0 || b > a {
+            append(pairs, params.dispatch.capacity_out, Pair { a, b });
         }
     }
 }

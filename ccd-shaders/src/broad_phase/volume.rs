@@ -79,7 +79,7 @@ impl Volume for Oriented {
         b: &[Node],
         more: &[ObbWords],
     ) -> [NodePair; 4] {
-        let within = params.own.kind == 1;
+        let within = params.args.kind == 1;
         only_reaching(within, all, internal(params), first(params), a, b, more, more)
     }
 
@@ -91,7 +91,7 @@ impl Volume for Oriented {
         b: &[Node],
         more: &[ObbWords],
     ) -> bool {
-        reach(params.own.kind == 1, pair, internal(params), first(params), a, b, more, more)
+        reach(params.args.kind == 1, pair, internal(params), first(params), a, b, more, more)
     }
 
     #[inline(always)]
@@ -103,13 +103,13 @@ impl Volume for Oriented {
 /// Internal nodes of either tree.
 #[inline(always)]
 pub(super) fn internal(params: &Params<NodeDescent>) -> [u32; 2] {
-    let [set_a, set_b] = sets(params.own.kind);
+    let [set_a, set_b] = sets(params.args.kind);
     [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1]
 }
 
 /// First places of either tree.
 #[inline(always)]
 fn first(params: &Params<NodeDescent>) -> [u32; 2] {
-    let [set_a, set_b] = sets(params.own.kind);
+    let [set_a, set_b] = sets(params.args.kind);
     [params.frame.start[set_a], params.frame.start[set_b]]
 }

@@ -46,7 +46,7 @@ kernel! {
             let set = block_bvh::set_of(&params.frame.start, i);
             let world = at(worlds, i as usize);
             let grid = MortonGrid::new(&worlds::bounds(words, world), 10);
-            let key = worlds::sort_key(i as usize, set, world, params.own.bits, boxes, &grid);
+            let key = worlds::sort_key(i as usize, set, world, params.args.bits, boxes, &grid);
             put(keys, i as usize, key);
             put(order, i as usize, i);
         }

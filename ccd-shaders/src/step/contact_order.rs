@@ -13,7 +13,7 @@ kernel! {
         let i = t.i;
         if i < params.dispatch.n {
             let mut contact = i;
-            if params.own.pass == 0 {
+            if params.args.pass == 0 {
                 put(order, i as usize, i);
             } else {
                 contact = at(order, i as usize);
@@ -27,7 +27,7 @@ kernel! {
     /// Thread `i` copies the contact that is `i`-th in order; `ordered` has no header.
     order_contacts[256](t; params: Plain;; contacts: [u32], order: [u32], mut ordered: [u32]) {
         let i = t.i;
-        if i < params.dispatch.n.min(length(contacts, params.dispatch.room_in)) {
+        if i < params.dispatch.n.min(length(contacts, params.dispatch.capacity_in)) {
             let from = LIST_HEADER + TOUCH_WORDS * at(order, i as usize) as usize;
             for k in 0..TOUCH_WORDS {
                 put(ordered, TOUCH_WORDS * i as usize + k, at(contacts, from + k));

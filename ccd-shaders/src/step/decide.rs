@@ -17,9 +17,9 @@ fn place(lane: u32, has: bool, counters: &mut [u32; 4], list: &mut [u32]) -> u32
         set(counters, 0, 0);
     }
     barrier();
-    let mut own = 0;
+    let mut slot = 0;
     if has {
-        own = add_shared(counters, 0, 1);
+        slot = add_shared(counters, 0, 1);
     }
     barrier();
     if lane == 0 {
@@ -29,12 +29,12 @@ fn place(lane: u32, has: bool, counters: &mut [u32; 4], list: &mut [u32]) -> u32
         }
     }
     barrier();
-    get(counters, 1) + own
+    get(counters, 1) + slot
 }
 
 #[inline(always)]
-fn write_touch(list: &mut [u32], room: u32, i: u32, touch: &Touch) {
-    if i < room {
+fn write_touch(list: &mut [u32], capacity: u32, i: u32, touch: &Touch) {
+    if i < capacity {
         let to = LIST_HEADER + TOUCH_WORDS * i as usize;
         put(list, to, touch.kind);
         put(list, to + 1, touch.state);
@@ -54,7 +54,7 @@ kernel! {
         let there = part(input, &params.dispatch);
         for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (kind, mut found) = (params.own.kind, false);
+            let (kind, mut found) = (params.args.kind, false);
             let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
             if i < there {
                 let pair = read_pair(input, params.dispatch.first + i);
@@ -73,7 +73,7 @@ kernel! {
             if params.frame.has(Frame::FLAG_KEEP) {
                 let to = place(t.lane, found, counters, contacts);
                 if found {
-                    write_touch(contacts, params.dispatch.room_out, to, &touch);
+                    write_touch(contacts, params.dispatch.capacity_out, to, &touch);
                 }
             }
         }
@@ -88,7 +88,7 @@ kernel! {
         let there = part(input, &params.dispatch);
         for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (kind, mut certain, mut open) = (params.own.kind, false, false);
+            let (kind, mut certain, mut open) = (params.args.kind, false, false);
             let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
             if i < there {
                 let pair = read_pair(input, params.dispatch.first + i);
@@ -106,7 +106,7 @@ kernel! {
             if params.frame.has(Frame::FLAG_KEEP) {
                 let to = place(t.lane, certain, counters, contacts);
                 if certain {
-                    write_touch(contacts, params.dispatch.room_out, to, &touch);
+                    write_touch(contacts, params.dispatch.capacity_out, to, &touch);
                 }
             }
             barrier();
@@ -114,7 +114,7 @@ kernel! {
             let to = place(t.lane, open, counters, undecided);
             if open {
                 let pair = Pair { a: touch.a, b: touch.b };
-                write_pair(undecided, params.own.room_open, to, pair);
+                write_pair(undecided, params.args.capacity_open, to, pair);
             }
         }
     }

@@ -39,7 +39,7 @@ kernel! {
     expand_triangles[128](t; params: Expansion; shared: [u32; 12]; triangles: [Triangle],
         regions: [u32], boxes: [Aabb], input: [u32], mut vf: [u32], mut ee: [u32],
         mut counts: [u32]) {
-        let (dispatch, room_ee) = (&params.dispatch, params.own.room_ee);
+        let (dispatch, capacity_ee) = (&params.dispatch, params.args.capacity_ee);
         let there = part(input, dispatch);
         clear(t.lane, shared);
         barrier();
@@ -54,7 +54,7 @@ kernel! {
             let (mut hits, mut to_vf, mut to_ee) = (0, 0, 0);
             if i < there {
                 pair = read_pair(input, dispatch.first + i);
-                let one = expand(pair, &params.frame, &params.own, triangles, regions, boxes);
+                let one = expand(pair, &params.frame, &params.args, triangles, regions, boxes);
                 add_counts(&one, shared);
                 hits = one.hits;
                 if hits != 0 {
@@ -70,13 +70,14 @@ kernel! {
                 to_ee += get(shared, BASE_EE);
                 for test in 0..N_VERTEX_FACE {
                     if hits >> test & 1 == 1 {
-                        write_pair(vf, dispatch.room_out, to_vf, features(test, pair, triangles));
+                        let found = features(test, pair, triangles);
+                        write_pair(vf, dispatch.capacity_out, to_vf, found);
                         to_vf += 1;
                     }
                 }
                 for test in N_VERTEX_FACE..15 {
                     if hits >> test & 1 == 1 {
-                        write_pair(ee, room_ee, to_ee, features(test, pair, triangles));
+                        write_pair(ee, capacity_ee, to_ee, features(test, pair, triangles));
                         to_ee += 1;
                     }
                 }
@@ -107,10 +108,10 @@ kernel! {
                 let number = dispatch.first + i;
                 let test = at(tests, number as usize);
                 pair = test.pair;
-                let one = near(number, &test, &params.frame, &params.own, regions, swept, boxes);
+                let one = near(number, &test, &params.frame, &params.args, regions, swept, boxes);
                 add_counts(&one, shared);
                 hit = one.hits;
-                is_vf = number < params.own.n_vf;
+                is_vf = number < params.args.n_vf;
                 if hit != 0 {
                     to = add_shared(shared, if is_vf { VF } else { EE }, 1);
                 }
@@ -120,9 +121,9 @@ kernel! {
             barrier();
             if hit != 0 {
                 if is_vf {
-                    write_pair(vf, dispatch.room_out, get(shared, BASE_VF) + to, pair);
+                    write_pair(vf, dispatch.capacity_out, get(shared, BASE_VF) + to, pair);
                 } else {
-                    write_pair(ee, params.own.room_ee, get(shared, BASE_EE) + to, pair);
+                    write_pair(ee, params.args.capacity_ee, get(shared, BASE_EE) + to, pair);
                 }
             }
         }

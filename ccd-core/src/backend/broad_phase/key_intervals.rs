@@ -109,7 +109,7 @@ pub fn key(method: u32, set: u32, b: &Aabb<f32>, survey: &[u32]) -> u32 {
     set << BITS | place
 }
 
-/// The first and the last key of the partners in a row of a box of key `own`; a first that is
+/// The first and the last key of the partners in a row of a box of key `key`; a first that is
 /// greater than the last where there are none. `asked`: the set that is asked.
 #[inline(always)]
 pub fn interval(
@@ -117,12 +117,12 @@ pub fn interval(
     kind: u32,
     row: u32,
     asked: u32,
-    own: u32,
+    key: u32,
     b: &Aabb<f32>,
     survey: &[u32],
 ) -> [u32; 2] {
     let set = asked << BITS;
-    let place = own & ((1 << BITS) - 1);
+    let place = key & ((1 << BITS) - 1);
     if method == SWEEP_AND_PRUNE {
         // Of two that begin at one place the one of the first set asks.
         [(set | place) + row, set | place_on_axis(&b.max, at(survey, FOUND))]

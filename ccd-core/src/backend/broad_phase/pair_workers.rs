@@ -91,8 +91,8 @@ pub const fn words_with_deques(workers: Workers) -> usize {
 
 /// The workers that a record speaks of.
 #[inline(always)]
-pub fn thieves(own: &NodeDescent) -> Workers {
-    Workers { n: 1 << own.workers, batches: own.batches, batch: own.batch }
+pub fn thieves(args: &NodeDescent) -> Workers {
+    Workers { n: 1 << args.workers, batches: args.batches, batch: args.batch }
 }
 
 /// Whose deque hand `hand` of worker `me` of `n`, a power of two, looks at in a turn: those after

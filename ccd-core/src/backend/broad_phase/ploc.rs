@@ -91,8 +91,8 @@ impl Nearest {
     /// clusters with the least distance of all are each other's nearest, if not those of others;
     /// and equal boxes are joined in pairs.
     #[inline(always)]
-    pub fn look(&mut self, i: u32, j: u32, own: &Aabb<f32>, other: &Aabb<f32>) {
-        let d = distance(own, other);
+    pub fn look(&mut self, i: u32, j: u32, aabb: &Aabb<f32>, other: &Aabb<f32>) {
+        let d = distance(aabb, other);
         if j != i && (d < self.least || (d == self.least && prefers(i, j, self.best))) {
             self.best = j;
             self.least = d;
@@ -111,11 +111,11 @@ pub fn window(i: u32, n: u32, radius: u32) -> [u32; 2] {
 /// is none. The loop runs over `2 radius + 1` clusters.
 #[inline(always)]
 pub fn nearest(i: u32, n: u32, radius: u32, boxes: &[Aabb<f32>]) -> u32 {
-    let own = at(boxes, i as usize);
+    let aabb = at(boxes, i as usize);
     let [first, end] = window(i, n, radius);
     let mut nearest = Nearest::none(i);
     for j in first..end {
-        nearest.look(i, j, &own, &at(boxes, j as usize));
+        nearest.look(i, j, &aabb, &at(boxes, j as usize));
     }
     nearest.best
 }

@@ -142,14 +142,16 @@ pub fn is_past<N: Num>(end: N, begin: N) -> N::Mask {
     begin.gt(end)
 }
 
-/// Whether a box that begins at `own` is the one of two that finds another that begins at `other`,
-/// if their intervals overlap; a bit a lane. `first`: whether it is of the first of two sets.
+/// Whether a box that begins at `begin` is the one of two that finds another that begins at
+/// `other`, if their intervals overlap; a bit a lane. `first`: whether it is of the first of two
+/// sets.
 ///
-/// `other` is not less than `own` in the one case and greater in the other, so for any two numbers
-/// exactly one of `finds(x, y, true)` and `finds(y, x, false)` holds: the pair is found once.
+/// `other` is not less than `begin` in the one case and greater in the other, so for any two
+/// numbers exactly one of `finds(x, y, true)` and `finds(y, x, false)` holds: the pair is found
+/// once.
 #[inline(always)]
-pub fn finds<N: Num>(own: N, other: N, first: bool) -> u32 {
-    if first { !own.gt(other).bits() & N::Mask::ALL } else { other.gt(own).bits() }
+pub fn finds<N: Num>(begin: N, other: N, first: bool) -> u32 {
+    if first { !begin.gt(other).bits() & N::Mask::ALL } else { other.gt(begin).bits() }
 }
 
 #[cfg(test)]

@@ -15,10 +15,10 @@ pub fn tiles(n: u32) -> u32 {
     n.div_ceil(TILE)
 }
 
-/// Words of the sums of at most `room` items: those of groups, then those of tiles.
+/// Words of the sums of at most `capacity` items: those of groups, then those of tiles.
 #[inline(always)]
-pub fn words(room: u32) -> u32 {
-    tiles(room) + tiles(tiles(room))
+pub fn words(capacity: u32) -> u32 {
+    tiles(capacity) + tiles(tiles(capacity))
 }
 
 /// The word of the group of a tile.
@@ -29,6 +29,6 @@ pub fn group_word(tile: u32) -> usize {
 
 /// The word of a tile.
 #[inline(always)]
-pub fn tile_word(tile: u32, room: u32) -> usize {
-    (tiles(tiles(room)) + tile) as usize
+pub fn tile_word(tile: u32, capacity: u32) -> usize {
+    (tiles(tiles(capacity)) + tile) as usize
 }

@@ -14,7 +14,7 @@ pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 7 + 2;
 /// Writes the fields in their order.
 #[inline(always)]
 pub fn params(p: &Params<Blocks>, out: &mut [u32]) {
-    let (frame, dispatch, own) = (&p.frame, &p.dispatch, &p.own);
+    let (frame, dispatch, args) = (&p.frame, &p.dispatch, &p.args);
     for k in 0..3 {
         put(out, k, frame.count[k]);
     }
@@ -46,18 +46,18 @@ pub fn params(p: &Params<Blocks>, out: &mut [u32]) {
     }
     put(out, 33, dispatch.n);
     put(out, 34, dispatch.first);
-    put(out, 35, dispatch.room_in);
-    put(out, 36, dispatch.room_out);
+    put(out, 35, dispatch.capacity_in);
+    put(out, 36, dispatch.capacity_out);
     for level in 0..MAX_LEVELS {
         for k in 0..4 {
-            put(out, 37 + 4 * level + k, own.slots[level][k]);
+            put(out, 37 + 4 * level + k, args.slots[level][k]);
         }
     }
     let n = 37 + 4 * MAX_LEVELS;
-    put(out, n, own.kind);
-    put(out, n + 1, own.level);
-    put(out, n + 2, own.step);
-    put(out, n + 3, own.limit);
+    put(out, n, args.kind);
+    put(out, n + 1, args.level);
+    put(out, n + 2, args.step);
+    put(out, n + 3, args.limit);
 }
 
 /// Writes the fields of one record of each type, behind those of [`params`].

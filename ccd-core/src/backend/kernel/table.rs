@@ -305,7 +305,7 @@ macro_rules! table {
     ($($group:ident {$(
         $(#[$doc:meta])*
         $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
-            $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
+            $(, Params<$args:ident>)?) { $($field:ident: $access:ident),* }
     )*})*) => {
         /// A kernel of the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -320,7 +320,7 @@ macro_rules! table {
             barriers: $barriers,
             wide: wide!($float),
             native: Id::$id.native(),
-            params: [$(Some(stringify!($own)),)? None][0],
+            params: [$(Some(stringify!($args)),)? None][0],
             buffers: &[$((stringify!($field), Access::$access)),*],
         },)*)*];
     };

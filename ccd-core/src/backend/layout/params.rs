@@ -16,14 +16,14 @@ pub struct Params<A = Plain> {
     /// Of the dispatch.
     pub dispatch: Dispatch,
     /// Of the algorithm.
-    pub own: A,
+    pub args: A,
 }
 
 impl<A: Pod> Params<A> {
     /// The bytes of each part, in their order.
     pub fn parts(&self) -> [&[u8]; 3] {
-        let Self { frame, dispatch, own } = self;
-        [bytemuck::bytes_of(frame), bytemuck::bytes_of(dispatch), bytemuck::bytes_of(own)]
+        let Self { frame, dispatch, args } = self;
+        [bytemuck::bytes_of(frame), bytemuck::bytes_of(dispatch), bytemuck::bytes_of(args)]
     }
 }
 
@@ -127,8 +127,8 @@ impl Frame {
 /// |---|---|
 /// | `n` | 0..4 |
 /// | `first` | 4..8 |
-/// | `room_in` | 8..12 |
-/// | `room_out` | 12..16 |
+/// | `capacity_in` | 8..12 |
+/// | `capacity_out` | 12..16 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Dispatch {
@@ -137,9 +137,9 @@ pub struct Dispatch {
     /// The first of them, or the first entry of a list that is looked at.
     pub first: u32,
     /// Entries that the list which is read has room for.
-    pub room_in: u32,
+    pub capacity_in: u32,
     /// Entries that the list which is written has room for.
-    pub room_out: u32,
+    pub capacity_out: u32,
 }
 
 /// No record: for kernels that need no more than [`Frame`] and [`Dispatch`]. Shaders have no
@@ -221,9 +221,9 @@ pub struct NodeDescent {
     /// Nodes of a cut.
     pub nodes: u32,
     /// Entries that the list of pairs of nodes has room for; each of two, if they are one buffer.
-    pub room_nodes: u32,
+    pub capacity_nodes: u32,
     /// Entries that the front has room for, each of two in one buffer; 0: none is kept.
-    pub room_front: u32,
+    pub capacity_front: u32,
     /// Which of the two fronts is written, 0 or 1; the other is read.
     pub written: u32,
     /// What workers are told, see [`pair_workers`](crate::broad_phase::pair_workers): where tasks
@@ -321,7 +321,7 @@ pub struct Decision {
     /// 0: vertices against faces, 1: edges against edges.
     pub kind: u32,
     /// Entries that the list of undecided pairs has room for.
-    pub room_open: u32,
+    pub capacity_open: u32,
 }
 
 /// What the kernels that expand pairs of triangles are told; see
@@ -332,7 +332,7 @@ pub struct Expansion {
     /// The `FLAG_` constants of this type.
     pub flags: u32,
     /// Entries that the list of pairs of edges has room for.
-    pub room_ee: u32,
+    pub capacity_ee: u32,
     /// Which of the tests of neighbours are of a vertex and a face: those before this one.
     pub n_vf: u32,
     /// Which are orphans: from the first of these on, up to the second.

@@ -63,21 +63,21 @@ impl FrontState {
         self.is_too_large = true;
     }
 
-    /// A search is over that wrote `n` pairs, and wanted as many entries of a list that has `room`;
-    /// there may be room for `most`.
+    /// A search is over that wrote `n` pairs, and wanted as many entries of a list that has
+    /// `capacity`; there may be room for `most`.
     pub fn end(
         &mut self,
         options: &FrontOptions,
         n: u64,
         wanted: u64,
-        room: u64,
+        capacity: u64,
         most: u64,
     ) -> Fate {
         self.kept = 0;
         if self.is_too_large {
             return Fate::Dropped;
         }
-        if wanted > room {
+        if wanted > capacity {
             self.is_too_large = wanted > most;
             if self.is_too_large {
                 return Fate::Dropped;

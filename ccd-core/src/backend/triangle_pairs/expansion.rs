@@ -52,7 +52,7 @@ impl Expanded {
 pub fn expand(
     pair: Pair,
     frame: &Frame,
-    own: &Expansion,
+    args: &Expansion,
     triangles: &[Triangle],
     regions: &[u32],
     boxes: &[Aabb<f32>],
@@ -61,13 +61,13 @@ pub fn expand(
     if frame.has(Frame::FLAG_BODIES) && !bodies_meet(s.body, t.body) {
         return Expanded::NOTHING;
     }
-    if frame.has(Frame::FLAG_RULES) && !classes_meet(s.body, t.body, regions, own.rules as usize) {
+    if frame.has(Frame::FLAG_RULES) && !classes_meet(s.body, t.body, regions, args.rules as usize) {
         return Expanded::NOTHING;
     }
-    if own.has(Expansion::FLAG_ORPHANS) && adjacent(&s.corners, &t.corners) {
+    if args.has(Expansion::FLAG_ORPHANS) && adjacent(&s.corners, &t.corners) {
         return Expanded::ADJACENT;
     }
-    if in_one_region(pair, own, regions) {
+    if in_one_region(pair, args, regions) {
         return Expanded::FREE;
     }
     let (n_s, n_t) = ((s.represents & 7).count_ones(), (t.represents & 7).count_ones());
@@ -111,24 +111,24 @@ pub fn near(
     i: u32,
     test: &NearTest,
     frame: &Frame,
-    own: &Expansion,
+    args: &Expansion,
     regions: &[u32],
     swept: &[Aabb<f32>],
     boxes: &[Aabb<f32>],
 ) -> Expanded {
     let (pair, of) = (test.pair, test.triangles);
-    if in_one_region(of, own, regions)
+    if in_one_region(of, args, regions)
         || !at(swept, of.a as usize).overlaps(&at(swept, of.b as usize))
     {
         return Expanded::NOTHING;
     }
     let (mut a, mut b) = (pair.a, frame.start[2] + pair.b);
-    if i >= own.n_vf {
+    if i >= args.n_vf {
         a += frame.start[1];
         b = frame.start[1] + pair.b;
     }
     let hits = at(boxes, a as usize).overlaps(&at(boxes, b as usize)) as u32;
-    let orphan = (i >= own.orphans[0] && i < own.orphans[1]) as u32;
+    let orphan = (i >= args.orphans[0] && i < args.orphans[1]) as u32;
     Expanded { counts: [0, 0, 0, 1 - orphan, orphan], hits }
 }
 
@@ -140,8 +140,8 @@ fn adjacent(s: &[u32; 3], t: &[u32; 3]) -> bool {
 
 /// Whether a certified region holds both of two triangles.
 #[inline(always)]
-fn in_one_region(pair: Pair, own: &Expansion, regions: &[u32]) -> bool {
-    if !own.has(Expansion::FLAG_REGIONS) {
+fn in_one_region(pair: Pair, args: &Expansion, regions: &[u32]) -> bool {
+    if !args.has(Expansion::FLAG_REGIONS) {
         return false;
     }
     let (a, b) = (at(regions, pair.a as usize), at(regions, pair.b as usize));

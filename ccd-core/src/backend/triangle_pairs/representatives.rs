@@ -18,7 +18,7 @@ pub struct Triangles {
     n_faces: usize,
     corners: Vec<[u32; 3]>,
     sides: Vec<[u32; 3]>,
-    own: Vec<u8>,
+    represented: Vec<u8>,
     of_vertex: Incidence,
     of_edge: Incidence,
 }
@@ -40,7 +40,7 @@ impl Triangles {
         let sides: Vec<[u32; 3]> = corners.iter().map(|c| sides_of(c, edges)).collect();
         let of_vertex = Incidence::new(mesh.n_vertices(), &corners);
         let of_edge = Incidence::new(edges.len(), &sides);
-        let own = (0..corners.len())
+        let represented = (0..corners.len())
             .map(|t| {
                 let first = |of: &Incidence, ids: &[u32; 3], k: usize| {
                     let repeated = ids[..k].contains(&ids[k]);
@@ -52,7 +52,7 @@ impl Triangles {
                 })
             })
             .collect();
-        Self { n_faces: mesh.faces().len(), corners, sides, own, of_vertex, of_edge }
+        Self { n_faces: mesh.faces().len(), corners, sides, represented, of_vertex, of_edge }
     }
 
     /// Number of triangles.
@@ -87,7 +87,7 @@ impl Triangles {
 
     /// Bits 0 to 2: whether it represents that corner; bits 3 to 5: that side.
     pub fn represents(&self, t: u32) -> u8 {
-        self.own[t as usize]
+        self.represented[t as usize]
     }
 
     /// What a device is told of a triangle; `body`: the word of its body.
@@ -207,14 +207,14 @@ mod tests {
         assert!(triangles.is_face(4) && !triangles.is_face(5));
         let (mut vertices, mut edges) = (vec![0; 10], vec![0; mesh.edges().len()]);
         for t in 0..triangles.len() as u32 {
-            let own = triangles.represents(t);
+            let represented = triangles.represents(t);
             for k in 0..3 {
-                if own >> k & 1 == 1 {
+                if represented >> k & 1 == 1 {
                     let v = triangles.corners(t)[k];
                     vertices[v as usize] += 1;
                     assert_eq!((triangles.of_vertex(v)[0], triangles.corner_of(t, v)), (t, k));
                 }
-                if own >> (k + 3) & 1 == 1 {
+                if represented >> (k + 3) & 1 == 1 {
                     let e = triangles.sides(t)[k];
                     edges[e as usize] += 1;
                     assert_eq!((triangles.of_edge(e)[0], triangles.side_of(t, e)), (t, k));

@@ -82,8 +82,8 @@ impl<'a, T: Coordinate> Strided<'a, T> {
 
     /// How many positions end within the bytes.
     fn fitting(&self) -> usize {
-        let room = self.bytes.len().checked_sub(self.offset);
-        let after_first = room.and_then(|room| room.checked_sub(size_of::<[T; 3]>()));
+        let capacity = self.bytes.len().checked_sub(self.offset);
+        let after_first = capacity.and_then(|capacity| capacity.checked_sub(size_of::<[T; 3]>()));
         after_first.map_or(0, |rest| rest.checked_div(self.stride).map_or(usize::MAX, |n| n + 1))
     }
 

@@ -47,8 +47,8 @@ impl Default for LazyStealing {
 
 impl LazyStealing {
     /// With room for so many batches in each deque, a power of two.
-    pub fn new(room: u32) -> Self {
-        Self { deques: Deques::new(room, BATCH as u32), stacks: Lists::default() }
+    pub fn new(capacity: u32) -> Self {
+        Self { deques: Deques::new(capacity, BATCH as u32), stacks: Lists::default() }
     }
 }
 

@@ -55,7 +55,7 @@ const BATCH: usize = 16;
 /// What there is no memory for, if there is none.
 pub const PAIRS_OF_NODES: &str = "pairs of nodes of trees";
 /// Pairs that a list has room for from the beginning, so that it rarely grows later.
-const ROOM: usize = 1 << 13;
+const CAPACITY: usize = 1 << 13;
 
 /// A list a worker, kept between calls.
 #[derive(Debug, Default)]
@@ -67,7 +67,7 @@ impl Lists {
         for Own(list) in &mut self.0 {
             list.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
         }
-        self.0.resize_with(n_workers, || Own(Mutex::new(Vec::with_capacity(ROOM))));
+        self.0.resize_with(n_workers, || Own(Mutex::new(Vec::with_capacity(CAPACITY))));
     }
 
     /// That of a worker, which nobody else asks for.

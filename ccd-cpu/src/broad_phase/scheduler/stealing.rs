@@ -46,9 +46,9 @@ impl Default for Stealing {
 
 impl Stealing {
     /// With room for so many pairs in each deque, a power of two.
-    pub fn new(room: u32) -> Self {
+    pub fn new(capacity: u32) -> Self {
         let (spilled, taken, found) = Default::default();
-        Self { deques: Deques::new(room, 1), spilled, taken, found }
+        Self { deques: Deques::new(capacity, 1), spilled, taken, found }
     }
 }
 

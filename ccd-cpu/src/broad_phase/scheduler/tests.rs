@@ -61,9 +61,12 @@ fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
         (row.name.to_string(), scheduler_of(row.value).expect("a scheduler that is here"))
     };
     let mut all: Vec<_> = rows.map(of).collect();
-    for room in [2, 8] {
-        all.push((format!("stealing, room for {room}"), Box::new(Stealing::new(room))));
-        all.push((format!("lazy stealing, room for {room}"), Box::new(LazyStealing::new(room))));
+    for capacity in [2, 8] {
+        all.push((format!("stealing, capacity {capacity}"), Box::new(Stealing::new(capacity))));
+        all.push((
+            format!("lazy stealing, capacity {capacity}"),
+            Box::new(LazyStealing::new(capacity)),
+        ));
     }
     for idle in [1, 100] {
         all.push((format!("balanced at {idle} %"), Box::new(Balanced::new(idle))));

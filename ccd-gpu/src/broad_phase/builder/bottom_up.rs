@@ -34,8 +34,8 @@ impl Joins {
         branches: &wgpu::Buffer,
     ) {
         let (order, ordered) = (blocks.sorted()[1], blocks.spare_order());
-        let own = Building { set: self.set as u32, sorted: sorted as u32, ..Building::default() };
-        let p = Params { frame: *frame, own, ..Params::default() };
+        let args = Building { set: self.set as u32, sorted: sorted as u32, ..Building::default() };
+        let p = Params { frame: *frame, args, ..Params::default() };
         let kernel = NumberLeaves { joins: &self.words, order, ordered, branches };
         recorder.each(&kernel, &p, self.n);
         let first = 4 * frame.start[self.set] as u64;

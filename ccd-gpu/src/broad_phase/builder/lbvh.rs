@@ -25,8 +25,8 @@ impl TreeBuilder for Lbvh {
         sorted: &Tree,
         branches: &wgpu::Buffer,
     ) {
-        let own = Blocks { kind: self.set as u32, ..sorted.record() };
-        let p = Params { frame: *frame, dispatch: Dispatch::default(), own };
+        let args = Blocks { kind: self.set as u32, ..sorted.record() };
+        let p = Params { frame: *frame, dispatch: Dispatch::default(), args };
         recorder.each(&Branches { keys: sorted.sorted()[0], branches }, &p, self.n);
     }
 }

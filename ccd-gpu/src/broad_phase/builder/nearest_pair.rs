@@ -77,7 +77,7 @@ impl TreeBuilder for NearestPair {
         let params = |n: u32, first: u32, rounds: u32, made: u32| Params {
             frame: *frame,
             dispatch: Dispatch { n, first, ..Dispatch::default() },
-            own: Building { set, rounds, made, ..Building::default() },
+            args: Building { set, rounds, made, ..Building::default() },
         };
         let (mut n, mut made, mut from) = (joins.n, 0, 0);
         if n < 2 {

@@ -83,7 +83,7 @@ impl TreeBuilder for Ploc {
             return;
         }
         let wide = rounds(n, FEW);
-        let own = Building {
+        let args = Building {
             set: joins.set as u32,
             radius: *radius,
             rounds: wide,
@@ -92,7 +92,7 @@ impl TreeBuilder for Ploc {
         let params = |first: u32, n: u32| Params {
             frame: *frame,
             dispatch: Dispatch { n, first, ..Dispatch::default() },
-            own,
+            args,
         };
         let kernel = PlocLeaves {
             boxes: &sorted.boxes,

@@ -75,13 +75,13 @@ impl TreeBuilder for SplitLists {
     ) {
         let Self { set, n, levels, present, table, entries, .. } = self;
         let (keys, list, n_tiles) = (sorted.sorted()[0], self.list.buffer(), n_tiles(*n));
-        let dispatch = Dispatch { room_out: self.list.room(), ..Dispatch::default() };
-        let own = Building { set: *set as u32, ..Building::default() };
-        let p = Params { frame: *frame, dispatch, own };
+        let dispatch = Dispatch { capacity_out: self.list.capacity(), ..Dispatch::default() };
+        let args = Building { set: *set as u32, ..Building::default() };
+        let p = Params { frame: *frame, dispatch, args };
         let places = n - 1;
         recorder.each(&SplitLevels { keys, levels, present }, &p, places);
         recorder.each(&SplitCount { levels, present, table }, &p, places);
-        let scan = Params { frame: *frame, dispatch, own: SortPass { shift: 0, n_tiles } };
+        let scan = Params { frame: *frame, dispatch, args: SortPass { shift: 0, n_tiles } };
         recorder.dispatch(&SortScan { table }, &scan, if places > 0 { DIGITS } else { 0 });
         recorder.each(&SplitEmit { levels, present, table, entries, list }, &p, places);
         let kernel = SplitBranches { keys, levels, present, table, entries, list, branches };

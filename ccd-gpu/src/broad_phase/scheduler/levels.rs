@@ -67,10 +67,10 @@ impl Schedule for Levels {
         for level in 0..n_levels {
             let lists = [&self.even, &self.odd];
             let [input, output] = [lists[level as usize % 2], lists[1 - level as usize % 2]];
-            let own = NodeDescent { room_nodes: output.room(), ..NodeDescent::default() };
-            let mut p = of.params(own, level, 0);
-            p.dispatch.room_in = input.room();
-            let n_groups = self.groups.min(input.room().div_ceil(Id::ExpandPairs.threads()));
+            let args = NodeDescent { capacity_nodes: output.capacity(), ..NodeDescent::default() };
+            let mut p = of.params(args, level, 0);
+            p.dispatch.capacity_in = input.capacity();
+            let n_groups = self.groups.min(input.capacity().div_ceil(Id::ExpandPairs.threads()));
             let (input, output) = (input.buffer(), output.buffer());
             let kernel = ExpandPairs { a_nodes, b_nodes, input, levels, output, pairs };
             recorder.dispatch_variant(&kernel, (oriented, false), &p, n_groups);

@@ -197,11 +197,16 @@ impl Schedule for Workers {
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         for round in 0..rounds {
             let last = (round + 1 == rounds) as u32;
-            let NodeDescent { room_front, written, .. } = written.record();
-            let own = NodeDescent { room_nodes: nodes.room(), room_front, written, ..stealing };
-            let own = NodeDescent { tasks, piece, idle, stack, turns, last, ..own };
-            let own = NodeDescent { workers: *workers, ..own };
-            let p = of.params(own, round, 0);
+            let NodeDescent { capacity_front, written, .. } = written.record();
+            let args = NodeDescent {
+                capacity_nodes: nodes.capacity(),
+                capacity_front,
+                written,
+                ..stealing
+            };
+            let args = NodeDescent { tasks, piece, idle, stack, turns, last, ..args };
+            let args = NodeDescent { workers: *workers, ..args };
+            let p = of.params(args, round, 0);
             descended::round(recorder, of, buffers, &p, 1 << workers);
         }
         recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);

@@ -7,10 +7,10 @@ use ccd_core::backend::kernel::memory::put;
 use spirv_std::glam::UVec4;
 
 kernel! {
-    /// Thread `i` finds children and range of internal node `i` of the tree over set `own.kind`.
+    /// Thread `i` finds children and range of internal node `i` of the tree over set `args.kind`.
     branches[256](t; params: Blocks;; keys: [u32], mut branches: [UVec4]) {
         let i = t.i;
-        let set = params.own.kind as usize;
+        let set = params.args.kind as usize;
         let n_leaves = params.frame.count[set];
         if i + 1 < n_leaves {
             let branch = radix_tree::branch_from(i, params.frame.start[set], n_leaves, keys);

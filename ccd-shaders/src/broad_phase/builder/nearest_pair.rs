@@ -35,30 +35,30 @@ fn centre_of(item: UVec4) -> [f32; 3] {
 }
 
 kernel! {
-    /// Thread `i` makes box `i` of set `own.set` a node of the lowest level.
+    /// Thread `i` makes box `i` of set `args.set` a node of the lowest level.
     pair_leaves[256](t; params: Building;; boxes: [BoxWords], bounds: [u32],
         mut clusters: [ClusterWords], mut items: [UVec4]) {
         let i = t.i;
-        let of = params.own.set as usize;
+        let of = params.args.set as usize;
         let n_leaves = params.frame.count[of];
         if i < n_leaves {
             let grid = MortonGrid::new(&merged(bounds), 10);
-            let own = grid.in_cells(&box_at(boxes, (params.frame.start[of] + i) as usize));
-            let cluster = Cluster::new(&own, n_leaves - 1 + i, 1);
+            let aabb = grid.in_cells(&box_at(boxes, (params.frame.start[of] + i) as usize));
+            let cluster = Cluster::new(&aabb, n_leaves - 1 + i, 1);
             put(clusters, i as usize, ClusterWords::of(&cluster));
-            put(items, i as usize, item(&own, i));
+            put(items, i as usize, item(&aabb, i));
         }
     }
 }
 
 kernel! {
-    /// One workgroup pairs `own.rounds` targets of a level of `dispatch.n` nodes, from the target
+    /// One workgroup pairs `args.rounds` targets of a level of `dispatch.n` nodes, from the target
     /// at place `dispatch.first` on: each with the nearest of those after it, which comes to the
     /// place after the target. Only the thread of a place reads or writes it.
     pair_nearest[256](t; params: Building; shared: [UVec4; 4], found: [u32; 2];
         mut items: [UVec4]) {
         let n = params.dispatch.n;
-        for round in 0..params.own.rounds {
+        for round in 0..params.args.rounds {
             let target = params.dispatch.first + 2 * round;
             let next = target + 1;
             if t.lane == target % THREADS {
@@ -69,14 +69,14 @@ kernel! {
                 set(found, 1, u32::MAX);
             }
             barrier();
-            let own = centre_of(get(shared, TARGET));
+            let centre = centre_of(get(shared, TARGET));
             let mut best = beginning(next);
             // The first place of this thread after the target.
             let first = next + (t.lane + THREADS - next % THREADS) % THREADS;
             if first < n {
                 for k in 0..(n - first).div_ceil(THREADS) {
                     let i = first + k * THREADS;
-                    best = nearer(best, (distance(own, centre_of(at(items, i as usize))), i));
+                    best = nearer(best, (distance(centre, centre_of(at(items, i as usize))), i));
                 }
             }
             // Numbers that are not negative have the order of their bits.
@@ -119,7 +119,7 @@ kernel! {
             let mut node = a;
             if 2 * i + 1 < below {
                 let b = cluster_at(clusters, at(items, 2 * i as usize + 1).w);
-                let made = params.own.made + i;
+                let made = params.args.made + i;
                 put_join(joins, made, [a.node, b.node], [a.leaves, b.leaves]);
                 node = Cluster::new(&a.aabb().union(&b.aabb()), made, a.leaves + b.leaves);
             }

@@ -13,13 +13,13 @@ kernel! {
     number_leaves[256](t; params: Building;; joins: [u32], order: [u32], mut ordered: [u32],
         mut branches: [UVec4]) {
         let i = t.i;
-        let set = params.own.set as usize;
+        let set = params.args.set as usize;
         let (first, n_leaves) = (params.frame.start[set], params.frame.count[set]);
         if i < n_leaves {
             let n_internal = n_leaves - 1;
             let to = place(i, n_internal, joins);
             let mut of_box = first + i;
-            if params.own.sorted != 0 {
+            if params.args.sorted != 0 {
                 of_box = at(order, (first + i) as usize);
             }
             put(ordered, (first + to) as usize, of_box);

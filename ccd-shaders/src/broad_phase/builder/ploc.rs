@@ -28,13 +28,13 @@ kernel! {
     ploc_leaves[256](t; params: Building;; boxes: [BoxWords], bounds: [u32], order: [u32],
         mut clusters: [ClusterWords], mut names: [u32], mut counts: [u32]) {
         let i = t.i;
-        let of = params.own.set as usize;
+        let of = params.args.set as usize;
         let n_leaves = params.frame.count[of];
         if i < n_leaves {
             let grid = MortonGrid::new(&merged(bounds), 10);
             let of_box = at(order, (params.frame.start[of] + i) as usize);
-            let own = grid.in_cells(&box_at(boxes, of_box as usize));
-            put(clusters, i as usize, ClusterWords::of(&Cluster::new(&own, n_leaves - 1 + i, 1)));
+            let aabb = grid.in_cells(&box_at(boxes, of_box as usize));
+            put(clusters, i as usize, ClusterWords::of(&Cluster::new(&aabb, n_leaves - 1 + i, 1)));
             put(names, i as usize, i);
         }
         if i == 0 {
@@ -49,28 +49,28 @@ kernel! {
     ploc_nearest[256](t; params: Building; near: [Aabb; 512]; clusters: [ClusterWords],
         mut neighbours: [u32], mut counts: [u32]) {
         let tile = t.group;
-        let (n_clusters, radius) = (clusters_of(params, counts), params.own.radius);
+        let (n_clusters, radius) = (clusters_of(params, counts), params.args.radius);
         let i = tile * TILE + t.lane;
         // Entry `k` of `near` is the box of cluster `tile TILE - radius + k`.
         for half in 0..2 {
             let k = half * TILE + t.lane;
             let from = tile * TILE + k;
-            let mut own = Aabb::EMPTY;
+            let mut aabb = Aabb::EMPTY;
             if from >= radius && from - radius < n_clusters && k < TILE + 2 * radius {
-                own = cluster_at(clusters, from - radius).aabb();
+                aabb = cluster_at(clusters, from - radius).aabb();
             }
-            set(near, k, own);
+            set(near, k, aabb);
         }
         barrier();
         if i < n_clusters {
-            let n_leaves = params.frame.count[params.own.set as usize];
+            let n_leaves = params.frame.count[params.args.set as usize];
             let mut best = neighbour(i, n_clusters);
             if !is_late(params.dispatch.first, n_clusters, n_leaves) {
-                let own = get(near, radius + t.lane);
+                let aabb = get(near, radius + t.lane);
                 let range = window(i, n_clusters, radius);
                 let mut nearest = Nearest::none(i);
                 for j in range[0]..range[1] {
-                    nearest.look(i, j, &own, &get(near, j + radius - tile * TILE));
+                    nearest.look(i, j, &aabb, &get(near, j + radius - tile * TILE));
                 }
                 best = nearest.best;
             }
@@ -97,7 +97,7 @@ kernel! {
         }
         barrier();
         if t.lane == 0 && i < n_clusters {
-            let n_leaves = params.frame.count[params.own.set as usize];
+            let n_leaves = params.frame.count[params.args.set as usize];
             put(counts, COUNTS + tile_word(tile, n_leaves), get(left, 0));
             add(counts, COUNTS + group_word(tile), get(left, 0));
         }
@@ -118,7 +118,7 @@ kernel! {
         mut names_out: [u32], mut counts: [u32], mut joins: [u32]) {
         let tile = t.group;
         let n_clusters = clusters_of(params, counts);
-        let n_leaves = params.frame.count[params.own.set as usize];
+        let n_leaves = params.frame.count[params.args.set as usize];
         let i = tile * TILE + t.lane;
         if t.lane < 2 {
             set(sums, t.lane, 0);
@@ -145,9 +145,9 @@ kernel! {
         add_shared(sums, 1, earlier + later);
         let there = i < n_clusters;
         // A thread without a cluster looks at the first one.
-        let own = if there { i } else { 0 };
-        let j = at(neighbours, own as usize);
-        let fate = fate_beside(own, j, at(neighbours, j as usize));
+        let cluster = if there { i } else { 0 };
+        let j = at(neighbours, cluster as usize);
+        let fate = fate_beside(cluster, j, at(neighbours, j as usize));
         let is_left = there && fate != Fate::Ends;
         if is_left {
             or_shared(masks, t.lane / 32, 1 << (t.lane % 32));
@@ -180,15 +180,15 @@ kernel! {
 kernel! {
     /// One workgroup does all rounds that are left when there are as few clusters as it has
     /// threads. Those are where the last round with any has left them: of an even number of rounds,
-    /// or of an odd one. `own.rounds`: rounds that have had dispatches; `dispatch.n`: all that
+    /// or of an odd one. `args.rounds`: rounds that have had dispatches; `dispatch.n`: all that
     /// there may be.
     ploc_finish[256](t; params: Building; boxes: [Aabb; 256], nodes: [u32; 256], leaves: [u32; 256],
         names: [u32; 256], neighbours: [u32; 256], masks: [u32; 8]; counts: [u32],
         even_clusters: [ClusterWords], even_names: [u32], odd_clusters: [ClusterWords],
         odd_names: [u32], mut joins: [u32]) {
-        let n_leaves = params.frame.count[params.own.set as usize];
+        let n_leaves = params.frame.count[params.args.set as usize];
         let mut done = 0;
-        for round in 0..params.own.rounds {
+        for round in 0..params.args.rounds {
             if at(counts, round as usize + 1) > 0 {
                 done = round + 1;
             }
@@ -196,7 +196,7 @@ kernel! {
         let mut n = at(counts, done as usize).min(FEW);
         if t.lane < n {
             let is_odd = done % 2 == 1;
-            let own = if is_odd {
+            let cluster = if is_odd {
                 cluster_at(odd_clusters, t.lane)
             } else {
                 cluster_at(even_clusters, t.lane)
@@ -206,9 +206,9 @@ kernel! {
             } else {
                 at(even_names, t.lane as usize)
             };
-            set(boxes, t.lane, own.aabb());
-            set(nodes, t.lane, own.node);
-            set(leaves, t.lane, own.leaves);
+            set(boxes, t.lane, cluster.aabb());
+            set(nodes, t.lane, cluster.node);
+            set(leaves, t.lane, cluster.leaves);
             set(names, t.lane, name);
         }
         barrier();
@@ -218,11 +218,11 @@ kernel! {
             if there {
                 j = neighbour(t.lane, n);
                 if !is_late(done + round, n, n_leaves) {
-                    let own = get(boxes, t.lane);
-                    let range = window(t.lane, n, params.own.radius);
+                    let aabb = get(boxes, t.lane);
+                    let range = window(t.lane, n, params.args.radius);
                     let mut nearest = Nearest::none(t.lane);
                     for k in range[0]..range[1] {
-                        nearest.look(t.lane, k, &own, &get(boxes, k));
+                        nearest.look(t.lane, k, &aabb, &get(boxes, k));
                     }
                     j = nearest.best;
                 }
@@ -233,12 +233,12 @@ kernel! {
             }
             barrier();
             let mut is_left = false;
-            let mut own = Aabb::EMPTY;
+            let mut aabb = Aabb::EMPTY;
             let (mut node, mut below, mut name) = (0, 0, 0);
             if there {
                 let fate = fate_beside(t.lane, j, get(neighbours, j));
                 is_left = fate != Fate::Ends;
-                own = get(boxes, t.lane);
+                aabb = get(boxes, t.lane);
                 node = get(nodes, t.lane);
                 below = get(leaves, t.lane);
                 name = get(names, t.lane);
@@ -246,7 +246,7 @@ kernel! {
                     let parent = get(names, j) - 1;
                     let of_both = [below, get(leaves, j)];
                     put_join(joins, parent, [node, get(nodes, j)], of_both);
-                    own = own.union(&get(boxes, j));
+                    aabb = aabb.union(&get(boxes, j));
                     node = parent;
                     below = of_both[0] + of_both[1];
                 }
@@ -264,7 +264,7 @@ kernel! {
                 }
             }
             if is_left {
-                set(boxes, to, own);
+                set(boxes, to, aabb);
                 set(nodes, to, node);
                 set(leaves, to, below);
                 set(names, to, name);

@@ -21,7 +21,7 @@ const MASK: u32 = TILE / 32;
 
 #[inline(always)]
 fn n_internal(params: &Params<Building>) -> u32 {
-    params.frame.count[params.own.set as usize] - 1
+    params.frame.count[params.args.set as usize] - 1
 }
 
 /// The levels that occur.
@@ -62,10 +62,10 @@ kernel! {
         }
         barrier();
         if i < n_internal(params) {
-            let from = params.frame.start[params.own.set as usize];
-            let own = level(i as usize, from as usize, keys);
-            put(levels, i as usize, own);
-            or_shared(shared, own / 32, 1 << (own % 32));
+            let from = params.frame.start[params.args.set as usize];
+            let at_level = level(i as usize, from as usize, keys);
+            put(levels, i as usize, at_level);
+            or_shared(shared, at_level / 32, 1 << (at_level % 32));
         }
         barrier();
         if t.lane < PRESENT as u32 {
@@ -118,7 +118,7 @@ kernel! {
                 slot += get(masks, l * MASK + word).count_ones();
             }
             slot += before(get(masks, l * MASK + t.lane / 32), t.lane);
-            if slot < params.dispatch.room_out {
+            if slot < params.dispatch.capacity_out {
                 put(list, LIST_HEADER + slot as usize, i);
             }
             if l == first {
@@ -141,18 +141,18 @@ kernel! {
         let n_internal = n_internal(params);
         set(begins, t.lane, begin_of(t.lane, n_internal.div_ceil(TILE), table));
         barrier();
-        let is_whole = at(list, 0) <= params.dispatch.room_out;
+        let is_whole = at(list, 0) <= params.dispatch.capacity_out;
         if i < n_internal && is_whole {
-            let own = at(levels, i as usize);
-            let l = rank(own, present_in(present));
+            let at_level = at(levels, i as usize);
+            let l = rank(at_level, present_in(present));
             let begin_end =
                 [LIST_HEADER + get(begins, l) as usize, LIST_HEADER + get(begins, l + 1) as usize];
             let k = LIST_HEADER + at(entries, i as usize) as usize;
-            let (number, branch) = branch(k, own, begin_end, n_internal, list, levels);
+            let (number, branch) = branch(k, at_level, begin_end, n_internal, list, levels);
             put(branches, number as usize, branch_words(&branch));
         }
         if i < n_internal && !is_whole {
-            let from = params.frame.start[params.own.set as usize];
+            let from = params.frame.start[params.args.set as usize];
             put(branches, i as usize, branch_words(&branch_from(i, from, n_internal + 1, keys)));
         }
     }

@@ -26,7 +26,7 @@ pub(super) struct Four<T> {
 }
 
 impl<V: Volume> PairTree for BinaryTrees<V> {
-    type Own = NodeDescent;
+    type Args = NodeDescent;
     type Node = Node;
     type More = V::More<Node>;
     type Found = Four<Child>;
@@ -35,8 +35,8 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
     const WIDTH: u32 = THREADS;
 
     #[inline(always)]
-    fn descent(own: &NodeDescent) -> NodeDescent {
-        *own
+    fn descent(args: &NodeDescent) -> NodeDescent {
+        *args
     }
 
     #[inline(always)]
@@ -57,15 +57,15 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
         more: &[V::More<Node>],
         _: &mut Shared,
     ) -> Four<Child> {
-        let (within, internal) = (params.own.kind == 1, internal(params));
-        let rule = if params.own.larger != 0 { Descent::Larger } else { Descent::Both };
+        let (within, internal) = (params.args.kind == 1, internal(params));
+        let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
         let (mut p, mut q) = (Child::NONE, Child::NONE);
         let (mut r, mut s) = (Child::NONE, Child::NONE);
         if pair[0] != NONE {
             let children = expand(rule, within, a, b, pair);
             let met = V::only_meeting(params, children.met, a, b, more);
             let mut all = met;
-            if params.own.room_front > 0 {
+            if params.args.capacity_front > 0 {
                 all = children.all;
             }
             p = child(met[0], all[0], internal);
@@ -81,18 +81,18 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
     }
 
     #[inline(always)]
-    fn claim(found: Four<Child>, room_front: u32, shared: &mut Shared) -> Four<[u32; 2]> {
+    fn claim(found: Four<Child>, capacity_front: u32, shared: &mut Shared) -> Four<[u32; 2]> {
         Four {
-            p: claim(found.p.fate, room_front, shared),
-            q: claim(found.q.fate, room_front, shared),
-            r: claim(found.r.fate, room_front, shared),
-            s: claim(found.s.fate, room_front, shared),
+            p: claim(found.p.fate, capacity_front, shared),
+            q: claim(found.q.fate, capacity_front, shared),
+            r: claim(found.r.fate, capacity_front, shared),
+            s: claim(found.s.fate, capacity_front, shared),
         }
     }
 
     #[inline(always)]
     fn put_away(
-        own: &NodeDescent,
+        args: &NodeDescent,
         round: Round,
         found: Four<Child>,
         to: Four<[u32; 2]>,
@@ -105,10 +105,10 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
         front: &mut [u32],
     ) {
         let Four { p, q, r, s } = found;
-        put_away::<Self>(own, round, p, to.p, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(own, round, q, to.q, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(own, round, r, to.r, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(own, round, s, to.s, a, b, shared, stack, nodes, pairs, front);
+        put_away::<Self>(args, round, p, to.p, a, b, shared, stack, nodes, pairs, front);
+        put_away::<Self>(args, round, q, to.q, a, b, shared, stack, nodes, pairs, front);
+        put_away::<Self>(args, round, r, to.r, a, b, shared, stack, nodes, pairs, front);
+        put_away::<Self>(args, round, s, to.s, a, b, shared, stack, nodes, pairs, front);
     }
 
     #[inline(always)]
@@ -128,9 +128,9 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
     }
 
     #[inline(always)]
-    fn result(own: &NodeDescent, pair: NodePair, a: &[Node], b: &[Node]) -> Pair {
+    fn result(args: &NodeDescent, pair: NodePair, a: &[Node], b: &[Node]) -> Pair {
         let (a, b) = (at(a, pair[0] as usize).left, at(b, pair[1] as usize).left);
-        if own.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } }
+        if args.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } }
     }
 }
 

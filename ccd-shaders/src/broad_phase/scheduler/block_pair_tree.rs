@@ -46,11 +46,11 @@ impl Columns {
 /// Where node `i` of a side is.
 #[inline(always)]
 fn slot(params: &Params<BlockDescent>, level: u32, side: usize, i: u32) -> usize {
-    (params.own.slots[level as usize][side] + i) as usize
+    (params.args.slots[level as usize][side] + i) as usize
 }
 
 impl PairTree for BlockTrees {
-    type Own = BlockDescent;
+    type Args = BlockDescent;
     type Node = BoxWords;
     type More = BoxWords;
     type Found = Columns;
@@ -59,8 +59,8 @@ impl PairTree for BlockTrees {
     const WIDTH: u32 = TEAMS;
 
     #[inline(always)]
-    fn descent(own: &BlockDescent) -> NodeDescent {
-        own.of_pairs
+    fn descent(args: &BlockDescent) -> NodeDescent {
+        args.of_pairs
     }
 
     #[inline(always)]
@@ -91,7 +91,7 @@ impl PairTree for BlockTrees {
         let [above, x, y] = unpacked(if some { pair } else { packed(1, 0, 0) });
         let level = above - 1;
         let (a, b) = (x * WIDTH + i, y * WIDTH);
-        let [set_a, set_b] = sets(params.own.of_pairs.kind);
+        let [set_a, set_b] = sets(params.args.of_pairs.kind);
         let there = children_there(nodes_on(params.frame.count[set_b], level), y);
         let first = slot(params, level, 1, b);
         let (mut row, mut is_row) = (Aabb::EMPTY, false);
@@ -110,11 +110,11 @@ impl PairTree for BlockTrees {
         barrier();
         let (mut met, mut apart) = (0, 0);
         if is_row {
-            let tested = partners(params.own.of_pairs.kind == 1 && x == y, i);
+            let tested = partners(params.args.of_pairs.kind == 1 && x == y, i);
             if row.overlaps(&box_at(boxes, slot(params, above, 1, y))) {
                 met = meeting(&row, get(shared, COLUMNS + team) & tested, first, boxes);
             }
-            if params.own.of_pairs.room_front > 0 {
+            if params.args.of_pairs.capacity_front > 0 {
                 apart = there & tested & !met;
             }
         }
@@ -122,7 +122,7 @@ impl PairTree for BlockTrees {
     }
 
     #[inline(always)]
-    fn claim(found: Columns, room_front: u32, shared: &mut Shared) -> [u32; 2] {
+    fn claim(found: Columns, capacity_front: u32, shared: &mut Shared) -> [u32; 2] {
         let mut to = [0, 0];
         let mut n_ended = found.apart.count_ones();
         let n_met = found.met.count_ones();
@@ -134,7 +134,7 @@ impl PairTree for BlockTrees {
                 n_ended += n_met;
             }
         }
-        if room_front > 0 && n_ended > 0 {
+        if capacity_front > 0 && n_ended > 0 {
             to[1] = add_shared(shared, ENDED, n_ended);
         }
         to
@@ -142,7 +142,7 @@ impl PairTree for BlockTrees {
 
     #[inline(always)]
     fn put_away(
-        own: &NodeDescent,
+        args: &NodeDescent,
         round: Round,
         found: Columns,
         to: [u32; 2],
@@ -166,7 +166,7 @@ impl PairTree for BlockTrees {
             let pair = packed(found.level, found.a, found.b + j);
             let child = Child { pair, fate: if is_apart >> j & 1 == 1 { APART } else { fate } };
             let at = [next, next_ended];
-            put_away::<Self>(own, round, child, at, a, b, shared, stack, nodes, pairs, front);
+            put_away::<Self>(args, round, child, at, a, b, shared, stack, nodes, pairs, front);
             next += (child.fate != APART) as u32;
             next_ended += (child.fate != INNER) as u32;
         }

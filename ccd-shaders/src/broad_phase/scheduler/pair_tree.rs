@@ -20,7 +20,7 @@ pub(super) const APART: u32 = 3;
 /// the same slice stands for both.
 pub(super) trait PairTree {
     /// What its kernels are told.
-    type Own: Copy;
+    type Args: Copy;
     type Node;
     type More;
     /// Children that a thread found, and where they go.
@@ -31,7 +31,7 @@ pub(super) trait PairTree {
     const WIDTH: u32;
 
     /// What its kernels are told of any pairs.
-    fn descent(own: &Self::Own) -> NodeDescent;
+    fn descent(args: &Self::Args) -> NodeDescent;
 
     /// On which of the pairs of a turn a thread works.
     fn index(lane: u32) -> u32;
@@ -43,7 +43,7 @@ pub(super) trait PairTree {
     /// those that have [`NO_PAIR`](ccd_core::backend::broad_phase::pair_descent::NO_PAIR): there
     /// may be barriers in it.
     fn expand(
-        params: &Params<Self::Own>,
+        params: &Params<Self::Args>,
         lane: u32,
         pair: NodePair,
         a: &[Self::Node],
@@ -53,12 +53,12 @@ pub(super) trait PairTree {
     ) -> Self::Found;
 
     /// Counts what a thread found in its worker.
-    fn claim(found: Self::Found, room_front: u32, shared: &mut Shared) -> Self::Places;
+    fn claim(found: Self::Found, capacity_front: u32, shared: &mut Shared) -> Self::Places;
 
     /// Writes it to where it belongs.
     #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
     fn put_away(
-        own: &NodeDescent,
+        args: &NodeDescent,
         round: Round,
         found: Self::Found,
         to: Self::Places,
@@ -73,7 +73,7 @@ pub(super) trait PairTree {
 
     /// What becomes of a pair.
     fn fate(
-        params: &Params<Self::Own>,
+        params: &Params<Self::Args>,
         pair: NodePair,
         a: &[Self::Node],
         b: &[Self::Node],
@@ -81,5 +81,5 @@ pub(super) trait PairTree {
     ) -> u32;
 
     /// What the list of results has of a pair of leaves.
-    fn result(own: &NodeDescent, pair: NodePair, a: &[Self::Node], b: &[Self::Node]) -> Pair;
+    fn result(args: &NodeDescent, pair: NodePair, a: &[Self::Node], b: &[Self::Node]) -> Pair;
 }

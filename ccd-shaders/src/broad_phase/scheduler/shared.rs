@@ -50,22 +50,22 @@ pub(super) struct Round {
     pub input: u32,
     pub output: u32,
     /// Entries that the list of results has room for.
-    pub room_pairs: u32,
+    pub capacity_pairs: u32,
 }
 
 impl Round {
     #[inline(always)]
-    pub(super) fn new(own: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
-        let (number, room) = (dispatch.first, own.room_nodes);
+    pub(super) fn new(args: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
+        let (number, capacity) = (dispatch.first, args.capacity_nodes);
         let is_odd = number % 2;
         Self {
             me,
-            workers: own.workers,
+            workers: args.workers,
             number,
-            tasks: at(control, listed(number)).min(room),
-            input: is_odd * room,
-            output: (1 - is_odd) * room,
-            room_pairs: dispatch.room_out,
+            tasks: at(control, listed(number)).min(capacity),
+            input: is_odd * capacity,
+            output: (1 - is_odd) * capacity,
+            capacity_pairs: dispatch.capacity_out,
         }
     }
 }

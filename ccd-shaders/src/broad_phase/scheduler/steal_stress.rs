@@ -66,13 +66,13 @@ kernel! {
     /// lives left with one less; all that it keeps goes through its deque as far as there is room.
     ///
     /// `words`: [`Workers`] of the record; `stacks`: of each worker, what it had when it ended.
-    /// Each worker looks for work `own.rounds` times at most; it retires after `own.patience` times
-    /// in vain.
+    /// Each worker looks for work `args.rounds` times at most; it retires after `args.patience`
+    /// times in vain.
     steal_stress[64](t; params: Stealing; shared: [u32; 8], stack: [u32; 256]; mut words: [u32],
         mut stacks: [u32], mut counts: [u32], mut status: [u32]) {
         let me = t.group;
-        let own = params.own;
-        let workers = Workers { n: own.workers, batches: own.batches, batch: own.batch };
+        let args = params.args;
+        let workers = Workers { n: args.workers, batches: args.batches, batch: args.batch };
         let words = DeviceWords::new(words);
         let saved = (me * SAVED) as usize;
         if t.lane == 0 {
@@ -85,9 +85,9 @@ kernel! {
             set(stack, 2 * i + 1, at(stacks, saved + 2 + 2 * i as usize));
         }
         let (mut popped, mut stolen, mut full, mut kept) = (0, 0, 0, 0);
-        for round in 0..own.rounds {
+        for round in 0..args.rounds {
             barrier();
-            let works = get(shared, FRUITLESS) <= own.patience;
+            let works = get(shared, FRUITLESS) <= args.patience;
             // Levels 1 and 2.
             if t.lane == 0 {
                 let there = get(shared, ON_STACK);
@@ -115,9 +115,9 @@ kernel! {
             barrier();
             if get(shared, SOURCE) == NOTHING && get(shared, HAND) == HANDS && t.lane < HANDS {
                 let turn = (me + round).wrapping_mul(0x9e37_79b9) >> 8;
-                let victim = (me + 1 + turn + t.lane).checked_rem(own.workers).unwrap_or(me);
-                let most = if own.most == 0 { 1 } else { own.most };
-                if victim != me && (own.most != 0 || t.lane == 0) {
+                let victim = (me + 1 + turn + t.lane).checked_rem(args.workers).unwrap_or(me);
+                let most = if args.most == 0 { 1 } else { args.most };
+                if victim != me && (args.most != 0 || t.lane == 0) {
                     workers.steal_to_hand(&words, me, t.lane, victim, most);
                 }
             }
@@ -181,7 +181,7 @@ kernel! {
             barrier();
             // A batch from the top of the stack to the deque.
             let (there, slot) = (get(shared, ON_STACK), get(shared, TO_PUSH));
-            let n_pushed = if slot == FULL { 0 } else { there.min(own.batch) };
+            let n_pushed = if slot == FULL { 0 } else { there.min(args.batch) };
             if t.lane < n_pushed {
                 let i = there - n_pushed + t.lane;
                 workers.deque(me).write(

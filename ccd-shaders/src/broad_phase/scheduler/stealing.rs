@@ -21,7 +21,7 @@ use super::stolen_batches::{
     read_batch, reserve_slot, take_from_hand, words_of,
 };
 use super::worker::{
-    ENDS, STOPS, WORKS, leave_rest, make_room, make_room_for_rest, spill, take, write_task,
+    ENDS, STOPS, WORKS, leave_rest, reserve, reserve_rest, spill, take, write_task,
 };
 use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, set};
 use ccd_core::backend::broad_phase::pair_workers::{counts, thieves, victim};
@@ -32,7 +32,7 @@ use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 pub(super) fn steal<T: PairTree>(
-    params: &Params<T::Own>,
+    params: &Params<T::Args>,
     me: u32,
     lane: u32,
     state: &mut [u32; 1],
@@ -47,9 +47,9 @@ pub(super) fn steal<T: PairTree>(
     pairs: &mut [u32],
     front: &mut [u32],
 ) {
-    let own = &T::descent(&params.own);
-    let workers = thieves(own);
-    let round = Round::new(own, &params.dispatch, me, control);
+    let args = &T::descent(&params.args);
+    let workers = thieves(args);
+    let round = Round::new(args, &params.dispatch, me, control);
     if lane == 0 {
         set(shared, TOP, 0);
         set(shared, NEXT, 0);
@@ -60,9 +60,9 @@ pub(super) fn steal<T: PairTree>(
         set(batch, STOLEN, 0);
         set(batch, FULL, 0);
     }
-    for turn in 0..own.turns {
+    for turn in 0..args.turns {
         if lane == 0 {
-            let next = look::<T>(own, round, turn, shared, batch, control);
+            let next = look::<T>(args, round, turn, shared, batch, control);
             set(state, 0, next);
         }
         let next = get_uniform(state, 0);
@@ -76,11 +76,11 @@ pub(super) fn steal<T: PairTree>(
             barrier();
             if held == HANDS && lane < HANDS {
                 let victim = victim(workers.n, me, turn, lane);
-                reach_out(own, batch, victim, me, lane, control);
+                reach_out(args, batch, victim, me, lane, control);
             }
             barrier();
             let takes = Workers::takes_task(lane, get(batch, HAND));
-            if own.most == 0 && held == HANDS && takes {
+            if args.most == 0 && held == HANDS && takes {
                 let victim = victim(workers.n, me, turn, lane);
                 workers.steal_to_hand(&words_of(control, workers), me, lane, victim, 1);
             }
@@ -102,34 +102,34 @@ pub(super) fn steal<T: PairTree>(
             pair = read_batch(batch, workers, i - busy, control);
         }
         let found = T::expand(params, lane, pair, a, b, more, shared);
-        let to = T::claim(found, own.room_front, shared);
+        let to = T::claim(found, args.capacity_front, shared);
         // All have read the batch.
         barrier_of_buffers();
         if lane == 0 {
-            make_room(own, round.number, shared, control, nodes, pairs);
+            reserve(args, round.number, shared, control, nodes, pairs);
             set(shared, EXPANDED, get(shared, EXPANDED) + n_taken);
             give_back(batch, workers, control);
-            reserve_slot(own, me, shared, batch, control);
+            reserve_slot(args, me, shared, batch, control);
         }
         // Also for the slot, which others may just have read.
         barrier_of_buffers();
-        T::put_away(own, round, found, to, a, b, shared, stack, nodes, pairs, front);
+        T::put_away(args, round, found, to, a, b, shared, stack, nodes, pairs, front);
         barrier();
         let pushes = get(batch, TO_PUSH) != NO_SLOT;
-        if pushes && lane < own.batch {
-            copy_batch(own, me, lane, shared, batch, stack, control);
+        if pushes && lane < args.batch {
+            copy_batch(args, me, lane, shared, batch, stack, control);
         }
         // The batch is there for whoever sees that it is published.
         barrier_of_buffers();
         if pushes && lane == 0 {
             let words = words_of(control, workers);
-            workers.deque(me).publish(&words, get(batch, TO_PUSH), own.batch);
-            set(shared, TOP, get(shared, TOP) - own.batch);
+            workers.deque(me).publish(&words, get(batch, TO_PUSH), args.batch);
+            set(shared, TOP, get(shared, TOP) - args.batch);
         }
     }
     // What the worker has in its deque and its hands goes to the next round: nothing, but after too
     // many turns. A pop that fails may have lost a batch to a thief.
-    for _ in 0..workers.drain_turns(own.most) {
+    for _ in 0..workers.drain_turns(args.most) {
         if lane == 0 {
             set(batch, N_TAKEN, 0);
             set(batch, SOURCE, 0);
@@ -146,7 +146,7 @@ pub(super) fn steal<T: PairTree>(
             let n_taken = get(batch, N_TAKEN);
             let mut next = WORKS;
             if n_taken > 0 {
-                set(shared, SPILL_BASE, spill(own, round.number, n_taken, control, nodes));
+                set(shared, SPILL_BASE, spill(args, round.number, n_taken, control, nodes));
             } else if workers.deque(me).is_empty(&words_of(control, workers)) {
                 next = ENDS;
             }
@@ -158,7 +158,7 @@ pub(super) fn steal<T: PairTree>(
         barrier_of_buffers();
         if lane < get(batch, N_TAKEN) {
             let pair = read_batch(batch, workers, lane, control);
-            write_task(own, round.output, nodes, get(shared, SPILL_BASE) + lane, pair);
+            write_task(args, round.output, nodes, get(shared, SPILL_BASE) + lane, pair);
         }
         barrier_of_buffers();
         if lane == 0 {
@@ -166,11 +166,11 @@ pub(super) fn steal<T: PairTree>(
         }
     }
     if lane == 0 {
-        make_room_for_rest(own, round, shared, control, nodes);
+        reserve_rest(args, round, shared, control, nodes);
         add(control, counts(me), get(shared, TURNS));
         add(control, counts(me) + 1, get(shared, EXPANDED));
         count_batches(batch, workers, control);
     }
     barrier();
-    leave_rest(own, round, lane, shared, stack, control, nodes);
+    leave_rest(args, round, lane, shared, stack, control, nodes);
 }

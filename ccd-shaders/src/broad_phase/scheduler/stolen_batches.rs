@@ -87,21 +87,21 @@ pub(super) fn take_from_hand(batch: &mut Batch, workers: Workers, me: u32, contr
 /// The first thread says what its worker does in this turn.
 #[inline(always)]
 pub(super) fn look<T: PairTree>(
-    own: &NodeDescent,
+    args: &NodeDescent,
     round: Round,
     turn: u32,
     shared: &mut Shared,
     batch: &mut Batch,
     control: &mut [u32],
 ) -> u32 {
-    let workers = thieves(own);
-    let mut next = plan::<T>(own, round, turn, shared, control);
+    let workers = thieves(args);
+    let mut next = plan::<T>(args, round, turn, shared, control);
     set(batch, N_TAKEN, 0);
     set(batch, SOURCE, 0);
     set(batch, HAND, HANDS);
     set(batch, TO_PUSH, NO_SLOT);
     let busy = get(shared, FROM_STACK) + get(shared, FROM_TASKS);
-    if busy + own.batch <= T::WIDTH {
+    if busy + args.batch <= T::WIDTH {
         if pop(batch, workers, round.me, control) != 0 {
             next = WORKS;
         }
@@ -109,7 +109,7 @@ pub(super) fn look<T: PairTree>(
     if next == ENDS {
         let fruitless = get(batch, FRUITLESS);
         // A round without tasks has no work; if all are idle, nobody makes any.
-        let patience = if round.tasks == 0 { 0 } else { own.patience };
+        let patience = if round.tasks == 0 { 0 } else { args.patience };
         let n_idle = load(control, idle(round.number));
         let words = &words_of(control, workers);
         if !workers.retires(words, round.me, fruitless, patience, n_idle) {
@@ -154,15 +154,15 @@ pub(super) fn look_at_hands(
 /// only looks whether there are some.
 #[inline(always)]
 pub(super) fn reach_out(
-    own: &NodeDescent,
+    args: &NodeDescent,
     batch: &mut Batch,
     victim: u32,
     me: u32,
     lane: u32,
     control: &mut [u32],
 ) {
-    let workers = thieves(own);
-    if workers.reach_out(&words_of(control, workers), me, lane, victim, own.most) {
+    let workers = thieves(args);
+    if workers.reach_out(&words_of(control, workers), me, lane, victim, args.most) {
         lower_shared(batch, HAND, lane);
     }
 }
@@ -170,14 +170,14 @@ pub(super) fn reach_out(
 /// The first thread, when the stack has many pairs: a slot for a batch of its bottom.
 #[inline(always)]
 pub(super) fn reserve_slot(
-    own: &NodeDescent,
+    args: &NodeDescent,
     me: u32,
     shared: &Shared,
     batch: &mut Batch,
     control: &mut [u32],
 ) {
-    if get(shared, TOP) >= own.push {
-        let workers = thieves(own);
+    if get(shared, TOP) >= args.push {
+        let workers = thieves(args);
         match workers.deque(me).reserve(&words_of(control, workers)) {
             Some(slot) => set(batch, TO_PUSH, slot),
             None => set(batch, FULL, get(batch, FULL) + 1),
@@ -188,7 +188,7 @@ pub(super) fn reserve_slot(
 /// Thread `lane` copies a pair of the stack's bottom to the slot and puts one of its top there.
 #[inline(always)]
 pub(super) fn copy_batch(
-    own: &NodeDescent,
+    args: &NodeDescent,
     me: u32,
     lane: u32,
     shared: &Shared,
@@ -196,8 +196,8 @@ pub(super) fn copy_batch(
     stack: &mut Stack,
     control: &mut [u32],
 ) {
-    let (workers, slot) = (thieves(own), get(batch, TO_PUSH));
-    let (to, from) = (2 * lane, 2 * (get(shared, TOP) - own.batch + lane));
+    let (workers, slot) = (thieves(args), get(batch, TO_PUSH));
+    let (to, from) = (2 * lane, 2 * (get(shared, TOP) - args.batch + lane));
     let pair = [get(stack, to), get(stack, to + 1)];
     workers.deque(me).write(&words_of(control, workers), slot, lane, pair);
     set(stack, to, get(stack, from));

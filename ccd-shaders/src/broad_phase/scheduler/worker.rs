@@ -25,7 +25,7 @@ pub(super) const STOPS: u32 = 2;
 /// there are: returns whether it works at all.
 #[inline(always)]
 pub(super) fn plan<T: PairTree>(
-    own: &NodeDescent,
+    args: &NodeDescent,
     round: Round,
     turn: u32,
     shared: &mut Shared,
@@ -33,22 +33,22 @@ pub(super) fn plan<T: PairTree>(
 ) -> u32 {
     let from_stack = get(shared, TOP).min(T::WIDTH);
     let mut state = WORKS;
-    if own.idle > 0 && turn >= QUANTUM {
-        if is_over(load(control, idle(round.number)), round.workers, own.idle) {
+    if args.idle > 0 && turn >= QUANTUM {
+        if is_over(load(control, idle(round.number)), round.workers, args.idle) {
             state = STOPS;
         }
     }
     let mut from_tasks = 0;
-    let room = T::WIDTH - from_stack;
-    if state == WORKS && room > 0 {
+    let capacity = T::WIDTH - from_stack;
+    if state == WORKS && capacity > 0 {
         let next = get(shared, NEXT);
-        if own.tasks == NodeDescent::TASKS_DEALT {
-            from_tasks = (share(round.tasks, round.me, round.workers) - next).min(room);
+        if args.tasks == NodeDescent::TASKS_DEALT {
+            from_tasks = (share(round.tasks, round.me, round.workers) - next).min(capacity);
             set(shared, FIRST, round.me + (next << round.workers));
             set(shared, STRIDE, 1 << round.workers);
             set(shared, NEXT, next + from_tasks);
         } else if next == 0 {
-            let wanted = piece(round.tasks, round.workers, own.piece).min(room);
+            let wanted = piece(round.tasks, round.workers, args.piece).min(capacity);
             let first = add(control, taken(round.number), wanted);
             from_tasks = round.tasks - first.min(round.tasks);
             from_tasks = from_tasks.min(wanted);
@@ -59,7 +59,7 @@ pub(super) fn plan<T: PairTree>(
     }
     if state == WORKS && from_stack + from_tasks == 0 {
         state = ENDS;
-        if own.idle > 0 {
+        if args.idle > 0 {
             add(control, idle(round.number), 1);
         }
     }
@@ -101,14 +101,14 @@ impl Child {
 
 /// Counts a pair in its worker; returns the number that it has among its like, and in the front.
 #[inline(always)]
-pub(super) fn claim(fate: u32, room_front: u32, shared: &mut Shared) -> [u32; 2] {
+pub(super) fn claim(fate: u32, capacity_front: u32, shared: &mut Shared) -> [u32; 2] {
     let mut to = [0, 0];
     if fate == INNER {
         to[0] = add_shared(shared, NODES, 1);
     } else if fate == LEAF {
         to[0] = add_shared(shared, LEAVES, 1);
     }
-    if fate >= LEAF && room_front > 0 {
+    if fate >= LEAF && capacity_front > 0 {
         to[1] = add_shared(shared, ENDED, 1);
     }
     to
@@ -116,8 +116,8 @@ pub(super) fn claim(fate: u32, room_front: u32, shared: &mut Shared) -> [u32; 2]
 
 /// The first thread makes room for what was found: `below` pairs are left on the stack.
 #[inline(always)]
-pub(super) fn make_room(
-    own: &NodeDescent,
+pub(super) fn reserve(
+    args: &NodeDescent,
     number: u32,
     shared: &mut Shared,
     control: &mut [u32],
@@ -130,12 +130,12 @@ pub(super) fn make_room(
     set(shared, TURNS, get(shared, TURNS) + 1);
     set(shared, EXPANDED, get(shared, EXPANDED) + from_stack + from_tasks);
     let below = get(shared, TOP) - from_stack;
-    let to_stack = n_nodes.min(own.stack - below);
+    let to_stack = n_nodes.min(args.stack - below);
     set(shared, BELOW, below);
     set(shared, TO_STACK, to_stack);
     set(shared, TOP, below + to_stack);
     if n_nodes > to_stack {
-        let base = spill(own, number, n_nodes - to_stack, control, nodes);
+        let base = spill(args, number, n_nodes - to_stack, control, nodes);
         set(shared, SPILL_BASE, base);
     }
     if n_leaves > 0 {
@@ -149,13 +149,13 @@ pub(super) fn make_room(
 /// Reserves places among the tasks of the next round.
 #[inline(always)]
 pub(super) fn spill(
-    own: &NodeDescent,
+    args: &NodeDescent,
     number: u32,
     n: u32,
     control: &mut [u32],
     nodes: &mut [u32],
 ) -> u32 {
-    if own.last != 0 {
+    if args.last != 0 {
         raise(control, LEFT, u32::MAX);
     }
     reserve(control, listed(number + 1), nodes, n)
@@ -165,7 +165,7 @@ pub(super) fn spill(
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 pub(super) fn put_away<T: PairTree>(
-    own: &NodeDescent,
+    args: &NodeDescent,
     round: Round,
     child: Child,
     to: [u32; 2],
@@ -186,10 +186,10 @@ pub(super) fn put_away<T: PairTree>(
             set(stack, place + 1, pair[1]);
         } else {
             let i = get(shared, SPILL_BASE) + to[0] - to_stack;
-            write_task(own, round.output, nodes, i, pair);
+            write_task(args, round.output, nodes, i, pair);
         }
     } else if fate != 0 {
-        put_ended::<T>(own, round.room_pairs, child, to, a, b, shared, pairs, front);
+        put_ended::<T>(args, round.capacity_pairs, child, to, a, b, shared, pairs, front);
     }
 }
 
@@ -197,8 +197,8 @@ pub(super) fn put_away<T: PairTree>(
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "as above")]
 pub(super) fn put_ended<T: PairTree>(
-    own: &NodeDescent,
-    room_pairs: u32,
+    args: &NodeDescent,
+    capacity_pairs: u32,
     child: Child,
     to: [u32; 2],
     a: &[T::Node],
@@ -209,24 +209,24 @@ pub(super) fn put_ended<T: PairTree>(
 ) {
     let Child { pair, fate } = child;
     if fate == LEAF {
-        let found = T::result(own, pair, a, b);
-        write_pair(pairs, room_pairs, get(shared, LEAVES_BASE) + to[0], found);
+        let found = T::result(args, pair, a, b);
+        write_pair(pairs, capacity_pairs, get(shared, LEAVES_BASE) + to[0], found);
     }
-    if own.room_front > 0 {
-        write_front(own, front, get(shared, ENDED_BASE) + to[1], pair);
+    if args.capacity_front > 0 {
+        write_front(args, front, get(shared, ENDED_BASE) + to[1], pair);
     }
 }
 
 /// Writes a task of the next round; one for which there is no room is only counted.
 #[inline(always)]
 pub(super) fn write_task(
-    own: &NodeDescent,
+    args: &NodeDescent,
     output: u32,
     nodes: &mut [u32],
     i: u32,
     pair: NodePair,
 ) {
-    if i < own.room_nodes {
+    if i < args.capacity_nodes {
         write_pair(nodes, u32::MAX, output + i, Pair { a: pair[0], b: pair[1] });
     }
 }
@@ -234,21 +234,21 @@ pub(super) fn write_task(
 /// The first thread, when the worker has ended: room for its stack and for the rest of its part
 /// among the tasks of the next round.
 #[inline(always)]
-pub(super) fn make_room_for_rest(
-    own: &NodeDescent,
+pub(super) fn reserve_rest(
+    args: &NodeDescent,
     round: Round,
     shared: &mut Shared,
     control: &mut [u32],
     nodes: &mut [u32],
 ) {
     let mut rest = 0;
-    if own.tasks == NodeDescent::TASKS_DEALT {
+    if args.tasks == NodeDescent::TASKS_DEALT {
         rest = share(round.tasks, round.me, round.workers) - get(shared, NEXT);
     }
     set(shared, REST, rest);
     let n = get(shared, TOP) + rest;
     if n > 0 {
-        set(shared, REST_BASE, spill(own, round.number, n, control, nodes));
+        set(shared, REST_BASE, spill(args, round.number, n, control, nodes));
     }
 }
 
@@ -256,7 +256,7 @@ pub(super) fn make_room_for_rest(
 /// tasks by a counter, all that nobody takes any more.
 #[inline(always)]
 pub(super) fn leave_rest(
-    own: &NodeDescent,
+    args: &NodeDescent,
     round: Round,
     lane: u32,
     shared: &Shared,
@@ -269,7 +269,7 @@ pub(super) fn leave_rest(
         let i = k * THREADS + lane;
         if i < top {
             let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
-            write_task(own, round.output, nodes, base + i, pair);
+            write_task(args, round.output, nodes, base + i, pair);
         }
     }
     let next = get(shared, NEXT);
@@ -277,10 +277,10 @@ pub(super) fn leave_rest(
         let i = k * THREADS + lane;
         if i < rest {
             let pair = read_pair(nodes, round.input + round.me + ((next + i) << round.workers));
-            write_task(own, round.output, nodes, base + top + i, [pair.a, pair.b]);
+            write_task(args, round.output, nodes, base + top + i, [pair.a, pair.b]);
         }
     }
-    if own.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
+    if args.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
         // Each thread for itself, a task at a time: that is rare.
         for _ in 0..round.tasks {
             let i = add(control, taken(round.number), 1);
@@ -288,8 +288,8 @@ pub(super) fn leave_rest(
                 break;
             }
             let pair = read_pair(nodes, round.input + i);
-            let to = spill(own, round.number, 1, control, nodes);
-            write_task(own, round.output, nodes, to, [pair.a, pair.b]);
+            let to = spill(args, round.number, 1, control, nodes);
+            write_task(args, round.output, nodes, to, [pair.a, pair.b]);
         }
     }
 }

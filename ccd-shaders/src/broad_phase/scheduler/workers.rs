@@ -16,8 +16,7 @@ use super::shared::{
 use super::stealing::steal;
 use super::stolen_batches::Batch;
 use super::worker::{
-    Child, WORKS, claim, leave_rest, make_room, make_room_for_rest, plan, put_ended, take,
-    write_task,
+    Child, WORKS, claim, leave_rest, plan, put_ended, reserve, reserve_rest, take, write_task,
 };
 use crate::broad_phase::pair_descent::{count_front, reserve};
 use crate::broad_phase::volume::{Boxes, Oriented};
@@ -35,7 +34,7 @@ use ccd_core::backend::layout::{Node, Params};
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn descend<T: PairTree>(
-    params: &Params<T::Own>,
+    params: &Params<T::Args>,
     me: u32,
     lane: u32,
     state: &mut [u32; 1],
@@ -49,17 +48,17 @@ fn descend<T: PairTree>(
     pairs: &mut [u32],
     front: &mut [u32],
 ) {
-    let own = &T::descent(&params.own);
-    let round = Round::new(own, &params.dispatch, me, control);
+    let args = &T::descent(&params.args);
+    let round = Round::new(args, &params.dispatch, me, control);
     if lane == 0 {
         set(shared, TOP, 0);
         set(shared, NEXT, 0);
         set(shared, TURNS, 0);
         set(shared, EXPANDED, 0);
     }
-    for turn in 0..own.turns {
+    for turn in 0..args.turns {
         if lane == 0 {
-            let next = plan::<T>(own, round, turn, shared, control);
+            let next = plan::<T>(args, round, turn, shared, control);
             set(state, 0, next);
         }
         if get_uniform(state, 0) != WORKS {
@@ -67,28 +66,28 @@ fn descend<T: PairTree>(
         }
         let pair = take(T::index(lane), round.input, shared, stack, nodes);
         let found = T::expand(params, lane, pair, a, b, more, shared);
-        let to = T::claim(found, own.room_front, shared);
+        let to = T::claim(found, args.capacity_front, shared);
         barrier();
         if lane == 0 {
-            make_room(own, round.number, shared, control, nodes, pairs);
+            reserve(args, round.number, shared, control, nodes, pairs);
         }
         barrier();
-        T::put_away(own, round, found, to, a, b, shared, stack, nodes, pairs, front);
+        T::put_away(args, round, found, to, a, b, shared, stack, nodes, pairs, front);
     }
     if lane == 0 {
-        make_room_for_rest(own, round, shared, control, nodes);
+        reserve_rest(args, round, shared, control, nodes);
         add(control, counts(me), get(shared, TURNS));
         add(control, counts(me) + 1, get(shared, EXPANDED));
     }
     barrier();
-    leave_rest(own, round, lane, shared, stack, control, nodes);
+    leave_rest(args, round, lane, shared, stack, control, nodes);
 }
 
 /// A thread looks at a pair at which a search may begin, if it has one: it is a task, or ends here.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "as above")]
 fn begin<T: PairTree>(
-    params: &Params<T::Own>,
+    params: &Params<T::Args>,
     pair: NodePair,
     lane: u32,
     shared: &mut Shared,
@@ -100,7 +99,7 @@ fn begin<T: PairTree>(
     pairs: &mut [u32],
     front: &mut [u32],
 ) {
-    let own = &T::descent(&params.own);
+    let args = &T::descent(&params.args);
     if lane == 0 {
         set(shared, NODES, 0);
         set(shared, LEAVES, 0);
@@ -111,7 +110,7 @@ fn begin<T: PairTree>(
     if pair[0] != NONE {
         fate = T::fate(params, pair, a, b, more);
     }
-    let to = claim(fate, own.room_front, shared);
+    let to = claim(fate, args.capacity_front, shared);
     barrier();
     if lane == 0 {
         let (n_nodes, n_leaves) = (get(shared, NODES), get(shared, LEAVES));
@@ -127,20 +126,20 @@ fn begin<T: PairTree>(
     }
     barrier();
     if fate == INNER {
-        write_task(own, 0, nodes, get(shared, SPILL_BASE) + to[0], pair);
+        write_task(args, 0, nodes, get(shared, SPILL_BASE) + to[0], pair);
     } else if fate != 0 {
-        let (child, room) = (Child { pair, fate }, params.dispatch.room_out);
-        put_ended::<T>(own, room, child, to, a, b, shared, pairs, front);
+        let (child, capacity) = (Child { pair, fate }, params.dispatch.capacity_out);
+        put_ended::<T>(args, capacity, child, to, a, b, shared, pairs, front);
     }
 }
 
 /// Pair `i` of the `dispatch.n` of the front of the search before.
 #[inline(always)]
-fn of_front<T: PairTree>(params: &Params<T::Own>, i: u32, front: &[u32]) -> NodePair {
-    let own = T::descent(&params.own);
+fn of_front<T: PairTree>(params: &Params<T::Args>, i: u32, front: &[u32]) -> NodePair {
+    let args = T::descent(&params.args);
     let mut pair = NO_PAIR;
     if i < params.dispatch.n {
-        let place = 2 * ((1 - own.written) * own.room_front + i) as usize;
+        let place = 2 * ((1 - args.written) * args.capacity_front + i) as usize;
         pair = [at(front, place), at(front, place + 1)];
     }
     pair
@@ -149,12 +148,12 @@ fn of_front<T: PairTree>(params: &Params<T::Own>, i: u32, front: &[u32]) -> Node
 /// The kernels of a tree of pairs: its nodes, and as what they are passed on.
 macro_rules! kernels_of {
     (
-        $workers:ident $resume:ident $steal:ident, $tree:ty, $own:ident,
+        $workers:ident $resume:ident $steal:ident, $tree:ty, $args:ident,
         [$($views:tt)*] $a:ident $b:ident $more:ident
     ) => {
         kernel! {
             /// Workgroup `i` is worker `i` of round `dispatch.first`.
-            $workers[128](t; params: $own; state: [u32; 1], shared: Shared, stack: Stack;
+            $workers[128](t; params: $args; state: [u32; 1], shared: Shared, stack: Stack;
                 $($views)*, mut control: [u32], mut nodes: [u32], mut pairs: [u32],
                 mut front: [u32]) {
                 descend::<$tree>(
@@ -166,7 +165,7 @@ macro_rules! kernels_of {
 
         kernel! {
             /// Thread `i` looks at pair `i` of the `dispatch.n` of the front of the search before.
-            $resume[128](t; params: $own; shared: Shared; $($views)*, mut control: [u32],
+            $resume[128](t; params: $args; shared: Shared; $($views)*, mut control: [u32],
                 mut nodes: [u32], mut pairs: [u32], mut front: [u32]) {
                 let pair = of_front::<$tree>(params, t.i, front);
                 begin::<$tree>(
@@ -177,7 +176,7 @@ macro_rules! kernels_of {
 
         kernel! {
             /// Workgroup `i` is worker `i` of round `dispatch.first`, and steals.
-            $steal[128](t; params: $own; state: [u32; 1], shared: Shared, batch: Batch,
+            $steal[128](t; params: $args; state: [u32; 1], shared: Shared, batch: Batch,
                 stack: Stack; $($views)*, mut control: [u32], mut nodes: [u32], mut pairs: [u32],
                 mut front: [u32]) {
                 steal::<$tree>(

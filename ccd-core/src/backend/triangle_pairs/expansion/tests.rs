@@ -73,13 +73,14 @@ impl Scene {
         let orphans = if near_tests.is_some() { Expansion::FLAG_ORPHANS } else { 0 };
         let NearTests { tests, n_vf, orphans: of_list } = near_tests.unwrap_or_default();
         let rules = self.triangles.len() as u32;
-        let own = Expansion { flags: flags | orphans, n_vf, orphans: of_list, room_ee: 0, rules };
+        let args =
+            Expansion { flags: flags | orphans, n_vf, orphans: of_list, capacity_ee: 0, rules };
         let (mut found, mut counts) = (Found::new(), [0; N_COUNTS]);
         let mut take = |one: Expanded| (0..N_COUNTS).for_each(|k| counts[k] += one.counts[k]);
         for b in 0..self.records.len() as u32 {
             for a in (0..b).filter(|&a| self.swept[a as usize].overlaps(&self.swept[b as usize])) {
                 let (pair, records) = (Pair { a, b }, &self.records);
-                let one = expand(pair, &self.frame, &own, records, &self.regions, &self.boxes);
+                let one = expand(pair, &self.frame, &args, records, &self.regions, &self.boxes);
                 take(one);
                 for test in (0..15).filter(|test| one.hits >> test & 1 == 1) {
                     let kind = (test >= N_VERTEX_FACE) as u32;
@@ -88,7 +89,7 @@ impl Scene {
             }
         }
         for (i, test) in (0..).zip(&tests) {
-            let one = near(i, test, &self.frame, &own, &self.regions, &self.swept, &self.boxes);
+            let one = near(i, test, &self.frame, &args, &self.regions, &self.swept, &self.boxes);
             take(one);
             if one.hits == 1 {
                 *found.entry(((i >= n_vf) as u32, test.pair)).or_default() += 1;
@@ -113,11 +114,12 @@ impl Scene {
                 out[1] += 1;
                 continue;
             }
-            let own = |t: u32, k: usize| triangles.represents(t) >> k & 1 == 1;
+            let represents = |t: u32, k: usize| triangles.represents(t) >> k & 1 == 1;
             for k in 0..3 {
-                out[2] += (own(s, k) && triangles.is_face(t)) as u32;
-                out[2] += (own(t, k) && triangles.is_face(s)) as u32;
-                out[2] += (0..3).filter(|j| own(s, 3 + k) && own(t, 3 + j)).count() as u32;
+                out[2] += (represents(s, k) && triangles.is_face(t)) as u32;
+                out[2] += (represents(t, k) && triangles.is_face(s)) as u32;
+                out[2] +=
+                    (0..3).filter(|j| represents(s, 3 + k) && represents(t, 3 + j)).count() as u32;
             }
             let more = sets.stand_ins(s).iter().find(|stand_in| stand_in.other == t);
             out[2] += more.map_or(0, |stand_in| stand_in.tests.count_ones());

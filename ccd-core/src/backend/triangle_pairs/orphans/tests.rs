@@ -149,16 +149,16 @@ fn check(mesh: &Mesh, what: &str) -> [usize; 3] {
 
 /// The tests that two triangles represent.
 fn represented(triangles: &Triangles, s: u32, t: u32) -> u16 {
-    let own = |t: u32, k: usize| triangles.represents(t) >> k & 1 == 1;
+    let represents = |t: u32, k: usize| triangles.represents(t) >> k & 1 == 1;
     let mut bits = 0;
     for i in 0..3 {
-        if own(s, i) && triangles.is_face(t) {
+        if represents(s, i) && triangles.is_face(t) {
             bits |= Test::corner(i).bit();
         }
-        if own(t, i) && triangles.is_face(s) {
+        if represents(t, i) && triangles.is_face(s) {
             bits |= Test::corner(i).swapped().bit();
         }
-        for j in (0..3).filter(|&j| own(s, 3 + i) && own(t, 3 + j)) {
+        for j in (0..3).filter(|&j| represents(s, 3 + i) && represents(t, 3 + j)) {
             bits |= Test::sides(i, j).bit();
         }
     }
