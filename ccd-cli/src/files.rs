@@ -49,11 +49,11 @@ impl Output {
         interrupt::token();
         // What a link points to is replaced, and not the link.
         let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        let there = fs::metadata(&place).ok();
-        if there.is_some() {
+        let existing = fs::metadata(&place).ok();
+        if existing.is_some() {
             // What must not be written is not replaced either.
             let to = File::options().write(true).open(&place)?;
-            if !there.as_ref().is_some_and(fs::Metadata::is_file) {
+            if !existing.as_ref().is_some_and(fs::Metadata::is_file) {
                 return Ok(Self { to: Box::new(to), places: None });
             }
         }
@@ -67,8 +67,8 @@ impl Output {
                 Err(e) if e.kind() == ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
                 other => {
                     let to = other?;
-                    if let Some(there) = there {
-                        to.set_permissions(there.permissions())?;
+                    if let Some(existing) = existing {
+                        to.set_permissions(existing.permissions())?;
                     }
                     return Ok(Self { to: Box::new(to), places: Some([beside, place]) });
                 }

@@ -135,11 +135,11 @@ kernel! {
                 // keys a thread between barriers. The words are masks of lanes.
                 let mut ranks = [0u32; KEYS as usize];
                 $(
-                    let there = tile * TILE + place(t.lane, $k) < n_keys;
+                    let active = tile * TILE + place(t.lane, $k) < n_keys;
                     let next_there = tile * TILE + place(t.lane, $second) < n_keys;
                     let first = run + digit(sorted[$k], shift);
                     let second = run + digit(sorted[$second], shift);
-                    if there {
+                    if active {
                         or_shared(words, first, 1 << (t.lane % 32));
                     }
                     if next_there {
@@ -152,7 +152,7 @@ kernel! {
                     ranks[$second] =
                         get(counts, second) + get(words, second).count_ones() + next_earlier;
                     barrier();
-                    if there && earlier == 0 {
+                    if active && earlier == 0 {
                         add_shared(counts, first, mask.count_ones());
                         set(words, first, 0);
                     }

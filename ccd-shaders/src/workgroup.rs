@@ -147,8 +147,8 @@ pub fn length(list: &[u32], capacity: u32) -> u32 {
 /// Entries of a list from `dispatch.first` on that one dispatch takes, at most `dispatch.n`.
 #[inline(always)]
 pub fn part(list: &[u32], dispatch: &Dispatch) -> u32 {
-    let there = length(list, dispatch.capacity_in);
-    let left = if there > dispatch.first { there - dispatch.first } else { 0 };
+    let len = length(list, dispatch.capacity_in);
+    let left = if len > dispatch.first { len - dispatch.first } else { 0 };
     left.min(dispatch.n)
 }
 

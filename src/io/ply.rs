@@ -231,10 +231,10 @@ fn stopped(e: ply_rs_bw::parser::ParseError) -> ReadErrorKind {
     let text = e.to_string();
     let mut lines = text.lines().map(str::trim);
     let what = lines.next().unwrap_or_default().trim_end_matches('.').replacen("Line", "line", 1);
-    let there = lines.next().and_then(|line| line.strip_prefix("String: "));
-    let there = there.map(|there| there.trim_matches('\'')).filter(|there| !there.is_empty());
-    ReadErrorKind::Format(match there {
-        Some(there) => format!("{}: `{}`", quote(&what), quote(there)),
+    let found = lines.next().and_then(|line| line.strip_prefix("String: "));
+    let found = found.map(|found| found.trim_matches('\'')).filter(|found| !found.is_empty());
+    ReadErrorKind::Format(match found {
+        Some(found) => format!("{}: `{}`", quote(&what), quote(found)),
         None => quote(&what),
     })
 }

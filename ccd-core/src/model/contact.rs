@@ -1,5 +1,6 @@
 //! A contact between two features: which, how certain, when; and numbers by kind of pair.
 
+use crate::layout::VERTEX_FACE;
 use crate::layout::{Pair, Touch, join};
 pub use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::query::Verdict;
@@ -132,7 +133,7 @@ impl Contact {
 /// From what a device writes.
 impl From<&Touch> for Contact {
     fn from(touch: &Touch) -> Self {
-        let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+        let kind = if touch.kind == VERTEX_FACE { Kind::VertexFace } else { Kind::EdgeEdge };
         let state = if touch.state == 0 { State::Hit } else { State::Undecided };
         let approach = Approach::from_word(touch.approach);
         Self::new(kind, state, touch.a, touch.b, join(touch.toi)).with_approach(approach)

@@ -173,11 +173,11 @@ fn touches_edge(q: &VertexEdge<f64>, t: f64) -> bool {
     let along = dot(&a, &b);
     let length = dot(&b, &b);
     // Where the edge has no length, the vertex must be where that is.
-    let there = !length.is_zero() || a.iter().all(Expansion::is_zero);
+    let has_direction = !length.is_zero() || a.iter().all(Expansion::is_zero);
     in_line(0, 1)
         && in_line(1, 2)
         && in_line(2, 0)
-        && there
+        && has_direction
         && along.sign() != Less
         && along.minus(&length).sign() != Greater
 }

@@ -306,11 +306,11 @@ fn along_axis<R: Real>(w: [R; 3], axis: u32) -> [R; 3] {
 /// start and at its end: almost as far as the line between both says, or half as far where the
 /// features only turned too much.
 #[inline(always)]
-fn shorter<R: Real>(here: R, there: R) -> R {
+fn shorter<R: Real>(gap: R, gap_ahead: R) -> R {
     let (least, half, most) = (R::splat(0.0625), R::splat(0.5), R::splat(0.9));
-    if there > R::splat(0.0) {
+    if gap_ahead > R::splat(0.0) {
         return half;
     }
-    let part = R::splat(0.95) * (here / (here - there));
+    let part = R::splat(0.95) * (gap / (gap - gap_ahead));
     if part > least { part.min(most) } else { least }
 }

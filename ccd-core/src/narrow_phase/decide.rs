@@ -3,6 +3,7 @@
 use super::cascade::ends;
 use crate::broad_phase::placement::given;
 use crate::kernel::memory::at;
+use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, Pair, Path, join, split};
 use crate::math::real::Real;
 use crate::model::contact::Kind;
@@ -212,7 +213,7 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
 /// `ea0 ea1 eb0 eb1`. `elements`: the words of all faces where the kind is 0, else of all edges.
 #[inline(always)]
 pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4]) {
-    if kind == 0 {
+    if kind == VERTEX_FACE {
         let b = 3 * pair.b as usize;
         let face = [at(elements, b), at(elements, b + 1), at(elements, b + 2)];
         (Patch::Triangle, [pair.a, face[0], face[1], face[2]])

@@ -4,6 +4,7 @@ use super::cascade::ends;
 use super::contact_geometry::{ContactGeometry, contact_geometry};
 use super::decide::{earliest_key, edge_edge_ids, until, vertex_face_ids, wide_ends};
 use crate::kernel::memory::at;
+use crate::layout::VERTEX_FACE;
 use crate::layout::{
     LIST_HEADER, Pair, Params, Path, Placing, TOUCH_WORDS, Touch, TouchGeometry, join,
 };
@@ -85,7 +86,7 @@ fn entry(i: u32, contacts: &[u32]) -> Touch {
 #[inline(always)]
 fn features(touch: &Touch, edges: &[[u32; 2]], faces: &[[u32; 3]]) -> (Patch, [u32; 4]) {
     let pair = Pair { a: touch.a, b: touch.b };
-    if touch.kind == 0 {
+    if touch.kind == VERTEX_FACE {
         (Patch::Triangle, vertex_face_ids(pair, faces))
     } else {
         (Patch::Parallelogram, edge_edge_ids(pair, edges))

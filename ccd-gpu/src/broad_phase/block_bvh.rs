@@ -15,6 +15,7 @@ use crate::sort::Sort;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::VERTEX_FACE;
 use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
@@ -90,7 +91,7 @@ impl Tree {
                         "pairs of nodes",
                         2,
                         levels
-                            .nodes(level, if kind == 0 { 2 } else { 1 })
+                            .nodes(level, if kind == VERTEX_FACE { 2 } else { 1 })
                             .saturating_mul(40)
                             .max(4096),
                     )
@@ -298,8 +299,8 @@ impl Tree {
     /// [`Tree::lists`].
     pub fn work(&self, headers: &[Header]) -> u64 {
         let firsts = [(0, &self.pairs[0]), (self.pairs[0].len(), &self.pairs[1])];
-        let there = firsts.into_iter().filter(|(_, lists)| !lists.is_empty());
-        there.filter_map(|(first, _)| headers.get(first)).map(|header| header.wanted as u64).sum()
+        let used = firsts.into_iter().filter(|(_, lists)| !lists.is_empty());
+        used.filter_map(|(first, _)| headers.get(first)).map(|header| header.wanted as u64).sum()
     }
 
     /// Calls `run` with the parameters of each dispatch over the pairs of `input`.

@@ -5,6 +5,7 @@
 
 use ccd_core::backend::broad_phase::block_bvh::{PADDING, WIDTH, sets};
 use ccd_core::backend::layout::MAX_LEVELS;
+use ccd_core::backend::layout::VERTEX_FACE;
 
 /// All pairs of nodes on the level where a descent starts: at most this many.
 const MAX_START_PAIRS: u64 = 1 << 14;
@@ -62,13 +63,15 @@ impl Levels {
 
     fn n_pairs(&self, kind: u32, level: u32) -> u64 {
         let [a, b] = sets(kind).map(|set| self.nodes(level, set) as u64);
-        if kind == 0 { a * b } else { a * (a + 1) / 2 }
+        if kind == VERTEX_FACE { a * b } else { a * (a + 1) / 2 }
     }
 
     /// All pairs of nodes on the level where the descent starts.
     pub fn start_pairs(&self, kind: u32) -> Vec<[u32; 2]> {
         let [a, b] = sets(kind).map(|set| self.nodes(self.start(kind), set));
-        (0..a).flat_map(|i| (if kind == 0 { 0 } else { i }..b).map(move |j| [i, j])).collect()
+        (0..a)
+            .flat_map(|i| (if kind == VERTEX_FACE { 0 } else { i }..b).map(move |j| [i, j]))
+            .collect()
     }
 }
 

@@ -20,6 +20,7 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Frame, LIST_HEADER, NodeDescent};
 use ccd_core::model::method::{Descent, Traversal};
 use ccd_core::model::scheduling::Scheduling;
@@ -89,7 +90,7 @@ impl PairDescent {
         // The order of a cut is that of the threads that were first: another cut through the same
         // tree has another one, so that pairs within a tree need one cut for both sides.
         let sides = (0..).zip(trees.into_iter().zip(sets(of.kind)));
-        for (side, (tree, set)) in sides.take(if of.kind == 1 { 1 } else { 2 }) {
+        for (side, (tree, set)) in sides.take(if of.kind == EDGE_EDGE { 1 } else { 2 }) {
             let mut p = of.params(args, side, 0);
             p.args.kind = set as u32;
             recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);

@@ -18,6 +18,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
 use ccd_core::model::report::FrontCounts;
@@ -91,7 +92,7 @@ impl TreeSource {
                     descent.run(recorder, of, [a, b], oriented, pairs);
                 }
             }
-            Traversal::Half if kind == 1 => {
+            Traversal::Half if kind == EDGE_EDGE => {
                 b.traverse_half(recorder, frame, blocks, oriented, pairs);
             }
             other => {

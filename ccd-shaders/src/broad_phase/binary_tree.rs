@@ -60,16 +60,16 @@ kernel! {
         if t.lane == 0 {
             set(counters, 0, 0);
         }
-        let there = i + 1 < n_leaves;
+        let active = i + 1 < n_leaves;
         let mut branch = Branch { left: 0, right: 0, first: tile, last: tile };
-        if there {
+        if active {
             branch = branch_at(branches, i as usize);
         }
         let is_near = wide::is_within(tile, &branch);
         let split = radix_tree::last_of_left(&branch, n_leaves - 1);
         // Where both children begin in the tile, and their lengths.
         let (mut left_from, mut left_length, mut right_from, mut right_length) = (0, 0, 0, 0);
-        if there && is_near {
+        if active && is_near {
             left_from = branch.first - tile;
             left_length = split + 1 - branch.first;
             right_from = split + 1 - tile;
@@ -92,12 +92,12 @@ kernel! {
             set(boxes, TILE - half + t.lane, aabb);
             barrier();
         }
-        if there && is_near {
+        if active && is_near {
             let node = wide::wide_node(&branch, split, n_leaves - 1, &left, &right);
             put(nodes, i as usize, NodeWords::of(&node));
         }
         let mut to = 0;
-        if there && !is_near {
+        if active && !is_near {
             to = add_shared(counters, 0, 1);
         }
         barrier();
@@ -108,7 +108,7 @@ kernel! {
             }
         }
         barrier();
-        if there && !is_near {
+        if active && !is_near {
             put(far, LIST_HEADER + (get(counters, 1) + to) as usize, i);
         }
     }

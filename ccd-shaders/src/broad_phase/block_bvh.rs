@@ -34,10 +34,10 @@ kernel! {
         let i = t.group * 256 + t.lane;
         let set = set_of(&params.args.slots[0], i);
         let k = i - params.args.slots[0][set];
-        let there = i < params.args.slots[0][3];
+        let active = i < params.args.slots[0][3];
         let mut aabb = Aabb::EMPTY;
         let mut leaf = Leaf { vertices: [0; 3], id: Leaf::NONE };
-        if there && k < params.frame.count[set] {
+        if active && k < params.frame.count[set] {
             let at_box = at(order, (params.frame.start[set] + k) as usize);
             aabb = box_at(boxes, at_box as usize);
             let feature = at_box - params.frame.start[set];
@@ -53,7 +53,7 @@ kernel! {
             }
         }
         let node = unite(t.lane, aabb, shared);
-        if there {
+        if active {
             put(nodes, i as usize, BoxWords::of(&aabb));
             put(leaves, i as usize, leaf_words(&leaf));
             if t.lane % 32 == 0 {
@@ -70,13 +70,13 @@ kernel! {
         let first = params.args.slots[params.args.level as usize];
         let i = first[0] + t.group * 256 + t.lane;
         let set = set_of(&first, i);
-        let there = i < first[3];
+        let active = i < first[3];
         let mut aabb = Aabb::EMPTY;
-        if there {
+        if active {
             aabb = box_at(nodes, i as usize);
         }
         let node = unite(t.lane, aabb, shared);
-        if there && t.lane % 32 == 0 {
+        if active && t.lane % 32 == 0 {
             let to = slot(&params.args, params.args.level + 1, set, (i - first[set]) / 32);
             put(nodes, to, BoxWords::of(&node));
         }

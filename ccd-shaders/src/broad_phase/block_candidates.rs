@@ -28,13 +28,13 @@ macro_rules! leaf_entry {
                 counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8]; nodes: [BoxWords],
                 leaves: [Leaf], bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)?
                 input: [u32], mut output: [u32]) {
-                let there = length(input, params.dispatch.capacity_in);
+                let len = length(input, params.dispatch.capacity_in);
                 let (team, i) = (t.lane / WIDTH, t.lane % WIDTH);
                 let kind = $kind(params);
                 let [set_a, set_b] = sets(kind);
-                for round in 0..rounds(params, there, t.group, t.groups) {
+                for round in 0..rounds(params, len, t.group, t.groups) {
                     let (pair, some) =
-                        team_pair(params, input, there, t.group, t.groups, round, team);
+                        team_pair(params, input, len, t.group, t.groups, round, team);
                     clear(t.lane, counters);
                     let (first_a, first_b) = (
                         slot(&params.args, 0, set_a, pair.a * WIDTH) as u32,

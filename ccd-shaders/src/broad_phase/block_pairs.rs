@@ -15,6 +15,7 @@ use ccd_core::backend::broad_phase::block_bvh::{
     POOL, TEAMS, THREADS, WIDTH, pack, sets, slot, unpack,
 };
 use ccd_core::backend::broad_phase::worlds::{meet, range};
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Blocks, Pair, Params};
 
 /// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list,
@@ -28,16 +29,16 @@ pub(super) const SHARE: u32 = POOL / THREADS;
 /// Rounds of workgroup `group` of `groups`: how often it takes `TEAMS` of the entries from
 /// `dispatch.first` on, every `group.step`-th.
 #[inline(always)]
-pub(super) fn rounds(params: &Params<Blocks>, there: u32, group: u32, groups: u32) -> u32 {
-    let n = entries(params, there).div_ceil(TEAMS);
+pub(super) fn rounds(params: &Params<Blocks>, len: u32, group: u32, groups: u32) -> u32 {
+    let n = entries(params, len).div_ceil(TEAMS);
     if n > group { (n - group).div_ceil(groups) } else { 0 }
 }
 
 /// Entries that this dispatch looks at.
 #[inline(always)]
-fn entries(params: &Params<Blocks>, there: u32) -> u32 {
-    let wanted = if there > params.dispatch.first {
-        (there - params.dispatch.first).div_ceil(params.args.step)
+fn entries(params: &Params<Blocks>, len: u32) -> u32 {
+    let wanted = if len > params.dispatch.first {
+        (len - params.dispatch.first).div_ceil(params.args.step)
     } else {
         0
     };
@@ -50,14 +51,14 @@ fn entries(params: &Params<Blocks>, there: u32) -> u32 {
 pub(super) fn team_pair(
     params: &Params<Blocks>,
     list: &[u32],
-    there: u32,
+    len: u32,
     group: u32,
     groups: u32,
     round: u32,
     team: u32,
 ) -> (Pair, bool) {
     let i = (group + round * groups) * TEAMS + team;
-    let some = i < entries(params, there);
+    let some = i < entries(params, len);
     let pair = read_pair(list, params.dispatch.first + if some { i * params.args.step } else { 0 });
     (pair, some)
 }
@@ -198,10 +199,10 @@ fn children<const N: usize, const OF_WORLDS: bool>(
     input: &[u32],
     output: &mut [u32],
 ) {
-    let there = length(input, params.dispatch.capacity_in);
+    let len = length(input, params.dispatch.capacity_in);
     let (team, i) = (t.lane / WIDTH, t.lane % WIDTH);
-    for round in 0..rounds(params, there, t.group, t.groups) {
-        let (pair, some) = team_pair(params, input, there, t.group, t.groups, round, team);
+    for round in 0..rounds(params, len, t.group, t.groups) {
+        let (pair, some) = team_pair(params, input, len, t.group, t.groups, round, team);
         clear(t.lane, counters);
         if i == 0 {
             set(firsts, 2 * team, pair.a * WIDTH);
@@ -216,7 +217,7 @@ fn children<const N: usize, const OF_WORLDS: bool>(
             set(ranges, t.lane, range(args, level, b, pair.b * WIDTH + i, n[b], worlds));
         }
         let row = gather(t.lane, params, pair, some, nodes, columns, names, counters);
-        let same = params.args.kind == 1 && pair.a == pair.b;
+        let same = params.args.kind == EDGE_EDGE && pair.a == pair.b;
         let mut beyond = test::<N, OF_WORLDS>(
             t.lane, row, same, false, columns, names, counters, hits, of_row, ranges,
         );

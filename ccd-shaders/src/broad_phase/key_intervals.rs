@@ -17,6 +17,7 @@ use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
 use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Intervals, Pair, Params};
 use ccd_core::narrow_phase::decide;
 
@@ -197,7 +198,7 @@ fn partners(
     let [_, asked] = asks(method, kind, row);
     let (key, b) = (at(keys, place as usize), at(sorted, place as usize));
     let [from, to] = interval(method, kind, row, asked, key, &b, survey);
-    [from, to, if kind == 1 { place + 1 } else { 0 }]
+    [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
 }
 
 /// Whether cells are fuller than they may be.
@@ -236,7 +237,7 @@ kernel! {
             // No key is the greatest number.
             let mut found =
                 lower_bound(keys, n_keys, if t.lane == 0 { least } else { greatest + 1 });
-            if t.lane == 0 && params.args.kind == 1 {
+            if t.lane == 0 && params.args.kind == EDGE_EDGE {
                 // The first of the group asks from the second on.
                 found = found.max(place + 1);
             }
@@ -272,12 +273,12 @@ kernel! {
     interval_pairs[128](t; params: Intervals; boxes: [Aabb; 128], names: [u32; 128],
         hits: [u32; 2048], counters: [u32; 8]; sorted: [Aabb], keys: [u32], order: [u32],
         survey: [u32], work: [u32], mut pairs: [u32]) {
-        let (args, groups) = (t.group, t.groups);
-        let there =
+        let (group, groups) = (t.group, t.groups);
+        let len =
             if is_crowded(params, survey) { 0 } else { part(work, &params.dispatch) };
         let n_keys = params.frame.start[3];
         // One piece a workgroup and round.
-        for round in 0..decide::rounds(there, group, groups, 1) {
+        for round in 0..decide::rounds(len, group, groups, 1) {
             let piece = read_pair(work, params.dispatch.first + group + round * groups);
             let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
             let (place, some) = asking(params, row, asks, t.lane);
@@ -342,7 +343,7 @@ kernel! {
 fn pair_of(params: &Params<Intervals>, row: u32, asks: u32, asked: u32, order: &[u32]) -> Pair {
     let (a, b) = (at(order, asks as usize), at(order, asked as usize));
     let start = &params.frame.start;
-    if params.args.kind == 1 {
+    if params.args.kind == EDGE_EDGE {
         Pair::ordered(a - start[1], b - start[1])
     } else if params.args.method == SWEEP_AND_PRUNE && row == 1 {
         Pair { a: b, b: a - start[2] }

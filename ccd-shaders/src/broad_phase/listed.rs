@@ -9,6 +9,7 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::candidate::wanted;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::VERTEX_FACE;
 use ccd_core::backend::layout::{Frame, Leaf, Pair, Path};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::narrow_phase::{cascade, decide};
@@ -28,8 +29,8 @@ macro_rules! listed {
                 bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)? input: [u32],
                 mut output: [u32]) {
                 let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.args.kind);
-                let there = part(input, dispatch);
-                for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+                let len = part(input, dispatch);
+                for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
                     if t.lane == 0 {
                         set(counters, KEPT, 0);
@@ -38,7 +39,7 @@ macro_rules! listed {
                     barrier();
                     let mut pair = Pair { a: 0, b: 0 };
                     let (mut keeps, mut to) = (false, 0);
-                    if i < there {
+                    if i < len {
                         pair = read_pair(input, dispatch.first + i);
                         let (patch, ids) = decide::words_of_pair(kind, pair, elements);
                         let [a, b] = leaves(kind, pair, ids);
@@ -85,7 +86,7 @@ listed!(
 /// Where the boxes of a pair are among all boxes.
 #[inline(always)]
 fn places(kind: u32, frame: &Frame, pair: Pair) -> [u32; 2] {
-    if kind == 0 {
+    if kind == VERTEX_FACE {
         [pair.a, frame.start[2] + pair.b]
     } else {
         [frame.start[1] + pair.a, frame.start[1] + pair.b]
@@ -95,7 +96,8 @@ fn places(kind: u32, frame: &Frame, pair: Pair) -> [u32; 2] {
 #[inline(always)]
 fn leaves(kind: u32, pair: Pair, ids: [u32; 4]) -> [Leaf; 2] {
     let [v0, v1, v2, v3] = ids;
-    let (a, b) = if kind == 0 { ([v0; 3], [v1, v2, v3]) } else { ([v0, v1, v1], [v2, v3, v3]) };
+    let (a, b) =
+        if kind == VERTEX_FACE { ([v0; 3], [v1, v2, v3]) } else { ([v0, v1, v1], [v2, v3, v3]) };
     [Leaf { vertices: a, id: pair.a }, Leaf { vertices: b, id: pair.b }]
 }
 

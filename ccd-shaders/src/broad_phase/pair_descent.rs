@@ -11,6 +11,7 @@ use ccd_core::backend::broad_phase::pair_workers::FRONT;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
 use ccd_core::model::method::{Descent, Traversal};
 
@@ -122,7 +123,7 @@ fn begin<V: Volume>(
 ) {
     if pair[0] != NONE {
         let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
-        let same = params.args.kind == 1 && pair[0] == pair[1];
+        let same = params.args.kind == EDGE_EDGE && pair[0] == pair[1];
         // A leaf makes no pair with itself.
         if !same || !x.is_leaf() {
             let meets =
@@ -135,7 +136,7 @@ fn begin<V: Volume>(
 /// Pair `k` of two cuts, or of one, of which the second node does not stand before the first.
 #[inline(always)]
 fn of_cuts(args: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
-    let (i, j, within) = (k / args.nodes, k % args.nodes, args.kind == 1);
+    let (i, j, within) = (k / args.nodes, k % args.nodes, args.kind == EDGE_EDGE);
     let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
     let mut pair = [NONE; 2];
     if i < at(cuts, a) && j < at(cuts, b) && (!within || i <= j) {
@@ -246,7 +247,7 @@ fn expand_level<V: Volume>(
     let (kind, level) = (params.args.kind, params.dispatch.first as usize);
     let internal = internal(params);
     let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
-    let there = at(levels, level).min(params.dispatch.capacity_in);
+    let len = at(levels, level).min(params.dispatch.capacity_in);
     // As many rounds as the room would take, because only that is the same for all threads for
     // certain.
     for round in 0..params.dispatch.capacity_in.div_ceil(t.groups * THREADS) {
@@ -258,9 +259,9 @@ fn expand_level<V: Volume>(
         barrier();
         let (mut p, mut q) = ([NONE; 2], [NONE; 2]);
         let (mut r, mut s) = ([NONE; 2], [NONE; 2]);
-        if i < there {
+        if i < len {
             let pair = read_pair(input, i);
-            let children = expand(rule, kind == 1, a_nodes, b_nodes, [pair.a, pair.b]).met;
+            let children = expand(rule, kind == EDGE_EDGE, a_nodes, b_nodes, [pair.a, pair.b]).met;
             let children = V::only_meeting(params, children, a_nodes, b_nodes, more);
             p = children[0];
             q = children[1];
@@ -323,7 +324,7 @@ fn keep(
         write_pair(output, params.args.capacity_nodes, bases[0] + to, pair);
     } else if fate == 2 {
         let (a, b) = (at(a_nodes, pair[0] as usize).left, at(b_nodes, pair[1] as usize).left);
-        let pair = if params.args.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } };
+        let pair = if params.args.kind == EDGE_EDGE { Pair::ordered(a, b) } else { Pair { a, b } };
         write_pair(pairs, params.dispatch.capacity_out, bases[1] + to, pair);
     }
 }

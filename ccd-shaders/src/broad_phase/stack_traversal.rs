@@ -10,6 +10,7 @@ use ccd_core::backend::broad_phase::block_bvh::{self, sets};
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::broad_phase::wide_nodes::WideWalk;
 use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::VERTEX_FACE;
 use ccd_core::backend::layout::{Blocks, Pair, Params, Queries};
 
 /// The set within which pairs are looked for.
@@ -139,7 +140,7 @@ fn keep(params: &Params<Queries>, a: u32, order: &[u32], found: u32, pairs: &mut
     if found != NONE {
         let first = params.frame.start[sets(params.args.kind)[1]];
         let b = at(order, (first + found) as usize) - first;
-        if params.args.kind == 0 || b > a {
+        if params.args.kind == VERTEX_FACE || b > a {
             append(pairs, params.dispatch.capacity_out, Pair { a, b });
         }
     }

@@ -8,6 +8,7 @@ use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::broad_phase::oriented_nodes::{only_reaching, reach, reaches};
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::backend::kernel::memory::Stored;
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Node, NodeDescent, Params};
 
 /// The volume of nodes. A kernel passes on a slice of `More`: a record a node of each tree, at the
@@ -79,7 +80,7 @@ impl Volume for Oriented {
         b: &[Node],
         more: &[ObbWords],
     ) -> [NodePair; 4] {
-        let within = params.args.kind == 1;
+        let within = params.args.kind == EDGE_EDGE;
         only_reaching(within, all, internal(params), first(params), a, b, more, more)
     }
 
@@ -91,7 +92,16 @@ impl Volume for Oriented {
         b: &[Node],
         more: &[ObbWords],
     ) -> bool {
-        reach(params.args.kind == 1, pair, internal(params), first(params), a, b, more, more)
+        reach(
+            params.args.kind == EDGE_EDGE,
+            pair,
+            internal(params),
+            first(params),
+            a,
+            b,
+            more,
+            more,
+        )
     }
 
     #[inline(always)]

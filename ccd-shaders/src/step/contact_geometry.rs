@@ -14,10 +14,10 @@ kernel! {
     /// Thread `i` writes the geometry of contact `dispatch.first + i`, from paths.
     contact_geometry[64](t; params: Placing;; paths: [Path], edges: [[u32; 2]], faces: [[u32; 3]],
         contacts: [u32], mut geometry: [TouchGeometry]) {
-        let there = part(contacts, &params.dispatch);
-        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+        let len = part(contacts, &params.dispatch);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            if i < there {
+            if i < len {
                 let i = params.dispatch.first + i;
                 let record = touch_geometry::narrow(i, params, paths, edges, faces, contacts);
                 put(geometry, i as usize, record);
@@ -31,10 +31,10 @@ kernel! {
     /// given.
     contact_geometry_wide[64](t; params: Plain;; paths: [Path], positions: [[f64; 3]],
         edges: [[u32; 2]], faces: [[u32; 3]], contacts: [u32], mut geometry: [TouchGeometry]) {
-        let there = part(contacts, &params.dispatch);
-        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+        let len = part(contacts, &params.dispatch);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            if i < there {
+            if i < len {
                 let i = params.dispatch.first + i;
                 let record =
                     touch_geometry::wide(i, params, paths, positions, edges, faces, contacts);

@@ -51,12 +51,12 @@ kernel! {
     /// or of edges, as the kind has them.
     decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], positions: [[f64; 3]],
         elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
-        let there = part(input, &params.dispatch);
-        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+        let len = part(input, &params.dispatch);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
             let (kind, mut found) = (params.args.kind, false);
             let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
-            if i < there {
+            if i < len {
                 let pair = read_pair(input, params.dispatch.first + i);
                 let Verdicts { touches, undecided, approach, toi } =
                     decide::wide(kind, pair, &params.frame, paths, positions, elements);
@@ -85,12 +85,12 @@ kernel! {
     /// goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
     decide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], elements: [u32],
         input: [u32], mut contacts: [u32], mut undecided: [u32], mut earliest: [u32]) {
-        let there = part(input, &params.dispatch);
-        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+        let len = part(input, &params.dispatch);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
             let (kind, mut certain, mut open) = (params.args.kind, false, false);
             let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
-            if i < there {
+            if i < len {
                 let pair = read_pair(input, params.dispatch.first + i);
                 let verdict = decide::narrow(kind, pair, &params.frame, paths, elements);
                 certain = verdict.touches && verdict.undecided == 0;

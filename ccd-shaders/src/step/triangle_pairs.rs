@@ -40,10 +40,10 @@ kernel! {
         regions: [u32], boxes: [Aabb], input: [u32], mut vf: [u32], mut ee: [u32],
         mut counts: [u32]) {
         let (dispatch, capacity_ee) = (&params.dispatch, params.args.capacity_ee);
-        let there = part(input, dispatch);
+        let len = part(input, dispatch);
         clear(t.lane, shared);
         barrier();
-        for round in 0..decide::rounds(there, t.group, t.groups, THREADS) {
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
             if t.lane == 0 {
                 set(shared, VF, 0);
@@ -52,7 +52,7 @@ kernel! {
             barrier();
             let mut pair = Pair { a: 0, b: 0 };
             let (mut hits, mut to_vf, mut to_ee) = (0, 0, 0);
-            if i < there {
+            if i < len {
                 pair = read_pair(input, dispatch.first + i);
                 let one = expand(pair, &params.frame, &params.args, triangles, regions, boxes);
                 add_counts(&one, shared);

@@ -8,6 +8,7 @@
 //! docs/GPU-STEP.md).
 
 use crate::kernel::memory::Stored;
+use crate::layout::VERTEX_FACE;
 use crate::layout::{Blocks, MAX_LEVELS};
 use crate::math::aabb::Aabb;
 
@@ -27,7 +28,7 @@ pub const POOL: u32 = 2048;
 /// The sets that a kind of pairs is between.
 #[inline(always)]
 pub fn sets(kind: u32) -> [usize; 2] {
-    if kind == 0 { [0, 2] } else { [1, 1] }
+    if kind == VERTEX_FACE { [0, 2] } else { [1, 1] }
 }
 
 /// Number of node `i` of `set` on `level` among all nodes.

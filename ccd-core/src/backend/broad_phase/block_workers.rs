@@ -61,8 +61,8 @@ pub fn nodes_on(count: u32, level: u32) -> u32 {
 #[inline(always)]
 pub fn children_there(n: u32, parent: u32) -> u32 {
     let first = parent * WIDTH;
-    let there = n.max(first) - first;
-    if there >= WIDTH { u32::MAX } else { (1 << there) - 1 }
+    let n_left = n.max(first) - first;
+    if n_left >= WIDTH { u32::MAX } else { (1 << n_left) - 1 }
 }
 
 /// Which children of the second node child `i` of the first is tested against: within one node
@@ -126,8 +126,8 @@ mod tests {
     #[test]
     fn children_are_those_below() {
         let of = [(0, 0), (1, 0), (31, 0), (32, 0), (33, 0), (33, 1), (64, 1), (40, 2)];
-        let there = of.map(|(n, parent)| children_there(n, parent));
-        assert_eq!(there, [0, 1, u32::MAX >> 1, u32::MAX, u32::MAX, 1, u32::MAX, 0]);
+        let present = of.map(|(n, parent)| children_there(n, parent));
+        assert_eq!(present, [0, 1, u32::MAX >> 1, u32::MAX, u32::MAX, 1, u32::MAX, 0]);
     }
 
     #[test]

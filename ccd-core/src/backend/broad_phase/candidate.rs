@@ -6,6 +6,7 @@
 
 use super::pair_rules::{classes_meet, is_excluded};
 use crate::kernel::memory::at;
+use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, Leaf, split};
 use crate::math::aabb::Aabb;
 use crate::math::real::{Mask, Num};
@@ -78,8 +79,11 @@ pub fn wanted(
 ) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
     if frame.has(Frame::FLAG_TOPOLOGY) {
-        let neighbours =
-            if kind == 0 { is_corner(p[0], *q) } else { share_vertex([p[0], p[1]], [q[0], q[1]]) };
+        let neighbours = if kind == VERTEX_FACE {
+            is_corner(p[0], *q)
+        } else {
+            share_vertex([p[0], p[1]], [q[0], q[1]])
+        };
         if neighbours {
             return false;
         }

@@ -34,6 +34,7 @@ use crate::broad_phase::morton_key::{from_order_key, merged};
 use crate::broad_phase::sweep_and_prune::axis_key;
 use crate::broad_phase::uniform_grid::{self, OWN_ROW, Sizes, UniformGrid};
 use crate::kernel::memory::at;
+use crate::layout::EDGE_EDGE;
 use crate::math::aabb::Aabb;
 
 /// Boxes of a group, and threads of a workgroup.
@@ -128,7 +129,7 @@ pub fn interval(
         [(set | place) + row, set | place_on_axis(&b.max, at(survey, FOUND))]
     } else if method == UNIFORM_GRID {
         // Within a set, rows from that of the own cell on.
-        let forward = kind == 1;
+        let forward = kind == EDGE_EDGE;
         let row = if forward { OWN_ROW + row } else { row };
         let [first, last] = uniform_grid::row(uniform_grid::cell_of(place), row, forward);
         [set | first, set | last]
@@ -221,7 +222,7 @@ mod tests {
             for i in 0..2 {
                 let [asking, asked] = asks(method, kind, row);
                 // Within a set the box of the lesser key asks, of equal ones the first.
-                let may = if kind == 1 {
+                let may = if kind == EDGE_EDGE {
                     (keys[i], i) < (keys[1 - i], 1 - i)
                 } else {
                     asking == [a, b][i]

@@ -89,7 +89,7 @@ pub fn place<W: ReadWords + ?Sized>(i: u32, n_internal: u32, joins: &W) -> u32 {
 #[derive(Clone, Copy, Debug)]
 pub struct Above {
     /// Whether there is one; if not, nothing else counts.
-    pub there: bool,
+    pub exists: bool,
     /// As its builder numbers it.
     pub node: u32,
     /// Its number.
@@ -107,9 +107,9 @@ pub struct Above {
 pub fn above<W: ReadWords + ?Sized>(node: u32, place: u32, n_internal: u32, joins: &W) -> Above {
     let from = node as usize * JOIN;
     let parent = joins.word(from);
-    let there = parent != NO_PARENT && joins.word(from + 1) == 0;
+    let exists = parent != NO_PARENT && joins.word(from + 1) == 0;
     // Without a parent it looks at itself, whose words are there.
-    let node = if there { parent } else { node };
+    let node = if exists { parent } else { node };
     let at = node as usize * JOIN;
     let is_root = joins.word(at) == NO_PARENT;
     let is_left = joins.word(at + 1) == 0;
@@ -122,9 +122,9 @@ pub fn above<W: ReadWords + ?Sized>(node: u32, place: u32, n_internal: u32, join
         place
     };
     Above {
-        there,
+        exists,
         node,
-        number: if there { number } else { 0 },
+        number: if exists { number } else { 0 },
         branch: branch_over(place, place + left, place + all, n_internal),
     }
 }
@@ -137,7 +137,7 @@ pub fn number(i: u32, n_internal: u32, joins: &impl Words, branches: &impl Words
     let mut node = n_internal + i;
     for _ in 0..n_internal {
         let above = above(node, place, n_internal, joins);
-        if !above.there {
+        if !above.exists {
             break;
         }
         store_branch(above.number, &above.branch, branches);

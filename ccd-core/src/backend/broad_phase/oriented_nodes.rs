@@ -123,8 +123,8 @@ pub fn only_reaching<O: Stored<Obb>>(
     let mut out = pairs;
     for k in 0..4 {
         let pair = out[k];
-        let there = pair[0] != NONE;
-        if there && !reach(within, pair, internal, first, a, b, a_oriented, b_oriented) {
+        let some = pair[0] != NONE;
+        if some && !reach(within, pair, internal, first, a, b, a_oriented, b_oriented) {
             out[k] = [NONE; 2];
         }
     }

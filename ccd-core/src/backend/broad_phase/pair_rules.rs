@@ -13,6 +13,7 @@
 //! of vertices, or behind the regions of triangles.
 
 use crate::kernel::memory::at;
+use crate::layout::EDGE_EDGE;
 
 /// Words before the first body.
 pub const HEADER: usize = 4;
@@ -40,7 +41,7 @@ pub fn is_excluded(kind: u32, a: u32, b: u32, table: &[u32], first: usize) -> bo
     let n = at(table, first + 2);
     let from = at(table, first + 3) as usize + first;
     let (mut x, mut y) = (a, b);
-    if kind == 1 && b < a {
+    if kind == EDGE_EDGE && b < a {
         x = b;
         y = a;
     }

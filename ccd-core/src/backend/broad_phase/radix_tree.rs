@@ -43,8 +43,8 @@ impl Code for [u32; 2] {
 /// it, plus one; 0 if there is none.
 #[inline(always)]
 fn prefix<C: Code>(codes: &[C], from: u32, n: u32, i: u32, ahead: bool, distance: u32) -> u32 {
-    let there = if ahead { distance < n - i } else { distance <= i };
-    if !there {
+    let inside = if ahead { distance < n - i } else { distance <= i };
+    if !inside {
         return 0;
     }
     let j = if ahead { i + distance } else { i - distance };

@@ -11,6 +11,11 @@ pub use params::{
 use crate::math::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 
+/// A vertex and a face: [`Kind::VertexFace`](crate::model::contact::Kind) as a word.
+pub const VERTEX_FACE: u32 = 0;
+/// Two edges: [`Kind::EdgeEdge`](crate::model::contact::Kind) as a word.
+pub const EDGE_EDGE: u32 = 1;
+
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
 ///
 /// ```

@@ -26,7 +26,7 @@ kernel! {
             let mut node = n_internal + i;
             for _ in 0..n_internal {
                 let up = above(node, to, n_internal, joins);
-                if !up.there {
+                if !up.exists {
                     break;
                 }
                 put(branches, up.number as usize, branch_words(&up.branch));

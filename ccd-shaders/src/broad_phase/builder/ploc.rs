@@ -143,12 +143,12 @@ kernel! {
         // Sums, because naga refuses what a loop leaves as the operand of an atomic.
         add_shared(sums, 0, earlier + of_tiles);
         add_shared(sums, 1, earlier + later);
-        let there = i < n_clusters;
+        let active = i < n_clusters;
         // A thread without a cluster looks at the first one.
-        let cluster = if there { i } else { 0 };
+        let cluster = if active { i } else { 0 };
         let j = at(neighbours, cluster as usize);
         let fate = fate_beside(cluster, j, at(neighbours, j as usize));
-        let is_left = there && fate != Fate::Ends;
+        let is_left = active && fate != Fate::Ends;
         if is_left {
             or_shared(masks, t.lane / 32, 1 << (t.lane % 32));
         }
@@ -213,9 +213,9 @@ kernel! {
         }
         barrier();
         for round in 0..params.dispatch.n {
-            let there = t.lane < n;
+            let active = t.lane < n;
             let mut j = t.lane;
-            if there {
+            if active {
                 j = neighbour(t.lane, n);
                 if !is_late(done + round, n, n_leaves) {
                     let aabb = get(boxes, t.lane);
@@ -235,7 +235,7 @@ kernel! {
             let mut is_left = false;
             let mut aabb = Aabb::EMPTY;
             let (mut node, mut below, mut name) = (0, 0, 0);
-            if there {
+            if active {
                 let fate = fate_beside(t.lane, j, get(neighbours, j));
                 is_left = fate != Fate::Ends;
                 aabb = get(boxes, t.lane);

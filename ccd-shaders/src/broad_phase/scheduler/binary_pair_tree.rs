@@ -9,6 +9,7 @@ use ccd_core::backend::broad_phase::pair_descent::{NodePair, expand};
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Node, NodeDescent, Pair, Params};
 use ccd_core::model::method::Descent;
 use core::marker::PhantomData;
@@ -57,7 +58,7 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
         more: &[V::More<Node>],
         _: &mut Shared,
     ) -> Four<Child> {
-        let (within, internal) = (params.args.kind == 1, internal(params));
+        let (within, internal) = (params.args.kind == EDGE_EDGE, internal(params));
         let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
         let (mut p, mut q) = (Child::NONE, Child::NONE);
         let (mut r, mut s) = (Child::NONE, Child::NONE);
@@ -130,7 +131,7 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
     #[inline(always)]
     fn result(args: &NodeDescent, pair: NodePair, a: &[Node], b: &[Node]) -> Pair {
         let (a, b) = (at(a, pair[0] as usize).left, at(b, pair[1] as usize).left);
-        if args.kind == 1 { Pair::ordered(a, b) } else { Pair { a, b } }
+        if args.kind == EDGE_EDGE { Pair::ordered(a, b) } else { Pair { a, b } }
     }
 }
 

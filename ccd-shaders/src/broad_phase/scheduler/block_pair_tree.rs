@@ -17,6 +17,7 @@ use ccd_core::backend::broad_phase::block_workers::{
 };
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{BlockDescent, NodeDescent, Pair, Params};
 
 /// Block trees, whose nodes are in one buffer.
@@ -92,11 +93,11 @@ impl PairTree for BlockTrees {
         let level = above - 1;
         let (a, b) = (x * WIDTH + i, y * WIDTH);
         let [set_a, set_b] = sets(params.args.of_pairs.kind);
-        let there = children_there(nodes_on(params.frame.count[set_b], level), y);
+        let present = children_there(nodes_on(params.frame.count[set_b], level), y);
         let first = slot(params, level, 1, b);
         let (mut row, mut is_row) = (Aabb::EMPTY, false);
         if some {
-            if there >> i & 1 == 1 {
+            if present >> i & 1 == 1 {
                 let column = box_at(boxes, first + i as usize);
                 if column.overlaps(&box_at(boxes, slot(params, above, 0, x))) {
                     or_shared(shared, COLUMNS + team, 1 << i);
@@ -110,12 +111,12 @@ impl PairTree for BlockTrees {
         barrier();
         let (mut met, mut apart) = (0, 0);
         if is_row {
-            let tested = partners(params.args.of_pairs.kind == 1 && x == y, i);
+            let tested = partners(params.args.of_pairs.kind == EDGE_EDGE && x == y, i);
             if row.overlaps(&box_at(boxes, slot(params, above, 1, y))) {
                 met = meeting(&row, get(shared, COLUMNS + team) & tested, first, boxes);
             }
             if params.args.of_pairs.capacity_front > 0 {
-                apart = there & tested & !met;
+                apart = present & tested & !met;
             }
         }
         Columns { level, a, b, met, apart }

@@ -90,16 +90,16 @@ kernel! {
             let works = get(shared, FRUITLESS) <= args.patience;
             // Levels 1 and 2.
             if t.lane == 0 {
-                let there = get(shared, ON_STACK);
+                let n_items = get(shared, ON_STACK);
                 set(shared, SOURCE, NOTHING);
                 set(shared, N_TAKEN, 0);
                 set(shared, HAND, HANDS);
                 set(shared, TO_PUSH, FULL);
                 if !works {
                     set(shared, SOURCE, RETIRED);
-                } else if there > 0 {
+                } else if n_items > 0 {
                     set(shared, SOURCE, FROM_STACK);
-                    set(shared, N_TAKEN, there.min(THREADS));
+                    set(shared, N_TAKEN, n_items.min(THREADS));
                     kept += 1;
                 } else if let Some(slot) = workers.deque(me).try_pop(&words) {
                     say(shared, workers, &words, FROM_OWN, me, slot);
@@ -180,10 +180,10 @@ kernel! {
             }
             barrier();
             // A batch from the top of the stack to the deque.
-            let (there, slot) = (get(shared, ON_STACK), get(shared, TO_PUSH));
-            let n_pushed = if slot == FULL { 0 } else { there.min(args.batch) };
+            let (n_items, slot) = (get(shared, ON_STACK), get(shared, TO_PUSH));
+            let n_pushed = if slot == FULL { 0 } else { n_items.min(args.batch) };
             if t.lane < n_pushed {
-                let i = there - n_pushed + t.lane;
+                let i = n_items - n_pushed + t.lane;
                 workers.deque(me).write(
                     &words,
                     slot,
@@ -195,8 +195,8 @@ kernel! {
             if t.lane == 0 {
                 if n_pushed > 0 {
                     workers.deque(me).publish(&words, slot, n_pushed);
-                    set(shared, ON_STACK, there - n_pushed);
-                } else if there > 0 {
+                    set(shared, ON_STACK, n_items - n_pushed);
+                } else if n_items > 0 {
                     full += 1;
                 }
             }
@@ -208,13 +208,13 @@ kernel! {
             put(stacks, saved + 2 + 2 * i as usize, get(stack, 2 * i + 1));
         }
         if t.lane == 0 {
-            let there = get(shared, ON_STACK);
-            put(stacks, saved, there);
+            let n_items = get(shared, ON_STACK);
+            put(stacks, saved, n_items);
             add(status, 0, popped);
             add(status, 1, stolen);
             add(status, 2, full);
             add(status, 3, kept);
-            let mut left = there > 0 || !workers.deque(me).is_empty(&words);
+            let mut left = n_items > 0 || !workers.deque(me).is_empty(&words);
             for hand in 0..HANDS {
                 left |= workers.holds(&words, me, hand);
             }

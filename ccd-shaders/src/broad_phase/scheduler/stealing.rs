@@ -21,7 +21,7 @@ use super::stolen_batches::{
     read_batch, reserve_slot, take_from_hand, words_of,
 };
 use super::worker::{
-    ENDS, STOPS, WORKS, leave_rest, reserve, reserve_rest, spill, take, write_task,
+    ENDS, STOPS, WORKS, leave_rest, reserve_rest, reserve_results, spill, take, write_task,
 };
 use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, set};
 use ccd_core::backend::broad_phase::pair_workers::{counts, thieves, victim};
@@ -106,7 +106,7 @@ pub(super) fn steal<T: PairTree>(
         // All have read the batch.
         barrier_of_buffers();
         if lane == 0 {
-            reserve(args, round.number, shared, control, nodes, pairs);
+            reserve_results(args, round.number, shared, control, nodes, pairs);
             set(shared, EXPANDED, get(shared, EXPANDED) + n_taken);
             give_back(batch, workers, control);
             reserve_slot(args, me, shared, batch, control);

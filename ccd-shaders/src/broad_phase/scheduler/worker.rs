@@ -116,7 +116,7 @@ pub(super) fn claim(fate: u32, capacity_front: u32, shared: &mut Shared) -> [u32
 
 /// The first thread makes room for what was found: `below` pairs are left on the stack.
 #[inline(always)]
-pub(super) fn reserve(
+pub(super) fn reserve_results(
     args: &NodeDescent,
     number: u32,
     shared: &mut Shared,

@@ -16,7 +16,8 @@ use super::shared::{
 use super::stealing::steal;
 use super::stolen_batches::Batch;
 use super::worker::{
-    Child, WORKS, claim, leave_rest, plan, put_ended, reserve, reserve_rest, take, write_task,
+    Child, WORKS, claim, leave_rest, plan, put_ended, reserve_rest, reserve_results, take,
+    write_task,
 };
 use crate::broad_phase::pair_descent::{count_front, reserve};
 use crate::broad_phase::volume::{Boxes, Oriented};
@@ -69,7 +70,7 @@ fn descend<T: PairTree>(
         let to = T::claim(found, args.capacity_front, shared);
         barrier();
         if lane == 0 {
-            reserve(args, round.number, shared, control, nodes, pairs);
+            reserve_results(args, round.number, shared, control, nodes, pairs);
         }
         barrier();
         T::put_away(args, round, found, to, a, b, shared, stack, nodes, pairs, front);
