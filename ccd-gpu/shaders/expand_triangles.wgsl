@@ -217,17 +217,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1779_: u32;
     var phi_1777_: type_9;
     var phi_1802_: type_9;
-    var phi_1895_: u32;
-    var phi_1896_: u32;
-    var phi_1909_: u32;
-    var phi_1910_: u32;
-    var phi_1917_: type_9;
-    var phi_1879_: u32;
-    var phi_1880_: u32;
-    var phi_1921_: type_9;
-    var phi_1860_: u32;
-    var phi_1861_: u32;
-    var phi_1922_: type_9;
+    var phi_1893_: u32;
+    var phi_1894_: u32;
+    var phi_1907_: u32;
+    var phi_1908_: u32;
+    var phi_1915_: type_9;
+    var phi_1877_: u32;
+    var phi_1878_: u32;
+    var phi_1919_: type_9;
+    var phi_1858_: u32;
+    var phi_1859_: u32;
+    var phi_1920_: type_9;
     var phi_1937_: u32;
     var phi_1780_: u32;
     var phi_1940_: type_9;
@@ -1012,83 +1012,83 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e1450 = (bitcast<i32>(_e1446.member) != 0i);
                     if _e1450 {
                         if (((_e1398 >> bitcast<u32>((_e1446.member_1 & 31u))) & 1u) == 1u) {
-                            let _e1457 = params.member.member_1.member_3;
-                            let _e1461 = triangles.member[_e1400.member];
-                            let _e1463 = triangles.member[_e1400.member_1];
+                            let _e1459 = triangles.member[_e1400.member];
+                            let _e1461 = triangles.member[_e1400.member_1];
                             if (_e1446.member_1 < 3u) {
                                 if (_e1446.member_1 == 0u) {
-                                    phi_1861_ = _e1461.member[0];
+                                    phi_1859_ = _e1459.member[0];
                                 } else {
                                     if (_e1446.member_1 == 1u) {
-                                        phi_1860_ = _e1461.member[1];
+                                        phi_1858_ = _e1459.member[1];
                                     } else {
-                                        phi_1860_ = _e1461.member[2];
+                                        phi_1858_ = _e1459.member[2];
                                     }
-                                    let _e1514 = phi_1860_;
-                                    phi_1861_ = _e1514;
+                                    let _e1512 = phi_1858_;
+                                    phi_1859_ = _e1512;
                                 }
-                                let _e1517 = phi_1861_;
-                                phi_1922_ = type_9(_e1517, _e1400.member_1);
+                                let _e1515 = phi_1859_;
+                                phi_1920_ = type_9(_e1515, _e1400.member_1);
                             } else {
                                 if (_e1446.member_1 < 6u) {
-                                    let _e1496 = (_e1446.member_1 - 3u);
-                                    if (_e1496 == 0u) {
-                                        phi_1880_ = _e1463.member[0];
+                                    let _e1494 = (_e1446.member_1 - 3u);
+                                    if (_e1494 == 0u) {
+                                        phi_1878_ = _e1461.member[0];
                                     } else {
-                                        if (_e1496 == 1u) {
-                                            phi_1879_ = _e1463.member[1];
+                                        if (_e1494 == 1u) {
+                                            phi_1877_ = _e1461.member[1];
                                         } else {
-                                            phi_1879_ = _e1463.member[2];
+                                            phi_1877_ = _e1461.member[2];
                                         }
-                                        let _e1502 = phi_1879_;
-                                        phi_1880_ = _e1502;
+                                        let _e1500 = phi_1877_;
+                                        phi_1878_ = _e1500;
                                     }
-                                    let _e1505 = phi_1880_;
-                                    phi_1921_ = type_9(_e1505, _e1400.member);
+                                    let _e1503 = phi_1878_;
+                                    phi_1919_ = type_9(_e1503, _e1400.member);
                                 } else {
-                                    let _e1470 = (_e1446.member_1 - 6u);
-                                    let _e1471 = (_e1470 / 3u);
-                                    if (_e1471 == 0u) {
-                                        phi_1896_ = _e1461.member_2[0];
+                                    let _e1468 = (_e1446.member_1 - 6u);
+                                    let _e1469 = (_e1468 / 3u);
+                                    if (_e1469 == 0u) {
+                                        phi_1894_ = _e1459.member_2[0];
                                     } else {
-                                        if (_e1471 == 1u) {
-                                            phi_1895_ = _e1461.member_2[1];
+                                        if (_e1469 == 1u) {
+                                            phi_1893_ = _e1459.member_2[1];
                                         } else {
-                                            phi_1895_ = _e1461.member_2[2];
+                                            phi_1893_ = _e1459.member_2[2];
                                         }
-                                        let _e1477 = phi_1895_;
-                                        phi_1896_ = _e1477;
+                                        let _e1475 = phi_1893_;
+                                        phi_1894_ = _e1475;
                                     }
-                                    let _e1480 = phi_1896_;
-                                    let _e1481 = (_e1470 % 3u);
-                                    if (_e1481 == 0u) {
-                                        phi_1910_ = _e1463.member_2[0];
+                                    let _e1478 = phi_1894_;
+                                    let _e1479 = (_e1468 % 3u);
+                                    if (_e1479 == 0u) {
+                                        phi_1908_ = _e1461.member_2[0];
                                     } else {
-                                        if (_e1481 == 1u) {
-                                            phi_1909_ = _e1463.member_2[1];
+                                        if (_e1479 == 1u) {
+                                            phi_1907_ = _e1461.member_2[1];
                                         } else {
-                                            phi_1909_ = _e1463.member_2[2];
+                                            phi_1907_ = _e1461.member_2[2];
                                         }
-                                        let _e1487 = phi_1909_;
-                                        phi_1910_ = _e1487;
+                                        let _e1485 = phi_1907_;
+                                        phi_1908_ = _e1485;
                                     }
-                                    let _e1490 = phi_1910_;
-                                    if (_e1480 < _e1490) {
-                                        phi_1917_ = type_9(_e1480, _e1490);
+                                    let _e1488 = phi_1908_;
+                                    if (_e1478 < _e1488) {
+                                        phi_1915_ = type_9(_e1478, _e1488);
                                     } else {
-                                        phi_1917_ = type_9(_e1490, _e1480);
+                                        phi_1915_ = type_9(_e1488, _e1478);
                                     }
-                                    let _e1495 = phi_1917_;
-                                    phi_1921_ = _e1495;
+                                    let _e1493 = phi_1915_;
+                                    phi_1919_ = _e1493;
                                 }
-                                let _e1508 = phi_1921_;
-                                phi_1922_ = _e1508;
+                                let _e1506 = phi_1919_;
+                                phi_1920_ = _e1506;
                             }
-                            let _e1520 = phi_1922_;
-                            if (_e1432 < _e1457) {
+                            let _e1518 = phi_1920_;
+                            let _e1522 = params.member.member_1.member_3;
+                            if (_e1432 < _e1522) {
                                 let _e1524 = (2u * _e1432);
-                                atomicStore((&vf.member[(4u + _e1524)]), _e1520.member);
-                                atomicStore((&vf.member[(_e1524 + 5u)]), _e1520.member_1);
+                                atomicStore((&vf.member[(4u + _e1524)]), _e1518.member);
+                                atomicStore((&vf.member[(_e1524 + 5u)]), _e1518.member_1);
                             }
                             phi_1937_ = (_e1432 + 1u);
                         } else {
