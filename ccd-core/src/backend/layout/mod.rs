@@ -220,7 +220,7 @@ impl Leaf {
 }
 
 /// A triangle from which pairs of features are expanded: a face by its id, or one that stands for
-/// what no face has, see [`triangle_pairs`](crate::triangle_pairs).
+/// what no face has, see [`triangle_pairs`](crate::backend::triangle_pairs).
 ///
 /// | field | bytes |
 /// |---|---|

@@ -325,7 +325,7 @@ pub struct Decision {
 }
 
 /// What the kernels that expand pairs of triangles are told; see
-/// [`expansion`](crate::triangle_pairs::expansion).
+/// [`expansion`](crate::backend::triangle_pairs::expansion).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Expansion {
