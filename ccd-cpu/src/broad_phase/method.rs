@@ -76,7 +76,7 @@ impl Method {
             Self::Blocks(_) => 0,
             #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.visits(),
-            Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.visits).sum(),
+            Self::Listed(source) => source.buffers.iter().map(|Own(buffer)| buffer.0.visits).sum(),
         }
     }
 
@@ -180,8 +180,6 @@ impl PairSource for Listed {
         let n_tasks = self.source.begin(threads, sides);
         let source = &*self.source;
         self.buffers.resize_with(workers.len(), Own::default);
-        let n = workers.len().min(source.max_threads());
-        let (active, idle) = workers.split_at_mut(n);
         let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
             let Own((scratch, list)) = own;
             let mut hand_on = |rows: &[Row]| {
@@ -194,7 +192,6 @@ impl PairSource for Listed {
             source.task(k, sides, scratch, &mut rows);
             rows.flush();
         };
-        share(threads, n_tasks, part, sink, active, &mut self.buffers[..n], &run);
-        idle.iter_mut().for_each(|worker| sink.end(worker));
+        share(threads, n_tasks, part, sink, workers, &mut self.buffers, &run);
     }
 }

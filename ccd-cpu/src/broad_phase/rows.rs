@@ -17,11 +17,6 @@ pub trait RowSource: Order {
 
     /// Does one task. Tasks are done in any order, by several threads at once.
     fn task(&self, k: usize, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
-
-    /// Most threads that take tasks.
-    fn max_threads(&self) -> usize {
-        usize::MAX
-    }
 }
 
 /// Buffers that a thread keeps between tasks, for whatever a source needs.

@@ -1,5 +1,4 @@
-//! Two binary trees, or one with itself, as a tree of pairs; what the traversals that descend both
-//! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
+//! Two binary trees, or one with itself, as a tree of pairs.
 
 use super::Trees;
 use crate::broad_phase::descend::{FrontTree, Place};
@@ -12,9 +11,6 @@ use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::model::method::Descent;
-
-/// The pair at which a traversal begins.
-pub const ROOTS: NodePair = [0, 0];
 
 /// The trees that are descended, the same if pairs are sought `within` one.
 #[derive(Clone, Copy)]
@@ -62,7 +58,7 @@ impl<'a> BinaryPairs<'a> {
 
 impl PairTree for BinaryPairs<'_> {
     fn roots(self, out: &mut Vec<NodePair>) {
-        out.extend(Some(ROOTS).filter(|&pair| self.is_wanted(pair)));
+        out.extend(Some([0, 0]).filter(|&pair| self.is_wanted(pair)));
     }
 
     #[inline(always)]
