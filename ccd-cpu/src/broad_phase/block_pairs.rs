@@ -4,7 +4,7 @@
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::Tasks;
 use crate::simd::{Block, RowSimd, WIDTH};
@@ -149,10 +149,10 @@ impl PairTree for BlockPairs<'_> {
             masks &= UPPER;
         }
         while masks != 0 {
-            let i = masks.trailing_zeros() as usize / 8;
-            let mask = (masks >> (8 * i)) as u32 & 0xff;
-            masks &= !(0xff << (8 * i));
-            sink.row(worker, simd, a, i, b, mask);
+            let lane = masks.trailing_zeros() as usize / 8;
+            let mask = (masks >> (8 * lane)) as u32 & 0xff;
+            masks &= !(0xff << (8 * lane));
+            sink.row(worker, simd, Overlaps { a, lane, b, mask });
         }
     }
 }

@@ -5,7 +5,7 @@
 //! bodies that are wanted, boxes of its own that overlap in the precision of the input. Candidates
 //! and contacts are those of the other pipeline.
 
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{RowSimd, WIDTH};
 use crate::step::candidates::{Scene, Take, shared};
 use crate::step::leaves::Side;
@@ -39,15 +39,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
     const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        worker: &mut W,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mut mask } = row;
         let leaves = self.leaves;
         let (of_a, of_b) = (&leaves.blocks[a], &leaves.blocks[b]);
         let corners = of_a.corners.map(|ids| ids[lane]);

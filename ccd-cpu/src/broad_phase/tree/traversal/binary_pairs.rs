@@ -3,7 +3,7 @@
 use super::Trees;
 use crate::broad_phase::descend::{FrontTree, Place};
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::rows::{Gathered, IntoRows, Scratch};
 use crate::broad_phase::tasks::DepthFirst;
@@ -82,7 +82,8 @@ impl PairTree for BinaryPairs<'_> {
         worker: &mut K::Worker,
     ) {
         let (i, j) = (i as usize - self.a.branches.len(), j as usize - self.b.branches.len());
-        sink.row(worker, simd, i / WIDTH, i % WIDTH, j / WIDTH, 1 << (j % WIDTH));
+        let mask = 1 << (j % WIDTH);
+        sink.row(worker, simd, Overlaps { a: i / WIDTH, lane: i % WIDTH, b: j / WIDTH, mask });
     }
 }
 
