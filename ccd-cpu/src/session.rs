@@ -209,7 +209,9 @@ impl Engine {
     /// From now on, whether the clock is asked where the time of descents goes, which costs time
     /// itself: two looks for every list of pairs that is expanded.
     pub fn set_timed(&mut self, timed: bool) {
-        self.method.set_timed(timed);
+        if let Method::Scheduled(source) = &mut self.method {
+            source.set_timed(timed);
+        }
     }
 
     #[cfg(feature = "catalogue")]
@@ -218,7 +220,10 @@ impl Engine {
     /// [`Options::scheduling`](ccd_core::model::options::Options::scheduling), that is not the
     /// default's.
     pub fn descent_times(&self) -> Option<DescentTimes> {
-        self.method.descent_times()
+        match &self.method {
+            Method::Scheduled(source) => source.times(),
+            _ => None,
+        }
     }
 
     #[inline(never)]

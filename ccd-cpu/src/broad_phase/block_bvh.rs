@@ -248,13 +248,13 @@ mod tests {
             let mut boxes: Vec<_> =
                 (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
             leaves.build(&threads, &mut source, &boxes, Marks::default());
-            check_well_formed(source.tree(0), &leaves, &boxes);
+            check_well_formed(&source.trees[0], &leaves, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();
             }
             let looseness = leaves.refit(&threads, &mut source, &boxes, false);
             assert!(looseness.is_finite() && looseness > 0.0, "{looseness}");
-            check_well_formed(source.tree(0), &leaves, &boxes);
+            check_well_formed(&source.trees[0], &leaves, &boxes);
         }
     }
 

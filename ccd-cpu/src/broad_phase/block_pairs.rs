@@ -44,14 +44,6 @@ impl BlockPair {
     }
 }
 
-#[cfg(test)]
-impl BlockSource {
-    /// The tree over a set.
-    pub fn tree(&self, set: usize) -> &BlockBvh {
-        &self.trees[set]
-    }
-}
-
 impl Order for BlockSource {
     fn sort(
         &mut self,
@@ -92,7 +84,7 @@ impl PairSource for BlockSource {
         }
         let Self { trees, tasks, .. } = self;
         let pairs = BlockPairs::new(trees, (a, b));
-        tasks.run(threads, pairs, part, sink, workers);
+        tasks.run(threads, (pairs, pairs.root().packed()), part, sink, workers);
     }
 }
 
@@ -107,10 +99,6 @@ pub struct BlockPairs<'a> {
 }
 
 impl PairTree for BlockPairs<'_> {
-    fn roots(self, out: &mut Vec<NodePair>) {
-        out.push(self.root().packed());
-    }
-
     #[inline(always)]
     fn is_leaf(self, pair: NodePair) -> bool {
         BlockPair::unpacked(pair).level == 0

@@ -8,9 +8,8 @@ use crate::broad_phase::tasks::share;
 use crate::broad_phase::tree::TreeSource;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::{
-    brute_force::BruteForce, descend::PairsOfNodes, descent_times::DescentTimes,
-    scheduled::Scheduled, sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips,
-    uniform_grid::UniformGrid,
+    brute_force::BruteForce, descend::PairsOfNodes, scheduled::Scheduled,
+    sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips, uniform_grid::UniformGrid,
 };
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -85,24 +84,6 @@ impl Method {
         match self {
             #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.front(),
-            _ => None,
-        }
-    }
-
-    /// See [`Scheduled::set_timed`].
-    #[cfg(feature = "catalogue")]
-    pub fn set_timed(&mut self, timed: bool) {
-        if let Self::Scheduled(source) = self {
-            source.set_timed(timed);
-        }
-    }
-
-    /// Where the time of descents went, if a scheduler was chosen and the clock is asked.
-    #[cfg(feature = "catalogue")]
-    pub fn descent_times(&self) -> Option<DescentTimes> {
-        match self {
-            #[cfg(feature = "catalogue")]
-            Self::Scheduled(source) => source.times(),
             _ => None,
         }
     }

@@ -57,10 +57,6 @@ impl<'a> BinaryPairs<'a> {
 }
 
 impl PairTree for BinaryPairs<'_> {
-    fn roots(self, out: &mut Vec<NodePair>) {
-        out.extend(Some([0, 0]).filter(|&pair| self.is_wanted(pair)));
-    }
-
     #[inline(always)]
     fn is_leaf(self, [i, j]: NodePair) -> bool {
         i as usize >= self.a.branches.len() && j as usize >= self.b.branches.len()

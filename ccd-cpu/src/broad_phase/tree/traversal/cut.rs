@@ -43,7 +43,7 @@ use ccd_core::model::method::Descent;
 use std::collections::BinaryHeap;
 
 /// From the pairs of a cut, a task a node.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Cut {
     n_nodes: usize,
     descent: Descent,
@@ -58,13 +58,7 @@ pub struct Cut {
 impl Cut {
     /// By this rule of expansion, from a cut of so many nodes on, if there are so many leaves.
     pub fn new(n_nodes: usize, descent: Descent) -> Self {
-        Self {
-            n_nodes,
-            descent,
-            cuts: Default::default(),
-            heap: BinaryHeap::new(),
-            pairs: Vec::new(),
-        }
+        Self { n_nodes, descent, ..Self::default() }
     }
 
     /// Fills one of the cuts.
