@@ -95,9 +95,9 @@ impl Prepared {
             built: false,
             whole: true,
             scans: Vec::new(),
-            scan: Scan::default(),
+            scan: Scan::NONE,
             table: Vec::new(),
-            units: Table::default(),
+            units: Table::AS_GIVEN,
             // Vertices are only sought in faces.
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
