@@ -9,7 +9,7 @@ use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Given;
 use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
-use crate::step::find::{expand, find};
+use crate::step::find::find;
 use crate::step::narrow_phase::{CONTACTS, Worker};
 use crate::step::prepare::{Positions, Prepared};
 use crate::step::selection::Selection;
@@ -165,8 +165,9 @@ impl session::Engine for Engine {
             return Err(why);
         }
         let lists = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        let of = self.codimensional.as_ref().map(|of| of.pairs.each_ref().map(Vec::as_slice));
-        Ok(Candidates::new(lists, of.unwrap_or_default()))
+        let codimensional = self.codimensional.as_ref();
+        let pairs = codimensional.map(|found| found.pairs.each_ref().map(Vec::as_slice));
+        Ok(Candidates::new(lists, pairs.unwrap_or_default()))
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
@@ -208,7 +209,9 @@ impl Engine {
     /// From now on, whether the clock is asked where the time of descents goes, which costs time
     /// itself: two looks for every list of pairs that is expanded.
     pub fn set_timed(&mut self, timed: bool) {
-        self.method.set_timed(timed);
+        if let Method::Scheduled(source) = &mut self.method {
+            source.set_timed(timed);
+        }
     }
 
     #[cfg(feature = "catalogue")]
@@ -217,7 +220,10 @@ impl Engine {
     /// [`Options::scheduling`](ccd_core::model::options::Options::scheduling), that is not the
     /// default's.
     pub fn descent_times(&self) -> Option<DescentTimes> {
-        self.method.descent_times()
+        match &self.method {
+            Method::Scheduled(source) => source.times(),
+            _ => None,
+        }
     }
 
     #[inline(never)]
@@ -237,18 +243,14 @@ impl Engine {
             {
                 lists.resize_with(threads.count(), Lister::default);
                 lists.iter_mut().for_each(Lister::clear);
-                if prepared.triangles.is_some() {
-                    expand(Some(kind), threads, method, prepared, &scene, 1, lists);
-                } else {
-                    find(kind, threads, method, prepared, &scene, 1, lists);
-                }
+                find(Some(kind), threads, method, prepared, &scene, 1, lists);
             }
             stop.check()?;
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
             }
             match codimensional {
-                Some(of) => of.list(threads, mesh, (options, selection), x.given),
+                Some(features) => features.list(threads, mesh, (options, selection), x.given),
                 None => Ok(()),
             }
         })
@@ -301,18 +303,18 @@ impl Engine {
             stop.check()?;
             // The last that calls a filter: where that panics there are no contacts yet.
             let listed = Instant::now();
-            if let Some(of) = codimensional {
-                of.list(threads, mesh, (options, selection), x.given)?;
+            if let Some(features) = codimensional {
+                features.list(threads, mesh, (options, selection), x.given)?;
             }
             report.times.narrow += milliseconds(listed);
             collect(workers, report, stop)?;
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
-            if let Some(of) = codimensional {
-                let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+            if let Some(features) = codimensional {
+                let [ve, vv] = features.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
-                let found = of.decide(threads, mesh, &options.search(window), x.given)?;
+                let found = features.decide(threads, mesh, &options.search(window), x.given)?;
                 if !stop.reserve(CONTACTS, &mut report.contacts, found.len()) {
                     return stop.check();
                 }

@@ -16,12 +16,6 @@ pub struct Scan {
     pub finite: bool,
 }
 
-impl Default for Scan {
-    fn default() -> Self {
-        Self::NONE
-    }
-}
-
 impl Scan {
     /// Of no position.
     pub const NONE: Self = Self {
@@ -158,12 +152,6 @@ pub struct Table {
     pub scale: f64,
     /// How far a coordinate may be from the true one, in the unit of the table.
     pub error: f32,
-}
-
-impl Default for Table {
-    fn default() -> Self {
-        Self::AS_GIVEN
-    }
 }
 
 impl Table {

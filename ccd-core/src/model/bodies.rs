@@ -38,7 +38,7 @@ pub struct Bodies {
     /// Bodies by name, which may need all bits of a word; their places here are their numbers.
     names: Vec<u32>,
     number_of_vertex: Vec<u32>,
-    of: Vec<Body>,
+    rules: Vec<Body>,
     /// Numbers of bodies, the lesser first; in order.
     excluded_bodies: Vec<[u32; 2]>,
     /// Kind, ids; in order.
@@ -75,7 +75,7 @@ impl Bodies {
         let mut names = body_of_vertex.to_vec();
         names.sort_unstable();
         names.dedup();
-        let of = |&name: &u32| Body {
+        let rules = |&name: &u32| Body {
             self_contact,
             fixed: fixed.get(name as usize).copied().unwrap_or(false),
             sleeping: false,
@@ -85,7 +85,7 @@ impl Bodies {
         let number = |name: &u32| names.partition_point(|n| n < name) as u32;
         Self {
             number_of_vertex: body_of_vertex.iter().map(number).collect(),
-            of: names.iter().map(of).collect(),
+            rules: names.iter().map(rules).collect(),
             body_of_vertex: body_of_vertex.to_vec(),
             names,
             excluded_bodies: Vec::new(),
@@ -97,17 +97,15 @@ impl Bodies {
 
     /// With pairs of features within a body looked at or not.
     #[must_use]
-    pub fn with_self_contact(mut self, body: u32, self_contact: bool) -> Self {
-        self.change(body, |of| of.self_contact = self_contact);
-        self
+    pub fn with_self_contact(self, body: u32, self_contact: bool) -> Self {
+        self.change(body, |rules| rules.self_contact = self_contact)
     }
 
     /// With a body fixed or not: two bodies that stand still are no pair, and one that moves in a
     /// step is an error, see [`Bodies::with_fixed_motion`].
     #[must_use]
-    pub fn with_fixed(mut self, body: u32, fixed: bool) -> Self {
-        self.change(body, |of| of.fixed = fixed);
-        self
+    pub fn with_fixed(self, body: u32, fixed: bool) -> Self {
+        self.change(body, |rules| rules.fixed = fixed)
     }
 
     /// The body of each vertex, by the numbers given.
@@ -117,16 +115,14 @@ impl Bodies {
 
     /// With a body asleep or not: while it sleeps it is as one that is fixed.
     #[must_use]
-    pub fn with_sleeping(mut self, body: u32, sleeping: bool) -> Self {
-        self.change(body, |of| of.sleeping = sleeping);
-        self
+    pub fn with_sleeping(self, body: u32, sleeping: bool) -> Self {
+        self.change(body, |rules| rules.sleeping = sleeping)
     }
 
     /// With the groups of a body, by which it is looked at against other bodies.
     #[must_use]
-    pub fn with_groups(mut self, body: u32, groups: Groups) -> Self {
-        self.change(body, |of| of.groups = groups);
-        self
+    pub fn with_groups(self, body: u32, groups: Groups) -> Self {
+        self.change(body, |rules| rules.groups = groups)
     }
 
     /// Without these pairs of bodies, besides those before; a body with itself: without its
@@ -135,7 +131,7 @@ impl Bodies {
     pub fn with_excluded_bodies(mut self, pairs: &[[u32; 2]]) -> Self {
         for &[a, b] in pairs {
             match [self.number(a), self.number(b)] {
-                [Some(i), Some(j)] if i == j => self.of[i].self_contact = false,
+                [Some(i), Some(j)] if i == j => self.rules[i].self_contact = false,
                 [Some(i), Some(j)] => {
                     self.excluded_bodies.push([i.min(j) as u32, i.max(j) as u32]);
                 }
@@ -177,9 +173,9 @@ impl Bodies {
     /// # Ok::<(), ccd_core::Error>(())
     /// ```
     #[must_use]
-    pub fn with_exclusions(self, of: &Exclusions) -> Self {
-        self.with_excluded_features(Kind::VertexFace, &of.vf)
-            .with_excluded_features(Kind::EdgeEdge, &of.ee)
+    pub fn with_exclusions(self, lists: &Exclusions) -> Self {
+        self.with_excluded_features(Kind::VertexFace, &lists.vf)
+            .with_excluded_features(Kind::EdgeEdge, &lists.ee)
     }
 
     /// With the world of each body, by its name (missing entries are 0), below
@@ -190,17 +186,16 @@ impl Bodies {
     /// find them, and drop them one by one.
     #[must_use]
     pub fn with_worlds(mut self, worlds: &[u32]) -> Self {
-        for (of, &name) in self.of.iter_mut().zip(&self.names) {
-            of.world = worlds.get(name as usize).copied().unwrap_or(0);
+        for (rules, &name) in self.rules.iter_mut().zip(&self.names) {
+            rules.world = worlds.get(name as usize).copied().unwrap_or(0);
         }
         self
     }
 
     /// With the world of one body, see [`Bodies::with_worlds`].
     #[must_use]
-    pub fn with_world(mut self, body: u32, world: u32) -> Self {
-        self.change(body, |of| of.world = world);
-        self
+    pub fn with_world(self, body: u32, world: u32) -> Self {
+        self.change(body, |rules| rules.world = world)
     }
 
     /// With bodies that are fixed or asleep allowed to move, as a caller drives them: no step is
@@ -273,33 +268,28 @@ impl Bodies {
         if let Some(body) = self.unknown {
             return Err(Error::NoBody { body });
         }
-        if let Some(world) = self.of.iter().map(|of| of.world).find(|&w| w >= Self::MAX_WORLDS) {
+        if let Some(world) =
+            self.rules.iter().map(|rules| rules.world).find(|&w| w >= Self::MAX_WORLDS)
+        {
             let (count, limit) = (world as u64 + 1, Self::MAX_WORLDS as u64);
             return Err(Error::TooMany { element: "worlds", count, limit });
         }
-        let there = |element, id: u32, n: usize| match (id as usize) < n {
-            true => Ok(()),
-            false => Err(Error::NoFeature { element, id, n }),
-        };
-        let (n_edges, n_faces) = (mesh.edges().len(), mesh.faces().len());
-        self.excluded_features.iter().try_for_each(|&(kind, [a, b])| match kind {
-            Kind::VertexFace => {
-                there("vertex", a, mesh.n_vertices())?;
-                there("face", b, n_faces)
+        let vertices = ("vertex", mesh.n_vertices());
+        let (edges, faces) = (("edge", mesh.edges().len()), ("face", mesh.faces().len()));
+        for &(kind, ids) in &self.excluded_features {
+            let features = match kind {
+                Kind::VertexFace => [vertices, faces],
+                Kind::EdgeEdge => [edges; 2],
+                Kind::VertexEdge => [vertices, edges],
+                Kind::VertexVertex => [vertices; 2],
+            };
+            for ((element, n), id) in features.into_iter().zip(ids) {
+                if id as usize >= n {
+                    return Err(Error::NoFeature { element, id, n });
+                }
             }
-            Kind::EdgeEdge => {
-                there("edge", a, n_edges)?;
-                there("edge", b, n_edges)
-            }
-            Kind::VertexEdge => {
-                there("vertex", a, mesh.n_vertices())?;
-                there("edge", b, n_edges)
-            }
-            Kind::VertexVertex => {
-                there("vertex", a, mesh.n_vertices())?;
-                there("vertex", b, mesh.n_vertices())
-            }
-        })
+        }
+        Ok(())
     }
 
     /// Sets whether a body sleeps.
@@ -308,8 +298,7 @@ impl Bodies {
     ///
     /// [`Error::NoBody`] if no vertex belongs to it.
     pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), Error> {
-        let at = self.number(body).ok_or(Error::NoBody { body })?;
-        self.of[at].sleeping = sleeping;
+        self.body(body)?.sleeping = sleeping;
         Ok(())
     }
 
@@ -319,8 +308,7 @@ impl Bodies {
     ///
     /// [`Error::NoBody`] if no vertex belongs to it.
     pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), Error> {
-        let at = self.number(body).ok_or(Error::NoBody { body })?;
-        self.of[at].fixed = fixed;
+        self.body(body)?.fixed = fixed;
         Ok(())
     }
 
@@ -345,7 +333,7 @@ impl Bodies {
     }
 
     pub(crate) fn all(&self) -> &[Body] {
-        &self.of
+        &self.rules
     }
 
     pub(crate) fn excluded_bodies(&self) -> &[[u32; 2]] {
@@ -357,18 +345,24 @@ impl Bodies {
     }
 
     fn of_vertex(&self, v: u32) -> &Body {
-        &self.of[self.number_of_vertex[v as usize] as usize]
+        &self.rules[self.number_of_vertex[v as usize] as usize]
     }
 
     fn number(&self, name: u32) -> Option<usize> {
         self.names.binary_search(&name).ok()
     }
 
-    fn change(&mut self, name: u32, change: impl FnOnce(&mut Body)) {
+    fn body(&mut self, name: u32) -> Result<&mut Body, Error> {
+        let number = self.number(name).ok_or(Error::NoBody { body: name })?;
+        Ok(&mut self.rules[number])
+    }
+
+    fn change(mut self, name: u32, change: impl FnOnce(&mut Body)) -> Self {
         match self.number(name) {
-            Some(at) => change(&mut self.of[at]),
+            Some(number) => change(&mut self.rules[number]),
             None => self.unknown = Some(name),
         }
+        self
     }
 }
 

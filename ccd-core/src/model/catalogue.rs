@@ -56,197 +56,134 @@ pub trait Catalogued: Copy + PartialEq + 'static {
 }
 
 const CPU: &[&str] = &["cpu"];
-const BOTH: &[&str] = &["cpu", "gpu"];
+
+impl<T: Copy> Row<T> {
+    /// A choice of this project, on both backends.
+    pub(super) const fn new(value: T, name: &'static str) -> Self {
+        Self { value, name, about: "", source: None, backends: &["cpu", "gpu"] }
+    }
+
+    pub(super) const fn about(self, about: &'static str) -> Self {
+        Self { about, ..self }
+    }
+
+    /// From a source, by its key.
+    pub(super) const fn source(self, key: &'static str) -> Self {
+        Self { source: Some(key), ..self }
+    }
+
+    const fn on(self, backends: &'static [&'static str]) -> Self {
+        Self { backends, ..self }
+    }
+
+    /// The name of the choice if a backend does not have it.
+    pub(super) fn lacking(&self, backend: &str) -> Option<&'static str> {
+        (!self.backends.contains(&backend)).then_some(self.name)
+    }
+}
 
 impl Catalogued for BroadPhaseMethod {
     const ALWAYS: &'static [&'static str] = &["blocks", "tree"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::BruteForce,
-            name: "brute-force",
-            about: "Every box against every other; what all else is compared with",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::SweepAndPrune,
-            name: "sweep-and-prune",
-            about: "Boxes sorted along one axis, each against those that begin before it ends",
-            source: Some("Karras 2012a"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::SweepInStrips,
-            name: "sweep-in-strips",
-            about: "Sweep and prune in strips along the axis; for many boxes, of any sizes",
-            source: Some("Liu 2010"),
-            backends: CPU,
-        },
-        Row {
-            value: Self::UniformGrid,
-            name: "uniform-grid",
-            about: "Boxes in the cells of a grid; for boxes of about the same size",
-            source: Some("Karras 2012a"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Blocks,
-            name: "blocks",
-            about: "Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::TREE,
-            name: "tree",
-            about: "A binary tree; on a GPU faster where few boxes overlap",
-            source: Some("Karras 2012"),
-            backends: BOTH,
-        },
+        Row::new(Self::BruteForce, "brute-force")
+            .about("Every box against every other; what all else is compared with"),
+        Row::new(Self::SweepAndPrune, "sweep-and-prune")
+            .about("Boxes sorted along one axis, each against those that begin before it ends")
+            .source("Karras 2012a"),
+        Row::new(Self::SweepInStrips, "sweep-in-strips")
+            .about("Sweep and prune in strips along the axis; for many boxes, of any sizes")
+            .source("Liu 2010")
+            .on(CPU),
+        Row::new(Self::UniformGrid, "uniform-grid")
+            .about("Boxes in the cells of a grid; for boxes of about the same size")
+            .source("Karras 2012a"),
+        Row::new(Self::Blocks, "blocks")
+            .about("Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU"),
+        Row::new(Self::TREE, "tree")
+            .about("A binary tree; on a GPU faster where few boxes overlap")
+            .source("Karras 2012"),
     ];
 }
 
 impl Catalogued for Builder {
     const ALWAYS: &'static [&'static str] = &["lbvh"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::Lbvh,
-            name: "lbvh",
-            about: "From sorted Morton codes, every node by itself",
-            source: Some("Karras 2012"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::SplitLists,
-            name: "split-lists",
-            about: "From sorted Morton codes, by lists of where neighbours split",
-            source: Some("Lauterbach 2009"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::NEAREST_PAIR,
-            name: "nearest-pair",
-            about: "Bottom up, every node with its nearest free neighbour; slow",
-            source: Some("Tian and Wan"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::PLOC,
-            name: "ploc",
-            about: "Bottom up, every cluster with its nearest neighbour along the Morton curve",
-            source: Some("Meister 2018"),
-            backends: BOTH,
-        },
+        Row::new(Self::Lbvh, "lbvh")
+            .about("From sorted Morton codes, every node by itself")
+            .source("Karras 2012"),
+        Row::new(Self::SplitLists, "split-lists")
+            .about("From sorted Morton codes, by lists of where neighbours split")
+            .source("Lauterbach 2009"),
+        Row::new(Self::NEAREST_PAIR, "nearest-pair")
+            .about("Bottom up, every node with its nearest free neighbour; slow")
+            .source("Tian and Wan"),
+        Row::new(Self::PLOC, "ploc")
+            .about("Bottom up, every cluster with its nearest neighbour along the Morton curve")
+            .source("Meister 2018"),
     ];
 }
 
 impl Catalogued for Traversal {
     const ALWAYS: &'static [&'static str] = &["leaf-order", "half"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::Recursive,
-            name: "recursive",
-            about: "A query per box in the order of input, by recursion",
-            source: Some("Karras 2012b"),
-            backends: CPU,
-        },
-        Row {
-            value: Self::Iterative,
-            name: "iterative",
-            about: "A query per box in the order of input, with a stack",
-            source: Some("Karras 2012b"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::LeafOrder,
-            name: "leaf-order",
-            about: "A query per box in the order of leaves",
-            source: Some("Karras 2012b"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Half,
-            name: "half",
-            about: "In the order of leaves, each looking only at those after its own",
-            source: Some("Karras 2012b"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::SIMULTANEOUS,
-            name: "simultaneous",
-            about: "Pairs of nodes from the root on, by one thread",
-            source: Some("Karras 2012b"),
-            backends: CPU,
-        },
-        Row {
-            value: Self::CUT,
-            name: "cut",
-            about: "Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel",
-            source: Some("Karras 2012b"),
-            backends: BOTH,
-        },
+        Row::new(Self::Recursive, "recursive")
+            .about("A query per box in the order of input, by recursion")
+            .source("Karras 2012b")
+            .on(CPU),
+        Row::new(Self::Iterative, "iterative")
+            .about("A query per box in the order of input, with a stack")
+            .source("Karras 2012b"),
+        Row::new(Self::LeafOrder, "leaf-order")
+            .about("A query per box in the order of leaves")
+            .source("Karras 2012b"),
+        Row::new(Self::Half, "half")
+            .about("In the order of leaves, each looking only at those after its own")
+            .source("Karras 2012b"),
+        Row::new(Self::SIMULTANEOUS, "simultaneous")
+            .about("Pairs of nodes from the root on, by one thread")
+            .source("Karras 2012b")
+            .on(CPU),
+        Row::new(Self::CUT, "cut")
+            .about("Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel")
+            .source("Karras 2012b"),
     ];
 }
 
 impl Catalogued for Volume {
     const ALWAYS: &'static [&'static str] = &["aabb"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::Aabb,
-            name: "aabb",
-            about: "Boxes along the axes",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Obb,
-            name: "obb",
-            about: "Boxes along axes of their own",
-            source: Some("Gottschalk 1996"),
-            backends: BOTH,
-        },
+        Row::new(Self::Aabb, "aabb").about("Boxes along the axes"),
+        Row::new(Self::Obb, "obb").about("Boxes along axes of their own").source("Gottschalk 1996"),
     ];
 }
 
 impl Catalogued for Pipeline {
     const ALWAYS: &'static [&'static str] = &["features", "triangles"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::Features,
-            name: "features",
-            about: "Vertices against faces and edges against edges, by their own boxes",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::TRIANGLES,
-            name: "triangles",
-            about: "Triangles against triangles, expanded to features that each one represents",
-            source: Some("Curtis 2008"),
-            backends: BOTH,
-        },
+        Row::new(Self::Features, "features")
+            .about("Vertices against faces and edges against edges, by their own boxes"),
+        Row::new(Self::TRIANGLES, "triangles")
+            .about("Triangles against triangles, expanded to features that each one represents")
+            .source("Curtis 2008"),
     ];
 }
 
 impl Pipeline {
     /// The name of the pipeline if a backend does not have it.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
-        let row = self.row();
-        (!row.backends.contains(&backend)).then_some(row.name)
+        self.row().lacking(backend)
     }
 }
 
 impl BroadPhaseMethod {
     /// Whether a backend has the method with all its settings; if not, the name of what it lacks.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
-        let lacks = |name, backends: &[&str]| (!backends.contains(&backend)).then_some(name);
-        let row = self.row();
-        let own = lacks(row.name, row.backends);
-        let Self::Tree(TreeOptions { builder, traversal, volume }) = self else { return own };
-        let (builder, traversal, volume) = (builder.row(), traversal.row(), volume.row());
-        own.or_else(|| lacks(builder.name, builder.backends))
-            .or_else(|| lacks(traversal.name, traversal.backends))
-            .or_else(|| lacks(volume.name, volume.backends))
+        let method = self.row().lacking(backend);
+        let Self::Tree(TreeOptions { builder, traversal, volume }) = self else { return method };
+        method
+            .or_else(|| builder.row().lacking(backend))
+            .or_else(|| traversal.row().lacking(backend))
+            .or_else(|| volume.row().lacking(backend))
     }
 }
 

@@ -3,6 +3,7 @@
 //! A mesh whose edges are shorter than the minimum distance is in contact with itself wherever it
 //! is whole. Solvers leave such pairs out.
 
+use super::incidence::Incidence;
 use super::mesh::Mesh;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -55,20 +56,22 @@ impl Exclusions {
         if rings == 0 {
             return Self::default();
         }
-        let neighbours = Lists::of(mesh.n_vertices(), mesh.edges(), |e, k| Some(e[1 - k]));
-        let faces = Lists::of(mesh.n_vertices(), mesh.faces(), |_, _| None);
-        let edges = Lists::of(mesh.n_vertices(), mesh.edges(), |_, _| None);
+        let n = mesh.n_vertices();
+        let ends = |&[a, b]: &[u32; 2]| [(a, b), (b, a)];
+        let neighbours = Incidence::new(n, || mesh.edges().iter().flat_map(ends));
+        let faces = Incidence::of_vertices(n, mesh.faces());
+        let edges = Incidence::of_vertices(n, mesh.edges());
         let (mut vf, mut ee) = (Vec::new(), Vec::new());
-        let mut near = Near { distance: vec![u32::MAX; mesh.n_vertices()], found: Vec::new() };
-        for v in 0..mesh.n_vertices() as u32 {
+        let mut near = Near { distance: vec![u32::MAX; n], found: Vec::new() };
+        for v in 0..n as u32 {
             near.search(v, rings, &neighbours);
             for &w in &near.found {
-                let of_w = faces.of_vertex(w).iter();
+                let of_w = faces.of(w).iter();
                 vf.extend(
                     of_w.filter(|&&f| !mesh.faces()[f as usize].contains(&v)).map(|&f| [v, f]),
                 );
-                for &a in edges.of_vertex(v) {
-                    for &b in edges.of_vertex(w) {
+                for &a in edges.of(v) {
+                    for &b in edges.of(w) {
                         let ([p, q], others) = (mesh.edges()[a as usize], mesh.edges()[b as usize]);
                         if a < b && !others.contains(&p) && !others.contains(&q) {
                             ee.push([a, b]);
@@ -88,40 +91,6 @@ impl Exclusions {
     }
 }
 
-/// What each vertex has, one list behind the other.
-struct Lists {
-    starts: Vec<u32>,
-    items: Vec<u32>,
-}
-
-impl Lists {
-    /// For vertex `k` of each element what `item` says, or the element's own number.
-    fn of<const N: usize>(
-        n_vertices: usize,
-        elements: &[[u32; N]],
-        item: impl Fn(&[u32; N], usize) -> Option<u32>,
-    ) -> Self {
-        let mut starts = vec![0u32; n_vertices + 1];
-        elements.iter().flatten().for_each(|&v| starts[v as usize + 1] += 1);
-        for v in 0..n_vertices {
-            starts[v + 1] += starts[v];
-        }
-        let mut next = starts.clone();
-        let mut items = vec![0; starts[n_vertices] as usize];
-        for (i, element) in elements.iter().enumerate() {
-            for (k, &v) in element.iter().enumerate() {
-                items[next[v as usize] as usize] = item(element, k).unwrap_or(i as u32);
-                next[v as usize] += 1;
-            }
-        }
-        Self { starts, items }
-    }
-
-    fn of_vertex(&self, v: u32) -> &[u32] {
-        &self.items[self.starts[v as usize] as usize..self.starts[v as usize + 1] as usize]
-    }
-}
-
 /// Vertices within a distance of one, breadth first; buffers stay.
 struct Near {
     distance: Vec<u32>,
@@ -129,7 +98,7 @@ struct Near {
 }
 
 impl Near {
-    fn search(&mut self, from: u32, rings: u32, neighbours: &Lists) {
+    fn search(&mut self, from: u32, rings: u32, neighbours: &Incidence) {
         let Self { distance, found } = self;
         found.drain(..).for_each(|v| distance[v as usize] = u32::MAX);
         distance[from as usize] = 0;
@@ -142,7 +111,7 @@ impl Near {
             if beyond > rings {
                 break;
             }
-            for &w in neighbours.of_vertex(v) {
+            for &w in neighbours.of(v) {
                 if distance[w as usize] == u32::MAX {
                     distance[w as usize] = beyond;
                     found.push(w);

@@ -18,6 +18,8 @@ pub mod error;
 pub mod exclusions;
 pub mod groups;
 #[cfg(feature = "alloc")]
+pub(crate) mod incidence;
+#[cfg(feature = "alloc")]
 pub mod mesh;
 pub mod method;
 #[cfg(feature = "alloc")]

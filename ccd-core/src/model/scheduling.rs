@@ -198,22 +198,18 @@ impl Scheduling {
 
     /// Whether a backend has the scheduler and the front; if not, the name of what it lacks.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
-        let scheduler = self.scheduler.and_then(|scheduler| lacks(scheduler.row(), backend));
-        scheduler.or_else(|| lacks(self.front.row(), backend).map(|_| "front"))
+        let scheduler = self.scheduler.and_then(|scheduler| scheduler.row().lacking(backend));
+        scheduler.or_else(|| self.front.row().lacking(backend).map(|_| "front"))
     }
 
     /// Every scheduler of a backend, with a front and without one.
     pub fn every(backend: &str) -> impl Iterator<Item = Self> {
         let all = Scheduler::ROWS.iter().flat_map(|row| {
-            let of = Self::default().scheduler(row.value);
-            Front::ROWS.iter().map(move |row| of.front(row.value))
+            let scheduling = Self::default().scheduler(row.value);
+            Front::ROWS.iter().map(move |row| scheduling.front(row.value))
         });
         all.filter(move |scheduling| scheduling.lacking(backend).is_none())
     }
-}
-
-fn lacks<T>(row: &Row<T>, backend: &str) -> Option<&'static str> {
-    (!row.backends.contains(&backend)).then_some(row.name)
 }
 
 /// Whether a method descends pairs of nodes.
@@ -235,73 +231,36 @@ impl core::fmt::Display for Scheduling {
     }
 }
 
-const BOTH: &[&str] = &["cpu", "gpu"];
-
 impl Catalogued for Scheduler {
     const ALWAYS: &'static [&'static str] = &["self-scheduling"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::SelfScheduling,
-            name: "self-scheduling",
-            about: "Workers take some thousand tasks, one after the other, from a shared counter",
-            source: Some("Tang 1986"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Frontier,
-            name: "frontier",
-            about: "Queues by level: all pairs of one, then all of the next",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Static,
-            name: "static",
-            about: "Tasks are dealt out at the beginning",
-            source: Some("Cederman 2009"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::BALANCED,
-            name: "balanced",
-            about: "Dealt out, and dealt out again whenever too many workers are idle",
-            source: Some("Lauterbach 2010"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::Stealing,
-            name: "stealing",
-            about: "A deque a worker; whose own is empty takes from another's; GPU: native alone",
-            source: Some("Arora 1998"),
-            backends: BOTH,
-        },
-        Row {
-            value: Self::LazyStealing,
-            name: "lazy-stealing",
-            about: "Stacks and deques; batches stolen at once, fetched singly; GPU: native alone",
-            source: Some("da Silva 2013"),
-            backends: BOTH,
-        },
+        Row::new(Self::SelfScheduling, "self-scheduling")
+            .about("Workers take some thousand tasks, one after the other, from a shared counter")
+            .source("Tang 1986"),
+        Row::new(Self::Frontier, "frontier")
+            .about("Queues by level: all pairs of one, then all of the next"),
+        Row::new(Self::Static, "static")
+            .about("Tasks are dealt out at the beginning")
+            .source("Cederman 2009"),
+        Row::new(Self::BALANCED, "balanced")
+            .about("Dealt out, and dealt out again whenever too many workers are idle")
+            .source("Lauterbach 2010"),
+        Row::new(Self::Stealing, "stealing")
+            .about("A deque a worker; whose own is empty takes from another's; GPU: native alone")
+            .source("Arora 1998"),
+        Row::new(Self::LazyStealing, "lazy-stealing")
+            .about("Stacks and deques; batches stolen at once, fetched singly; GPU: native alone")
+            .source("da Silva 2013"),
     ];
 }
 
 impl Catalogued for Front {
     const ALWAYS: &'static [&'static str] = &["off"];
     const ROWS: &'static [Row<Self>] = &[
-        Row {
-            value: Self::Off,
-            name: "off",
-            about: "Every step begins at the roots",
-            source: None,
-            backends: BOTH,
-        },
-        Row {
-            value: Self::ON,
-            name: "on",
-            about: "A step begins at the pairs of nodes where the one before ended",
-            source: Some("Tang 2010a"),
-            backends: BOTH,
-        },
+        Row::new(Self::Off, "off").about("Every step begins at the roots"),
+        Row::new(Self::ON, "on")
+            .about("A step begins at the pairs of nodes where the one before ended")
+            .source("Tang 2010a"),
     ];
 }
 

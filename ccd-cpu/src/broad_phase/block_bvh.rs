@@ -5,7 +5,7 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, set_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of};
 use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
@@ -124,12 +124,8 @@ impl BlockBvh {
             here[0].resize(n_below, EMPTY);
             changed = changed.div_ceil(WIDTH);
             threads.fill(&mut here[0][..changed], |i| {
-                let mut block = EMPTY;
                 let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
-                for (j, child) in children.iter().enumerate() {
-                    set_lane(&mut block, j, &union_of_lanes(child));
-                }
-                block
+                block_of(children.iter().map(union_of_lanes))
             });
             self.height += 1;
         }
@@ -143,9 +139,8 @@ impl BlockBvh {
     pub fn raise(&mut self, height: usize, leaves: &[Block]) {
         while self.height < height {
             let level = self.height - 1;
-            let mut block = EMPTY;
             let top = if level == 0 { &leaves[0] } else { &self.upper[level - 1][0] };
-            set_lane(&mut block, 0, &union_of_lanes(top));
+            let block = block_of([union_of_lanes(top)].into_iter());
             if self.upper.len() == level {
                 self.upper.push(Vec::new());
             }
@@ -248,13 +243,13 @@ mod tests {
             let mut boxes: Vec<_> =
                 (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
             leaves.build(&threads, &mut source, &boxes, Marks::default());
-            check_well_formed(source.tree(0), &leaves, &boxes);
+            check_well_formed(&source.trees[0], &leaves, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();
             }
             let looseness = leaves.refit(&threads, &mut source, &boxes, false);
             assert!(looseness.is_finite() && looseness > 0.0, "{looseness}");
-            check_well_formed(source.tree(0), &leaves, &boxes);
+            check_well_formed(&source.trees[0], &leaves, &boxes);
         }
     }
 

@@ -4,7 +4,7 @@
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::Tasks;
 use crate::simd::{Block, RowSimd, WIDTH};
@@ -41,14 +41,6 @@ impl BlockPair {
     #[inline(always)]
     pub fn unpacked([a, b]: NodePair) -> Self {
         Self { level: a >> BITS, a: a & ((1 << BITS) - 1), b }
-    }
-}
-
-#[cfg(test)]
-impl BlockSource {
-    /// The tree over a set.
-    pub fn tree(&self, set: usize) -> &BlockBvh {
-        &self.trees[set]
     }
 }
 
@@ -92,7 +84,7 @@ impl PairSource for BlockSource {
         }
         let Self { trees, tasks, .. } = self;
         let pairs = BlockPairs::new(trees, (a, b));
-        tasks.run(threads, pairs, part, sink, workers);
+        tasks.run(threads, (pairs, pairs.root().packed()), part, sink, workers);
     }
 }
 
@@ -107,10 +99,6 @@ pub struct BlockPairs<'a> {
 }
 
 impl PairTree for BlockPairs<'_> {
-    fn roots(self, out: &mut Vec<NodePair>) {
-        out.push(self.root().packed());
-    }
-
     #[inline(always)]
     fn is_leaf(self, pair: NodePair) -> bool {
         BlockPair::unpacked(pair).level == 0
@@ -149,10 +137,10 @@ impl PairTree for BlockPairs<'_> {
             masks &= UPPER;
         }
         while masks != 0 {
-            let i = masks.trailing_zeros() as usize / 8;
-            let mask = (masks >> (8 * i)) as u32 & 0xff;
-            masks &= !(0xff << (8 * i));
-            sink.row(worker, simd, a, i, b, mask);
+            let lane = masks.trailing_zeros() as usize / 8;
+            let mask = (masks >> (8 * lane)) as u32 & 0xff;
+            masks &= !(0xff << (8 * lane));
+            sink.row(worker, simd, Overlaps { a, lane, b, mask });
         }
     }
 }

@@ -1,21 +1,17 @@
-//! Where the time of descents goes that a scheduler shares out: what its workers do, and for how
-//! long they wait for one another.
+//! Time of descents that a scheduler shares out: what its workers do, and what is left for the
+//! scheduler itself and for waiting.
 //!
 //! Twin: none; a GPU counts turns of workers instead (`worker_counts.rs`).
 
-use crate::broad_phase::scheduler::Job;
-use crate::broad_phase::scheduler::hand::{Expand, Hand};
 use crate::clock::Instant;
-use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Where the time of descents went, in milliseconds.
+/// Times of descents in milliseconds.
 ///
 /// ```text
 ///             split    shared out                       keep
-///   worker 0  ########|ffrrffr|eeeere..erer...eeerr    |####|   f  front       e  expanding
-///   worker 1          |ffffrr |eerrer.......-----------|        r  rows        .  scheduling
-///                                                               -  waiting
+///   worker 0  ########|ffrrffr|eeeere..erer...eeerr....|####|   f  front       e  expanding
+///   worker 1          |ffffrr |eerrer..................|        r  rows        .  balancing
 /// ```
 ///
 /// ```
@@ -34,8 +30,6 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DescentTimes {
-    /// By the clock: expanding the upper levels into tasks.
-    pub split: f64,
     /// By the clock: workers at the front of the step before, if it begins there, and at tasks.
     pub shared_out: f64,
     /// By the clock: keeping the front of this step, or dropping it.
@@ -46,66 +40,59 @@ pub struct DescentTimes {
     pub expanding: f64,
     /// Of `shared_out`, summed over workers: whatever takes the rows of leaves that are found.
     pub rows: f64,
-    /// Of `shared_out`, summed over workers: what the scheduler does itself, looking for pairs in
-    /// vain included.
-    pub scheduling: f64,
-    /// Of `shared_out`, summed over workers: what is left, before a worker begins and after it is
-    /// done.
-    pub waiting: f64,
 }
 
 impl DescentTimes {
-    /// Adds what the workers of a descent did; after its part by the clock.
-    pub fn add_workers<'w>(&mut self, all: impl ExactSizeIterator<Item = &'w WorkerTimes>) {
-        let n_workers = all.len() as f64;
+    /// Adds what the workers of a descent did.
+    pub fn add_workers<'w>(&mut self, all: impl Iterator<Item = &'w WorkerTimes>) {
         let ms = |ns: &AtomicU64| ns.load(Relaxed) as f64 * 1e-6;
         for times in all {
             self.front += ms(&times.front);
             self.expanding += ms(&times.expanding);
-            self.scheduling += ms(&times.scheduling);
             self.rows += ms(&times.rows);
         }
-        let busy = self.front + self.expanding + self.rows + self.scheduling;
-        self.waiting = (n_workers * self.shared_out - busy).max(0.0);
+    }
+
+    /// Of `shared_out`, summed over `n_workers`: the scheduler itself, looking for pairs in vain
+    /// included, and waiting before a worker begins and after it is done.
+    pub fn balancing(&self, n_workers: usize) -> f64 {
+        let busy = self.front + self.expanding + self.rows;
+        (n_workers as f64 * self.shared_out - busy).max(0.0)
     }
 }
 
-/// The time of one worker in a descent, in nanoseconds. No other thread adds to it; what adds to
-/// one of the sums is called by what adds to another.
+/// The time of one worker in a descent, in nanoseconds. No other thread adds to it. Rows are handed
+/// on by what tests or expands pairs.
 #[derive(Debug, Default)]
 pub struct WorkerTimes {
     front: AtomicU64,
     expanding: AtomicU64,
-    scheduling: AtomicU64,
     rows: AtomicU64,
 }
 
 impl WorkerTimes {
     /// Tests pairs of a front.
     pub fn front(&self, resume: impl FnOnce()) {
-        add(&self.front, &[&self.rows], resume);
+        self.add(&self.front, resume);
+    }
+
+    /// Expands pairs.
+    pub fn expanding(&self, expand: impl FnOnce()) {
+        self.add(&self.expanding, expand);
     }
 
     /// Hands rows on.
     pub fn rows(&self, hand_on: impl FnOnce()) {
-        add(&self.rows, &[], hand_on);
+        let start = Instant::now();
+        hand_on();
+        self.rows.fetch_add(start.elapsed().as_nanos() as u64, Relaxed);
     }
 
-    /// Does a scheduler's job.
-    pub fn job(&self, worker: usize, job: Job, expand: Expand) {
-        let mut timed = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
-            add(&self.expanding, &[&self.rows], || expand(pairs, out));
-        };
-        let within = [&self.expanding, &self.rows];
-        add(&self.scheduling, &within, || job(&mut Hand::new(worker, &mut timed)));
+    /// Adds how long something takes, without the rows that it hands on.
+    fn add(&self, sum: &AtomicU64, work: impl FnOnce()) {
+        let (start, before) = (Instant::now(), self.rows.load(Relaxed));
+        work();
+        let rows = self.rows.load(Relaxed) - before;
+        sum.fetch_add((start.elapsed().as_nanos() as u64).saturating_sub(rows), Relaxed);
     }
-}
-
-/// Adds how long something takes, without what is added to other sums meanwhile.
-fn add(sum: &AtomicU64, others: &[&AtomicU64], do_it: impl FnOnce()) {
-    let counted = || others.iter().map(|other| other.load(Relaxed)).sum::<u64>();
-    let (start, before) = (Instant::now(), counted());
-    do_it();
-    let own = (start.elapsed().as_nanos() as u64).saturating_sub(counted() - before);
-    sum.fetch_add(own, Relaxed);
 }

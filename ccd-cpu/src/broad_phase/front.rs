@@ -14,10 +14,10 @@
 //! It holds for as long as the trees keep their shape, however boxes move: a refit does no harm,
 //! and a front of trees that were built since is dropped, by the numbers of their builds.
 //!
-//! A front is a list of fixed room in which workers claim pieces; it is written while the front of
-//! the step before is read. One for which there is no room is dropped whole, and the next step,
-//! which begins at the roots, has more, up to the bound of memory. That costs time and never a
-//! pair: rows are handed on whether or not the front is kept.
+//! A front is a list of fixed capacity in which workers claim pieces; it is written while the front
+//! of the step before is read. One that does not fit is dropped as a whole. The next step begins at
+//! the roots with a longer list, up to the bound of memory. That costs time and never a pair: rows
+//! are handed on whether or not the front is kept.
 //!
 //! Cost: a test a pair of the front. A descent from the roots expands about half as many pairs as
 //! its front has, so that beginning at a front saves what the expansions cost beyond those tests,
@@ -33,7 +33,7 @@ use ccd_core::model::scheduling::FrontOptions;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Pairs that a worker claims room for, and takes, at once.
+/// Pairs of a piece, which a worker claims or reads as one.
 pub const PIECE: usize = 512;
 
 /// The fronts of all pairs of sets that a source descends.
@@ -44,7 +44,7 @@ pub struct Fronts {
 }
 
 /// The front of one pair of sets, or of one set with itself.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Front {
     /// Of which sets it is.
     sets: [Option<usize>; 2],
@@ -66,7 +66,7 @@ impl Fronts {
     pub fn of(&mut self, sets: [Option<usize>; 2], builds: [u64; 2], n_workers: usize) -> usize {
         let at = self.fronts.iter().position(|front| front.sets == sets);
         let at = at.unwrap_or_else(|| {
-            self.fronts.push(Front::new(sets));
+            self.fronts.push(Front { sets, ..Front::default() });
             self.fronts.len() - 1
         });
         self.fronts[at].begin(builds, n_workers);
@@ -93,24 +93,14 @@ impl Fronts {
 
     /// What the fronts of the last step were.
     pub fn counts(&self) -> FrontCounts {
-        let of = |front: &Front| {
+        let counts = |front: &Front| {
             FrontCounts::new(front.state.kept(), front.state.begun(), front.bytes() as u64)
         };
-        self.fronts.iter().map(of).fold(FrontCounts::default(), FrontCounts::plus)
+        self.fronts.iter().map(counts).fold(FrontCounts::default(), FrontCounts::plus)
     }
 }
 
 impl Front {
-    fn new(sets: [Option<usize>; 2]) -> Self {
-        Self {
-            sets,
-            builds: [0; 2],
-            state: FrontState::default(),
-            kept: List::default(),
-            next: List::default(),
-        }
-    }
-
     /// The front to begin with, if there is one.
     pub fn kept(&self) -> Option<&List> {
         (self.state.kept() > 0).then_some(&self.kept)
@@ -176,7 +166,7 @@ impl List {
         self.slots.resize_with(capacity, AtomicU64::default);
     }
 
-    /// Ends all pieces. Returns the room that was wanted.
+    /// Ends all pieces. Returns the number of entries that were wanted.
     fn finish(&mut self) -> usize {
         for Own(cursor) in &mut self.cursors {
             let cursor = cursor.get_mut().unwrap_or_else(PoisonError::into_inner);
@@ -210,7 +200,7 @@ impl List {
     }
 }
 
-/// A worker's hand on a list.
+/// A worker's access to a list.
 #[derive(Debug)]
 pub struct Writer<'a> {
     list: &'a List,
@@ -218,7 +208,7 @@ pub struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Adds a pair; beyond the room of the list it is only counted.
+    /// Adds a pair; beyond the capacity of the list it is only counted.
     #[inline(always)]
     pub fn push(&mut self, pair: NodePair) {
         let Cursor { at, end, n_pairs } = &mut *self.cursor;

@@ -217,12 +217,8 @@ impl LeafBoxes {
         let Self { len, order, blocks, n_changed, .. } = self;
         blocks.resize(n, EMPTY);
         threads.fill(&mut blocks[..*n_changed], |i| {
-            let mut block = EMPTY;
             let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
-            for (j, &id) in ids.iter().enumerate() {
-                set_lane(&mut block, j, &boxes[id as usize]);
-            }
-            block
+            block_of(ids.iter().map(|&id| boxes[id as usize]))
         });
     }
 }
@@ -231,6 +227,16 @@ impl LeafBoxes {
 #[inline]
 pub fn get_lane(block: &Block, j: usize) -> Aabb<f32> {
     Aabb { min: block.min.map(|x| x.0[j]), max: block.max.map(|x| x.0[j]) }
+}
+
+/// Up to eight boxes side by side.
+#[inline(always)]
+pub fn block_of(boxes: impl Iterator<Item = Aabb<f32>>) -> Block {
+    let mut block = EMPTY;
+    for (j, aabb) in boxes.enumerate() {
+        set_lane(&mut block, j, &aabb);
+    }
+    block
 }
 
 /// Puts a box into lane `j`.

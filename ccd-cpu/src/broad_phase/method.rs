@@ -8,9 +8,8 @@ use crate::broad_phase::tasks::share;
 use crate::broad_phase::tree::TreeSource;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::{
-    brute_force::BruteForce, descend::PairsOfNodes, descent_times::DescentTimes,
-    scheduled::Scheduled, sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips,
-    uniform_grid::UniformGrid,
+    brute_force::BruteForce, descend::PairsOfNodes, scheduled::Scheduled,
+    sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips, uniform_grid::UniformGrid,
 };
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -76,7 +75,7 @@ impl Method {
             Self::Blocks(_) => 0,
             #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.visits(),
-            Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.visits).sum(),
+            Self::Listed(source) => source.buffers.iter().map(|Own(buffer)| buffer.0.visits).sum(),
         }
     }
 
@@ -85,24 +84,6 @@ impl Method {
         match self {
             #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.front(),
-            _ => None,
-        }
-    }
-
-    /// See [`Scheduled::set_timed`].
-    #[cfg(feature = "catalogue")]
-    pub fn set_timed(&mut self, timed: bool) {
-        if let Self::Scheduled(source) = self {
-            source.set_timed(timed);
-        }
-    }
-
-    /// Where the time of descents went, if a scheduler was chosen and the clock is asked.
-    #[cfg(feature = "catalogue")]
-    pub fn descent_times(&self) -> Option<DescentTimes> {
-        match self {
-            #[cfg(feature = "catalogue")]
-            Self::Scheduled(source) => source.times(),
             _ => None,
         }
     }
@@ -180,8 +161,6 @@ impl PairSource for Listed {
         let n_tasks = self.source.begin(threads, sides);
         let source = &*self.source;
         self.buffers.resize_with(workers.len(), Own::default);
-        let n = workers.len().min(source.max_threads());
-        let (active, idle) = workers.split_at_mut(n);
         let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
             let Own((scratch, list)) = own;
             let mut hand_on = |rows: &[Row]| {
@@ -194,7 +173,6 @@ impl PairSource for Listed {
             source.task(k, sides, scratch, &mut rows);
             rows.flush();
         };
-        share(threads, n_tasks, part, sink, active, &mut self.buffers[..n], &run);
-        idle.iter_mut().for_each(|worker| sink.end(worker));
+        share(threads, n_tasks, part, sink, workers, &mut self.buffers, &run);
     }
 }

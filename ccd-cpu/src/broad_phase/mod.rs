@@ -65,7 +65,7 @@ use ccd_core::{Aabb, Coordinate, Error, Real};
 use leaf_boxes::{LeafBoxes, Marks, Set};
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
-use pair_source::{PairSink, PairSource};
+use pair_source::{Overlaps, PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -281,15 +281,8 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
     const ORDERED: bool = true;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        lister: &mut Lister,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, lister: &mut Lister, simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mut mask } = row;
         let id = self.a.order()[a * 8 + lane];
         let ids = self.b.ids(b);
         if let Some(confirm) = self.confirm {

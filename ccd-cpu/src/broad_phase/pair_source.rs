@@ -32,23 +32,24 @@ pub trait PairSource {
     );
 }
 
+/// Lane `lane` of block `a`, which overlaps the lanes `mask` of block `b`.
+#[derive(Clone, Copy)]
+pub struct Overlaps {
+    pub a: usize,
+    pub lane: usize,
+    pub b: usize,
+    /// Not 0.
+    pub mask: u32,
+}
+
 /// Takes overlapping pairs of leaves, one against up to eight.
 pub trait PairSink: Sync {
     /// What each thread has of its own.
     type Worker: Send;
     /// Whether what is made of rows depends on their order, which then must not depend on threads.
     const ORDERED: bool = false;
-    /// Lane `lane` of block `a` overlaps the lanes `mask` of block `b`; `mask` is not 0. Must be
-    /// `#[inline(always)]`, or the instruction set is not enabled inside.
-    fn row<S: RowSimd>(
-        &self,
-        worker: &mut Self::Worker,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mask: u32,
-    );
+    /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
+    fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);
     /// A task begins; rows that come in no order belong to none.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.

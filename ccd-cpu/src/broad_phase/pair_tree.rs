@@ -10,8 +10,6 @@ use ccd_core::backend::broad_phase::pair_descent::NodePair;
 ///
 /// What takes an instruction set must be `#[inline(always)]`, or it is not enabled inside.
 pub trait PairTree: Copy + Sync {
-    /// Appends the pairs at which traversal begins.
-    fn roots(self, out: &mut Vec<NodePair>);
     /// Whether a pair has no children but rows of leaves.
     fn is_leaf(self, pair: NodePair) -> bool;
     /// Appends the overlapping pairs of children of a pair that is no leaf.

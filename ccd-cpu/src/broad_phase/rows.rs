@@ -4,7 +4,7 @@
 //! Twin: none; a GPU lists pairs of ids rather than rows.
 
 use crate::broad_phase::leaf_boxes::{Order, Sides};
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use std::marker::PhantomData;
@@ -17,11 +17,6 @@ pub trait RowSource: Order {
 
     /// Does one task. Tasks are done in any order, by several threads at once.
     fn task(&self, k: usize, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
-
-    /// Most threads that take tasks.
-    fn max_threads(&self) -> usize {
-        usize::MAX
-    }
 }
 
 /// Buffers that a thread keeps between tasks, for whatever a source needs.
@@ -149,15 +144,8 @@ impl<'r, 'a, const WHOLE: bool> PairSink for IntoRows<'r, 'a, WHOLE> {
     type Worker = Gathered<'r, 'a>;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        rows: &mut Gathered<'r, 'a>,
-        _simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, rows: &mut Gathered<'r, 'a>, _simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mask } = row;
         let leaf = a * WIDTH + lane;
         if WHOLE {
             rows.push_whole(leaf, b, mask);
@@ -183,8 +171,9 @@ impl<S: RowSimd, K: PairSink> Work<S> for HandOn<'_, K> {
     #[inline(always)]
     fn call(self, simd: S) {
         for &Row { a, b, mask } in self.rows {
-            let a = a as usize;
-            self.sink.row(self.worker, simd, a / WIDTH, a % WIDTH, b as usize, mask);
+            let (a, b) = (a as usize, b as usize);
+            let row = Overlaps { a: a / WIDTH, lane: a % WIDTH, b, mask };
+            self.sink.row(self.worker, simd, row);
         }
     }
 }

@@ -9,11 +9,10 @@ use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
 use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
 use crate::broad_phase::scheduler::frontier::Frontier;
-use crate::broad_phase::scheduler::hand::Hand;
 use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
 use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
 use crate::broad_phase::scheduler::stealing::Stealing;
-use crate::broad_phase::scheduler::{Lists, PAIRS_OF_NODES, Schedule};
+use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::Instant;
 use crate::stop::Stop;
@@ -227,7 +226,7 @@ impl Descent {
                 }
             }
             every(part, tasks);
-            watch.lap(|times| &mut times.split);
+            watch.last = Instant::now();
         }
         schedule.run(n_workers, tasks, stop, &mut |job| {
             launch(&|outlet| {
@@ -236,14 +235,16 @@ impl Descent {
                 let mut traces = Traces { rows, front, n_expanded: 0 };
                 let mut expand = |pairs: &[NodePair], out: &mut Vec<NodePair>| {
                     let capacity = pairs.len() * MOST_CHILDREN;
-                    if !stop.is_stopped() && stop.reserve(PAIRS_OF_NODES, out, capacity) {
-                        tree.expand(pairs, out, &mut traces);
+                    if stop.is_stopped() || !stop.reserve(PAIRS_OF_NODES, out, capacity) {
+                        return;
+                    }
+                    let mut expand = || tree.expand(pairs, out, &mut traces);
+                    match times {
+                        Some(times) => times.expanding(expand),
+                        None => expand(),
                     }
                 };
-                match times {
-                    Some(times) => times.job(*worker, job, &mut expand),
-                    None => job(&mut Hand::new(*worker, &mut expand)),
-                }
+                job(&mut Hand { worker: *worker, expand: &mut expand });
                 **n_expanded += traces.n_expanded;
             });
         });
@@ -263,10 +264,10 @@ struct Watch<'t> {
 }
 
 impl Watch<'_> {
-    fn lap(&mut self, of: impl FnOnce(&mut DescentTimes) -> &mut f64) {
+    fn lap(&mut self, sum: impl FnOnce(&mut DescentTimes) -> &mut f64) {
         if let Some(times) = self.times {
             let now = Instant::now();
-            *of(times) += now.duration_since(self.last).as_secs_f64() * 1e3;
+            *sum(times) += now.duration_since(self.last).as_secs_f64() * 1e3;
             self.last = now;
         }
     }

@@ -34,7 +34,7 @@ const LEAST_BOXES: f64 = 128.0;
 const MOST_LEAVES: f64 = 1.5;
 
 /// The strips, and buffers of the sort.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct SweepInStrips {
     axis: usize,
     strips: Strips,
@@ -87,24 +87,6 @@ impl Sizes {
             }
         }
         out
-    }
-}
-
-impl Default for SweepInStrips {
-    fn default() -> Self {
-        Self {
-            axis: 0,
-            strips: Strips::new(&Aabb::EMPTY, [1, 2], [1; 2]),
-            n_numbers: 1,
-            kept: Vec::new(),
-            moments: Vec::new(),
-            sizes: Vec::new(),
-            offsets: Vec::new(),
-            ids: Vec::new(),
-            numbers: Vec::new(),
-            sorted: Vec::new(),
-            radix: RadixSort::default(),
-        }
     }
 }
 

@@ -25,17 +25,17 @@ pub struct Tasks {
 }
 
 impl Tasks {
-    /// Hands the rows of all leaf pairs of `tree` to the sink. `part`: only every so many-th task
+    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so many-th task
     /// (1: all).
     pub fn run<T: PairTree, K: PairSink>(
         &mut self,
         threads: &Threads,
-        tree: T,
+        (tree, root): (T, NodePair),
         part: usize,
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        self.split(tree);
+        self.split(tree, root);
         self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
         let tasks = &self.tasks;
         let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<NodePair>>| {
@@ -47,9 +47,9 @@ impl Tasks {
     }
 
     /// Cuts the traversal into tasks.
-    fn split<T: PairTree>(&mut self, tree: T) {
+    fn split<T: PairTree>(&mut self, tree: T, root: NodePair) {
         self.tasks.clear();
-        tree.roots(&mut self.tasks);
+        self.tasks.push(root);
         while self.tasks.len() < MIN_TASKS && self.tasks.iter().any(|&task| !tree.is_leaf(task)) {
             self.next.clear();
             let (tasks, out) = (&self.tasks, &mut self.next);

@@ -26,7 +26,7 @@ const TASK: usize = 512;
 const SAMPLE: usize = 1 << 13;
 
 /// The grid, and the cell of every leaf.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct UniformGrid {
     grid: cells::UniformGrid,
     /// Of each set: the number of the cell of each leaf, ascending.
@@ -35,18 +35,6 @@ pub struct UniformGrid {
     chunks: Vec<(Sizes, f64)>,
     sample: Vec<u32>,
     radix: RadixSort,
-}
-
-impl Default for UniformGrid {
-    fn default() -> Self {
-        Self {
-            grid: cells::UniformGrid::new(&Sizes::NONE),
-            keys: Vec::new(),
-            chunks: Vec::new(),
-            sample: Vec::new(),
-            radix: RadixSort::default(),
-        }
-    }
 }
 
 impl UniformGrid {

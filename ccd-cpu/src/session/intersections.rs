@@ -2,9 +2,9 @@
 
 use super::{Engine, Session, WHOLE};
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::{PairSink, PairSource};
+use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
-use crate::step::candidates::{Given, Row, Scene};
+use crate::step::candidates::{Given, RowIds, Scene};
 use crate::step::leaves::Leaves;
 use crate::step::prepare::Positions;
 use crate::threads::{Own, Threads};
@@ -166,19 +166,11 @@ impl PairSink for Through<'_> {
     type Worker = Own<Vec<Intersection>>;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        Own(found): &mut Own<Vec<Intersection>>,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, Own(found): &mut Own<Vec<Intersection>>, simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mut mask } = row;
         let (v, w) = (self.edges.vertices[a][0][lane], self.edges.vertices[a][1][lane]);
-        let corners = &self.faces.vertices[b];
-        let [f0, f1, f2] = corners;
-        let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
+        let [f0, f1, f2] = &self.faces.vertices[b];
+        let face = [RowIds { simd, ids: f0 }, RowIds { simd, ids: f1 }, RowIds { simd, ids: f2 }];
         mask &= !(is_corner(v, face).bits() | is_corner(w, face).bits());
         if mask == 0 {
             return;

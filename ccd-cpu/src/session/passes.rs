@@ -3,14 +3,14 @@
 use crate::broad_phase::method::Method;
 use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Scene;
-use crate::step::find::{expand, find};
+use crate::step::find::find;
 use crate::step::narrow_phase::{CONTACTS, Worker};
 use crate::step::prepare::{Positions, Prepared};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
-use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::contact::{PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::report::{Report, TriangleCounts};
@@ -60,12 +60,7 @@ pub fn detect(
     let before = narrow(workers);
     // If a sample came before, the last pass counts.
     workers.iter_mut().for_each(Worker::restart_counts);
-    if prepared.triangles.is_some() {
-        expand(None, threads, method, prepared, scene, part, workers);
-    } else {
-        find(Kind::VertexFace, threads, method, prepared, scene, part, workers);
-        find(Kind::EdgeEdge, threads, method, prepared, scene, part, workers);
-    }
+    find(None, threads, method, prepared, scene, part, workers);
     count(workers, report, prepared.triangles.is_some());
     let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
     report.times.narrow += narrow;

@@ -6,7 +6,7 @@ pub use ccd_core::model::precision::Given;
 
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
@@ -218,15 +218,8 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
     const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        worker: &mut W,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mut mask } = row;
         let (of_a, of_b) = (self.a.side(a), self.b.side(b));
         let vertices = of_a.vertices_of(lane);
         mask &= !shared(simd, vertices, of_b.vertices);
@@ -268,12 +261,12 @@ pub fn shared<S: RowSimd, const N: usize, const M: usize>(
 
 /// Ids of a row, compared by an instruction set.
 #[derive(Clone, Copy)]
-pub struct Row<'a, S> {
+pub struct RowIds<'a, S> {
     pub simd: S,
     pub ids: &'a [u32; WIDTH],
 }
 
-impl<S: RowSimd> Ids for Row<'_, S> {
+impl<S: RowSimd> Ids for RowIds<'_, S> {
     type Mask = Bits;
     #[inline(always)]
     fn is_one_of(self, a: u32, b: u32) -> Bits {

@@ -10,8 +10,8 @@ use crate::threads::Threads;
 use ccd_core::model::contact::Kind;
 use std::marker::PhantomData;
 
-/// Hands the candidates that pairs of triangles contain to the workers: of one kind, or of both.
-pub fn expand<W: Take>(
+/// Hands candidates to the workers: of the kind `only`, or of both.
+pub fn find<W: Take>(
     only: Option<Kind>,
     threads: &Threads,
     method: &mut Method,
@@ -20,35 +20,23 @@ pub fn expand<W: Take>(
     part: usize,
     workers: &mut [W],
 ) {
-    let Some(leaves) = &prepared.triangles else { return };
-    let boxes = prepared.feature_boxes();
-    let sink = TrianglePairs { scene, leaves, boxes, only, worker: PhantomData };
-    method.find(threads, (&leaves.boxes, None), part, &sink, workers);
-    if part == 1 {
-        sink.orphans(threads, workers);
+    if let Some(leaves) = &prepared.triangles {
+        let boxes = prepared.feature_boxes();
+        let sink = TrianglePairs { scene, leaves, boxes, only, worker: PhantomData };
+        method.find(threads, (&leaves.boxes, None), part, &sink, workers);
+        if part == 1 {
+            sink.orphans(threads, workers);
+        }
+        return;
     }
-}
-
-/// Hands the candidates of one kind to the workers.
-pub fn find<W: Take>(
-    kind: Kind,
-    threads: &Threads,
-    method: &mut Method,
-    prepared: &Prepared,
-    scene: &Scene,
-    part: usize,
-    workers: &mut [W],
-) {
     let Prepared { vertices, edges, faces, .. } = prepared;
     let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
-    match kind {
-        Kind::VertexFace => {
-            let sink = FeaturePairs { scene, a: vertices, b: faces, worker: PhantomData };
-            method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
-        }
-        _ => {
-            let sink = FeaturePairs { scene, a: edges, b: edges, worker: PhantomData };
-            method.find(threads, (&edges.boxes, None), part, &sink, workers);
-        }
+    if only != Some(Kind::EdgeEdge) {
+        let sink = FeaturePairs { scene, a: vertices, b: faces, worker: PhantomData };
+        method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
+    }
+    if only != Some(Kind::VertexFace) {
+        let sink = FeaturePairs { scene, a: edges, b: edges, worker: PhantomData };
+        method.find(threads, (&edges.boxes, None), part, &sink, workers);
     }
 }

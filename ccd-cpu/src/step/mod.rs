@@ -5,7 +5,6 @@ pub mod candidates;
 pub mod codimensional;
 pub mod contact_order;
 pub mod find;
-pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;

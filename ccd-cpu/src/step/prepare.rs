@@ -51,22 +51,16 @@ impl<'a> Positions<'a> {
 struct Ends<'a, T> {
     x0: &'a [[T; 3]],
     x1: &'a [[T; 3]],
-    from: f64,
-    until: f64,
+    times: &'a Positions<'a>,
 }
 
 impl<T: Real> Ends<'_, T> {
-    /// Whether the whole step matters.
-    fn whole(&self) -> bool {
-        self.from <= 0.0 && self.until >= 1.0
-    }
-
     /// Positions of vertex `i` at `from` and at `until`, each up to [`swept_box::end_error`].
     fn ends(&self, i: usize) -> [[f64; 3]; 2] {
         let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
         [
-            if self.from <= 0.0 { p } else { swept_box::end(p, q, self.from) },
-            if self.until >= 1.0 { q } else { swept_box::end(p, q, self.until) },
+            if self.times.from <= 0.0 { p } else { swept_box::end(p, q, self.times.from) },
+            if self.times.until >= 1.0 { q } else { swept_box::end(p, q, self.times.until) },
         ]
     }
 }
@@ -101,9 +95,9 @@ impl Prepared {
             built: false,
             whole: true,
             scans: Vec::new(),
-            scan: Scan::default(),
+            scan: Scan::NONE,
             table: Vec::new(),
-            units: Table::default(),
+            units: Table::AS_GIVEN,
             // Vertices are only sought in faces.
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
@@ -155,18 +149,13 @@ impl Prepared {
         options: &Options,
         x: &Positions,
     ) -> Result<(), Error> {
-        let Positions { from, until, .. } = *x;
         if !std::mem::replace(&mut self.whole, false) {
             self.forget_order();
             self.still.forget();
         }
         let made = match x.given {
-            Precision::F32([x0, x1]) => {
-                self.vertices(threads, options, &Ends { x0, x1, from, until })
-            }
-            Precision::F64([x0, x1]) => {
-                self.vertices(threads, options, &Ends { x0, x1, from, until })
-            }
+            Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
+            Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
         };
         if made.is_err() {
             // Nothing but that was touched.
@@ -246,7 +235,7 @@ impl Prepared {
     /// Fills the table that filters read; returns how far its numbers may be from the true ones
     /// (minus a common origin).
     fn fill_table<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Table {
-        let table = self.scan.table(x.whole());
+        let table = self.scan.table(x.times.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
         self.still.look_at_table(table);
         self.still.fill_table(threads, &mut self.table, |i| {
@@ -261,7 +250,7 @@ impl Prepared {
         let Self { vertices, still, .. } = self;
         let boxes = &mut vertices.boxes;
         boxes.resize(x.x0.len(), Aabb::EMPTY);
-        if x.whole() {
+        if x.times.whole() {
             still.fill(threads, 0, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
             still.fill(threads, 0, boxes, |i| {

@@ -9,13 +9,13 @@ use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
-use crate::step::free_regions::FreeRegions;
 use crate::step::leaves::{Side, ends};
 use crate::step::selection::BlockBodies;
 use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::rules::Rules;
+use ccd_core::backend::triangle_pairs::free_regions::{FreeRegions, NONE, Root};
 use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
 use ccd_core::backend::triangle_pairs::representatives::Triangles;
 use ccd_core::model::mesh::Mesh;
@@ -31,6 +31,8 @@ pub struct TriangleLeaves {
     pub stand_ins: StandIns,
     /// Pairs in one of them are skipped.
     pub regions: Option<FreeRegions>,
+    /// The certified region of each leaf, or [`NONE`].
+    pub region_of_leaf: Vec<[u32; WIDTH]>,
     swept: Vec<Aabb<f32>>,
     pub boxes: LeafBoxes,
     pub blocks: Vec<TriangleBlock>,
@@ -100,6 +102,7 @@ impl TriangleLeaves {
             orphans,
             stand_ins: StandIns::default(),
             regions,
+            region_of_leaf: Vec::new(),
             swept: Vec::new(),
             boxes: LeafBoxes::new(Set { index: 0, searched: true }),
             blocks: Vec::new(),
@@ -161,16 +164,22 @@ impl TriangleLeaves {
     /// Certifies regions for a whole step.
     pub fn certify(&mut self, threads: &Threads, mesh: &Mesh, given: Given) {
         if let Some(regions) = &mut self.regions {
-            regions.certify(threads, mesh, given);
+            regions.certify(mesh, given, |roots: &mut [Root], certify| {
+                threads.each(roots, &|_, root| certify(root));
+            });
         }
     }
 
     /// Boxes of features, during the step and at its ends, and regions.
     pub fn place(&mut self, threads: &Threads, of: FeatureBoxes, table: &[[f32; WIDTH]]) {
-        if let Some(regions) = &mut self.regions {
-            regions.place(threads, &self.boxes);
+        let (blocks, boxes) = (&self.blocks, &self.boxes);
+        if let Some(regions) = &self.regions {
+            let of_face = regions.of_face();
+            self.region_of_leaf.resize(blocks.len(), [NONE; WIDTH]);
+            threads.fill(&mut self.region_of_leaf, |i| {
+                boxes.ids(i).map(|t| of_face.get(t as usize).copied().unwrap_or(NONE))
+            });
         }
-        let blocks = &self.blocks;
         self.features.resize(blocks.len(), [EMPTY; 6]);
         threads.fill(&mut self.features, |i| features(&blocks[i], of));
         let none = Ends { corners: [[EMPTY; 2]; 3], sides: [[EMPTY; 2]; 3], face: [EMPTY; 2] };

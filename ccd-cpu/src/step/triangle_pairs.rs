@@ -5,16 +5,16 @@
 //! bodies that are wanted, boxes of its own that overlap in the precision of the input. Candidates
 //! and contacts are those of the other pipeline.
 
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{RowSimd, WIDTH};
 use crate::step::candidates::{Scene, Take, shared};
-use crate::step::free_regions::NONE;
 use crate::step::leaves::Side;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::candidate::{is_corner, share_vertex};
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::triangle_pairs::Test;
+use ccd_core::backend::triangle_pairs::free_regions::NONE;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
@@ -39,15 +39,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
     const ORDERED: bool = !W::FILTERED;
 
     #[inline(always)]
-    fn row<S: RowSimd>(
-        &self,
-        worker: &mut W,
-        simd: S,
-        a: usize,
-        lane: usize,
-        b: usize,
-        mut mask: u32,
-    ) {
+    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, row: Overlaps) {
+        let Overlaps { a, lane, b, mut mask } = row;
         let leaves = self.leaves;
         let (of_a, of_b) = (&leaves.blocks[a], &leaves.blocks[b]);
         let corners = of_a.corners.map(|ids| ids[lane]);
@@ -60,10 +53,10 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
             mask &= !near;
         }
         let n_apart = mask.count_ones();
-        if let Some(regions) = &self.leaves.regions {
-            let region = regions.of_leaf[a][lane];
+        if leaves.regions.is_some() {
+            let region = leaves.region_of_leaf[a][lane];
             if region != NONE {
-                mask &= !simd.equals(&regions.of_leaf[b], [region; 2]);
+                mask &= !simd.equals(&leaves.region_of_leaf[b], [region; 2]);
             }
         }
         let mut counts = TriangleCounts::default();
@@ -76,12 +69,12 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
         }
         near &= mask;
         let mut represented = 0;
-        let own = |k: usize| of_a.represents[k] >> lane & 1 == 1;
+        let represents = |k: usize| of_a.represents[k] >> lane & 1 == 1;
         if self.wants(Kind::VertexFace) {
             let faces = mask & of_b.faces;
             let is_face = of_a.faces >> lane & 1 == 1;
             for k in 0..3 {
-                if own(k) && faces != 0 {
+                if represents(k) && faces != 0 {
                     represented += faces.count_ones();
                     let (vertex, face) = (leaves.corner(a, k), leaves.face(b));
                     self.expand(worker, simd, (&vertex, lane), &face, [faces, near]);
@@ -96,7 +89,7 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
         }
         if self.wants(Kind::EdgeEdge) {
             for i in 0..3 {
-                if !own(3 + i) {
+                if !represents(3 + i) {
                     continue;
                 }
                 let edge = leaves.side(a, i);

@@ -194,11 +194,12 @@ fn of_cpu(session: &Session) -> Shares {
     let descents = session.descent_times().unwrap_or_default();
     let n = session.threads() as f64;
     let (refit, front) = (times.boxes + times.build, descents.keep + descents.front / n);
-    let balancing = (descents.scheduling + descents.waiting) / n;
+    let waits = descents.balancing(session.threads());
+    let balancing = waits / n;
     // Rows are handed on to what expands triangles, and filters and decides features.
     let intersection = (descents.rows / n).max(times.narrow);
     let traversal = times.total - refit - front - balancing - intersection;
-    let (all, waits) = (n * descents.shared_out, descents.scheduling + descents.waiting);
+    let all = n * descents.shared_out;
     Shares {
         parts: [refit, front, traversal.max(0.0), balancing, intersection],
         utilisation: (all > 0.0).then(|| 1.0 - waits / all),

@@ -33,7 +33,7 @@ pub const BITS: u32 = 6;
 pub const MOST: u32 = 1 << BITS;
 
 /// How a scene is cut along two axes; strips at its border have no end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Strips {
     /// The axes across the strips.
     axes: [usize; 2],

@@ -82,7 +82,7 @@ impl Sizes {
 }
 
 /// Cells of a grid, as large as the largest box.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UniformGrid {
     /// A quarter of the scene's least corner.
     quarter_origin: [f32; 3],

@@ -5,6 +5,7 @@
 //! of a pair of triangles are made at once; and features without a face have triangles too.
 
 use crate::layout::Triangle;
+use crate::model::incidence::Incidence;
 use crate::model::mesh::Mesh;
 use alloc::vec::Vec;
 
@@ -38,8 +39,8 @@ impl Triangles {
         corners.extend(lonely.map(|v| [v as u32; 3]));
 
         let sides: Vec<[u32; 3]> = corners.iter().map(|c| sides_of(c, edges)).collect();
-        let of_vertex = Incidence::new(mesh.n_vertices(), &corners);
-        let of_edge = Incidence::new(edges.len(), &sides);
+        let of_vertex = Incidence::new(mesh.n_vertices(), || each_once(&corners));
+        let of_edge = Incidence::new(edges.len(), || each_once(&sides));
         let represented = (0..corners.len())
             .map(|t| {
                 let first = |of: &Incidence, ids: &[u32; 3], k: usize| {
@@ -152,42 +153,12 @@ impl Covered {
     }
 }
 
-/// From a feature to the triangles that have it, ascending, each once.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-struct Incidence {
-    starts: Vec<u32>,
-    triangles: Vec<u32>,
-}
-
-impl Incidence {
-    /// Of `n` features; `triangles`: those of every triangle.
-    fn new(n: usize, triangles: &[[u32; 3]]) -> Self {
-        let each = |k: usize, ids: &[u32; 3]| ids[k] != NO_EDGE && !ids[..k].contains(&ids[k]);
-        let all = || {
-            let of = |(t, ids): (usize, &[u32; 3])| {
-                let ids = *ids;
-                (0..3).filter(move |&k| each(k, &ids)).map(move |k| (t as u32, ids[k] as usize))
-            };
-            triangles.iter().enumerate().flat_map(of)
-        };
-        let mut starts = alloc::vec![0u32; n + 1];
-        all().for_each(|(_, feature)| starts[feature + 1] += 1);
-        for i in 0..n {
-            starts[i + 1] += starts[i];
-        }
-        let mut next = starts.clone();
-        let mut list = alloc::vec![0; starts[n] as usize];
-        for (t, feature) in all() {
-            list[next[feature] as usize] = t;
-            next[feature] += 1;
-        }
-        Self { starts, triangles: list }
-    }
-
-    fn of(&self, feature: u32) -> &[u32] {
-        let i = feature as usize;
-        &self.triangles[self.starts[i] as usize..self.starts[i + 1] as usize]
-    }
+/// Features with the triangles that have them, ascending, each once; from those of every triangle.
+fn each_once(triangles: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> {
+    (0..).zip(triangles).flat_map(|(t, ids)| {
+        let first = |k: &usize| ids[*k] != NO_EDGE && !ids[..*k].contains(&ids[*k]);
+        (0..3).filter(first).map(move |k| (ids[k], t))
+    })
 }
 
 #[cfg(test)]

@@ -53,7 +53,7 @@ impl Schedule for Balanced {
             self.stacks.deal(tasks);
             let (stacks, n_idle) = (&self.stacks, AtomicUsize::new(0));
             launch(&|hand| {
-                let mut stack = stacks.of(hand.worker());
+                let mut stack = stacks.of(hand.worker);
                 loop {
                     drain(hand, &mut stack, QUANTUM);
                     if stack.is_empty() {

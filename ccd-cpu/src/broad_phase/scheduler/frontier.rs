@@ -32,13 +32,13 @@ impl Schedule for Frontier {
         while !tasks.is_empty() {
             let (next, counter, queue) = (&self.next, AtomicUsize::new(0), &*tasks);
             launch(&|hand| {
-                let mut next = next.of(hand.worker());
+                let mut next = next.of(hand.worker);
                 loop {
                     let from = counter.fetch_add(PIECE, Relaxed);
                     if from >= queue.len() {
                         break;
                     }
-                    hand.expand(&queue[from..(from + PIECE).min(queue.len())], &mut next);
+                    (hand.expand)(&queue[from..(from + PIECE).min(queue.len())], &mut next);
                 }
             });
             tasks.clear();

@@ -60,8 +60,8 @@ impl Schedule for LazyStealing {
         let (workers, words) = (deques.workers, deques.words());
         let rounds = if n_workers == 1 { 1 } else { ROUNDS };
         launch(&|hand| {
-            let mut stack = stacks.of(hand.worker());
-            let (me, mut fruitless) = (hand.worker() as u32, 0);
+            let mut stack = stacks.of(hand.worker);
+            let (me, mut fruitless) = (hand.worker as u32, 0);
             while fruitless < rounds {
                 if !stack.is_empty() {
                     drain(hand, &mut stack, 1);

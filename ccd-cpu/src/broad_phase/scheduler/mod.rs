@@ -20,7 +20,6 @@
 
 pub mod balanced;
 pub mod frontier;
-pub mod hand;
 pub mod lazy_stealing;
 pub mod self_scheduling;
 pub mod stealing;
@@ -30,9 +29,17 @@ mod tests;
 use crate::stop::Stop;
 use crate::threads::Own;
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
-use hand::Hand;
 use std::fmt::Debug;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// What a worker expands pairs with.
+pub struct Hand<'h> {
+    /// The number of the worker, which no other has.
+    pub worker: usize,
+    /// Expands pairs that meet: hands on rows of leaves, and appends the children that meet and are
+    /// no leaves.
+    pub expand: &'h mut dyn FnMut(&[NodePair], &mut Vec<NodePair>),
+}
 
 /// What a worker does.
 pub type Job<'j> = &'j (dyn Fn(&mut Hand) + Sync);
@@ -115,6 +122,6 @@ fn drain(hand: &mut Hand, stack: &mut Vec<NodePair>, most: usize) {
         let from = stack.len() - n;
         batch[..n].copy_from_slice(&stack[from..]);
         stack.truncate(from);
-        hand.expand(&batch[..n], stack);
+        (hand.expand)(&batch[..n], stack);
     }
 }

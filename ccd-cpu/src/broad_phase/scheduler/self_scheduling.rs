@@ -26,7 +26,7 @@ impl Schedule for SelfScheduling {
         self.stacks.prepare(n_workers);
         let (stacks, counter, all) = (&self.stacks, AtomicUsize::new(0), &*tasks);
         launch(&|hand| {
-            let mut stack = stacks.of(hand.worker());
+            let mut stack = stacks.of(hand.worker);
             while let Some(&task) = all.get(counter.fetch_add(1, Relaxed)) {
                 stack.push(task);
                 drain(hand, &mut stack, usize::MAX);

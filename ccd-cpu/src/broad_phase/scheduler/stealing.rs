@@ -63,7 +63,7 @@ impl Schedule for Stealing {
         let (workers, words) = (deques.workers, deques.words());
         let rounds = if n_workers == 1 { 1 } else { ROUNDS };
         launch(&|hand| {
-            let me = hand.worker();
+            let me = hand.worker;
             let (mut spilled, mut pairs, mut found) = (spilled.of(me), taken.of(me), found.of(me));
             let (me, mut fruitless) = (me as u32, 0);
             while fruitless < rounds {
@@ -82,7 +82,7 @@ impl Schedule for Stealing {
                     continue;
                 }
                 fruitless = 0;
-                hand.expand(&pairs, &mut found);
+                (hand.expand)(&pairs, &mut found);
                 for pair in found.drain(..) {
                     if workers.deque(me).push(&words, &[pair]).is_err()
                         && stop.reserve(PAIRS_OF_NODES, &mut spilled, 1)

@@ -46,7 +46,7 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
                         out.extend(children(pair));
                     }
                 };
-                job(&mut Hand::new(worker, &mut expand));
+                job(&mut Hand { worker, expand: &mut expand });
             });
         });
     });
@@ -134,7 +134,7 @@ fn workers_without_pairs_are_helped() {
                     by_worker[worker].fetch_add(pairs.len() as u32, Relaxed);
                     pairs.iter().for_each(|&pair| out.extend(children(pair)));
                 };
-                job(&mut Hand::new(worker, &mut expand));
+                job(&mut Hand { worker, expand: &mut expand });
             }
         });
         let busy = by_worker.iter().filter(|n| n.load(Relaxed) > 0).count();

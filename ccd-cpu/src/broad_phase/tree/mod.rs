@@ -28,12 +28,10 @@ use ccd_core::model::method::{Builder, Traversal, TreeOptions, Volume};
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
 use statistics::statistics;
-use traversal::half::Half;
-use traversal::leaf_order::LeafOrder;
+#[cfg(feature = "catalogue")]
+use traversal::cut::Cut;
 use traversal::queries::Queries;
 use traversal::{Traverse, Trees};
-#[cfg(feature = "catalogue")]
-use traversal::{cut::Cut, iterative::Iterative, recursive::Recursive, simultaneous::Simultaneous};
 
 /// A tree per set that needs one, and what builds and traverses them.
 #[derive(Debug)]
@@ -120,10 +118,6 @@ impl RowSource for TreeSource {
         let trees = trees_of(&self.trees, self.has_tree(sides.0.set()), sides);
         self.traversal.task(k, trees, sides, scratch, rows);
     }
-
-    fn max_threads(&self) -> usize {
-        self.traversal.max_threads()
-    }
 }
 
 #[cfg(feature = "catalogue")]
@@ -154,14 +148,11 @@ fn builder_of(choice: Builder) -> Result<Box<dyn TreeBuilder>, Error> {
 /// The traversal of a choice, if there is one here.
 fn traversal_of(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
     Ok(match choice {
-        Traversal::LeafOrder => Box::new(Queries::<LeafOrder>::new()),
-        Traversal::Half => Box::new(Queries::<Half>::new()),
+        Traversal::LeafOrder | Traversal::Half => Box::new(Queries::new(choice)),
         #[cfg(feature = "catalogue")]
-        Traversal::Recursive => Box::new(Queries::<Recursive>::new()),
+        Traversal::Recursive | Traversal::Iterative => Box::new(Queries::new(choice)),
         #[cfg(feature = "catalogue")]
-        Traversal::Iterative => Box::new(Queries::<Iterative>::new()),
-        #[cfg(feature = "catalogue")]
-        Traversal::Simultaneous(descent) => Box::new(Simultaneous::new(descent)),
+        Traversal::Simultaneous(descent) => Box::new(Cut::new(1, descent)),
         #[cfg(feature = "catalogue")]
         Traversal::Cut { nodes, descent } => Box::new(Cut::new(nodes as usize, descent)),
         other => return Err(absent(other)),

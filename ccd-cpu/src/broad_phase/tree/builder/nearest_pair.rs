@@ -32,7 +32,7 @@ use ccd_core::{Aabb, Error};
 const MIN_PART: usize = 8192;
 
 /// Pairs up to so many boxes; buffers are kept.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct NearestPair {
     limit: u32,
     joins: Joins,
@@ -52,13 +52,7 @@ struct Level {
 impl NearestPair {
     /// For at most `limit` boxes.
     pub fn new(limit: u32) -> Self {
-        Self {
-            limit,
-            joins: Joins::default(),
-            level: Level::default(),
-            next: Level::default(),
-            found: Vec::new(),
-        }
+        Self { limit, ..Self::default() }
     }
 
     /// Puts the nodes of the level in pairs; the last is alone if their number is odd.

@@ -32,7 +32,7 @@ use std::sync::atomic::AtomicU32;
 const CHUNK: usize = 2048;
 
 /// Joins among so many neighbours to either side; buffers are kept.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Ploc {
     radius: u32,
     joins: Joins,
@@ -64,16 +64,7 @@ struct Named {
 impl Ploc {
     /// With this radius, at least 1.
     pub fn new(radius: u32) -> Self {
-        Self {
-            radius,
-            joins: Joins::default(),
-            along: Vec::new(),
-            clusters: Clusters::default(),
-            next: Clusters::default(),
-            neighbours: Vec::new(),
-            counts: Vec::new(),
-            sources: Vec::new(),
-        }
+        Self { radius, ..Self::default() }
     }
 
     /// Decides who is joined with whom in a round over `n_leaves`; returns how many clusters are

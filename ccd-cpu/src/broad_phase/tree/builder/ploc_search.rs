@@ -2,7 +2,7 @@
 //!
 //! Twin: none; on a GPU a thread looks for the neighbour of a cluster.
 
-use crate::broad_phase::leaf_boxes::set_lane;
+use crate::broad_phase::leaf_boxes::block_of;
 use crate::simd::{Block, EMPTY, F32x8, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::ploc::{self, distance, prefers};
@@ -17,13 +17,7 @@ pub fn fill_boxes(
     boxed: &(dyn Fn(usize) -> Aabb<f32> + Sync),
 ) {
     out.resize(n.div_ceil(WIDTH), EMPTY);
-    threads.fill(out, |b| {
-        let mut block = EMPTY;
-        for i in b * WIDTH..((b + 1) * WIDTH).min(n) {
-            set_lane(&mut block, i % WIDTH, &boxed(i));
-        }
-        block
-    });
+    threads.fill(out, |b| block_of((b * WIDTH..((b + 1) * WIDTH).min(n)).map(boxed)));
 }
 
 /// Blocks that the neighbours of a cluster may be in.

@@ -1,10 +1,9 @@
-//! Two binary trees, or one with itself, as a tree of pairs; what the traversals that descend both
-//! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
+//! Two binary trees, or one with itself, as a tree of pairs.
 
 use super::Trees;
 use crate::broad_phase::descend::{FrontTree, Place};
 use crate::broad_phase::front::Writer;
-use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::rows::{Gathered, IntoRows, Scratch};
 use crate::broad_phase::tasks::DepthFirst;
@@ -12,9 +11,6 @@ use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::model::method::Descent;
-
-/// The pair at which a traversal begins.
-pub const ROOTS: NodePair = [0, 0];
 
 /// The trees that are descended, the same if pairs are sought `within` one.
 #[derive(Clone, Copy)]
@@ -61,10 +57,6 @@ impl<'a> BinaryPairs<'a> {
 }
 
 impl PairTree for BinaryPairs<'_> {
-    fn roots(self, out: &mut Vec<NodePair>) {
-        out.extend(Some(ROOTS).filter(|&pair| self.is_wanted(pair)));
-    }
-
     #[inline(always)]
     fn is_leaf(self, [i, j]: NodePair) -> bool {
         i as usize >= self.a.branches.len() && j as usize >= self.b.branches.len()
@@ -86,7 +78,8 @@ impl PairTree for BinaryPairs<'_> {
         worker: &mut K::Worker,
     ) {
         let (i, j) = (i as usize - self.a.branches.len(), j as usize - self.b.branches.len());
-        sink.row(worker, simd, i / WIDTH, i % WIDTH, j / WIDTH, 1 << (j % WIDTH));
+        let mask = 1 << (j % WIDTH);
+        sink.row(worker, simd, Overlaps { a: i / WIDTH, lane: i % WIDTH, b: j / WIDTH, mask });
     }
 }
 

@@ -1,5 +1,17 @@
-//! Simultaneous traversal in parallel: from all pairs of the nodes of a cut through the tree on
-//! [Karras 2012b].
+//! Simultaneous traversal: pairs of nodes that overlap are expanded to pairs of their children
+//! [Karras 2012b], [da Silva 2013], algorithm 2.1; by one thread from the roots on, or in parallel
+//! from all pairs of the nodes of a cut through the tree.
+//!
+//! ```text
+//!   (0, 0)                     boxes overlap: the pairs of their children, see pair_descent.rs
+//!   (1, 1) (1, 4) (4, 4)
+//!          (2, 4) (3, 4)       apart: nothing below has a pair
+//! ```
+//!
+//! Boxes that are near each other descend together for as long as they can, so there are far fewer
+//! steps than with a query per box. Of two sets (inter-collision) both have trees; within one
+//! (intra-collision), a node with itself has the pairs within each child and between the two. Pairs
+//! that wait are in a list that grows.
 //!
 //! ```text
 //!              0              a cut of 3 nodes, in brackets: every leaf is below exactly one
@@ -10,14 +22,14 @@
 //! ```
 //!
 //! The cut begins with the root, and the node with most leaves is split until there are as many as
-//! are wanted: 256 by default, which have 32,896 pairs, a node with itself being one. Of two sets
+//! are wanted: 256 by default (1 is the traversal from the roots), which have 32,896 pairs, a node with itself being one. Of two sets
 //! every node of one cut is paired with every node of the other. A task is one node of the first
 //! cut with all of its pairs.
 //!
-//! Cost: the visits of [`super::simultaneous`], less those above the cut, and a test of boxes for
-//! every pair of the cut. Choose it where boxes are many and pairs few, on a CPU with several
-//! threads: there it takes a third of the time of [`super::half`]; where each box overlaps dozens,
-//! as much. On a GPU neighbouring threads have nothing in common.
+//! Cost: a step for every pair of nodes that overlap, less those above the cut, and a test of boxes
+//! for every pair of the cut. Choose it where boxes are many and pairs few, on a CPU with several
+//! threads: there it takes a third of the time of the half traversal; where each box overlaps
+//! dozens, as much. On a GPU neighbouring threads have nothing in common.
 
 use super::binary_pairs::BinaryPairs;
 use super::{Traverse, Trees};
@@ -31,7 +43,7 @@ use ccd_core::model::method::Descent;
 use std::collections::BinaryHeap;
 
 /// From the pairs of a cut, a task a node.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Cut {
     n_nodes: usize,
     descent: Descent,
@@ -46,13 +58,7 @@ pub struct Cut {
 impl Cut {
     /// By this rule of expansion, from a cut of so many nodes on, if there are so many leaves.
     pub fn new(n_nodes: usize, descent: Descent) -> Self {
-        Self {
-            n_nodes,
-            descent,
-            cuts: Default::default(),
-            heap: BinaryHeap::new(),
-            pairs: Vec::new(),
-        }
+        Self { n_nodes, descent, ..Self::default() }
     }
 
     /// Fills one of the cuts.

@@ -2,29 +2,22 @@
 //!
 //! Twin: none; on a GPU `tree.rs` has queries, and the scheduler has pairs of nodes.
 //!
-//! | a query per box | of pairs of nodes |
+//! | a query per box: [`queries`] | pairs of nodes: [`cut`] |
 //! |---|---|
-//! | [`recursive`]: in the order of input, by recursion | [`simultaneous`]: by one thread |
-//! | [`iterative`]: with a stack | [`cut`]: in parallel |
-//! | [`leaf_order`]: in the order of leaves | |
-//! | [`half`]: of leaves after its own | |
+//! | recursive: in the order of input, by recursion | simultaneous: from the roots, by one thread |
+//! | iterative: with a stack | cut: in parallel |
+//! | leaf order: in the order of leaves | |
+//! | half: leaves after its own | |
 //!
-//! Left is what [`queries`] has, right what [`binary_pairs`] has; down the table each changes one
-//! thing in the one above it.
+//! Down the table each changes one thing in the one above it.
 
 #[cfg(feature = "catalogue")]
 mod binary_pairs;
 #[cfg(feature = "catalogue")]
 pub mod cut;
-pub mod half;
-#[cfg(feature = "catalogue")]
-pub mod iterative;
-pub mod leaf_order;
 pub mod queries;
 #[cfg(feature = "catalogue")]
-pub mod recursive;
-#[cfg(feature = "catalogue")]
-pub mod simultaneous;
+mod recursive;
 
 use super::binary_tree::BinaryTree;
 #[cfg(feature = "catalogue")]
@@ -67,10 +60,5 @@ pub trait Traverse: Debug + Send + Sync {
         _sides: Sides,
         _run: &mut dyn FnMut(&dyn Descend, &[NodePair]),
     ) {
-    }
-
-    /// Most threads that take tasks.
-    fn max_threads(&self) -> usize {
-        usize::MAX
     }
 }

@@ -12,27 +12,19 @@
 //! its caller's node, and at least two, so that of fewer than `2^31` leaves no more than 30 calls
 //! are within each other, in any tree, however deep.
 //!
-//! Cost: the nodes of [`super::iterative`], with a call for many of them. A GPU has no recursion.
-//! It is here for comparison.
+//! Cost: the nodes that a loop with a stack visits ([`super::queries`]), with a call for many of
+//! them. A GPU has no recursion. It is here for comparison.
 
-use super::queries::Query;
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use ccd_core::Aabb;
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::layout::Branch;
 
-/// In the order of input, by recursion.
-#[derive(Debug)]
-pub struct Recursive;
-
-impl Query for Recursive {
-    const INPUT_ORDER: bool = true;
-
-    fn find(tree: &BinaryTree, query: &Aabb<f32>, after: u32, hits: &mut Vec<u32>) -> u64 {
-        if tree.branches.is_empty() {
-            tree.query(query, after, hits)
-        } else {
-            visit(tree, query, 0, hits)
-        }
+/// Appends all leaves that overlap `query`. Returns the number of internal nodes that it visited.
+pub fn find(tree: &BinaryTree, query: &Aabb<f32>, hits: &mut Vec<u32>) -> u64 {
+    match tree.branches.is_empty() {
+        true => tree.query(query, NONE, hits),
+        false => visit(tree, query, 0, hits),
     }
 }
 
