@@ -107,109 +107,109 @@ var<storage, read_write> nodes: type_29;
 var<storage, read_write> front: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_151_: u32;
-    var phi_168_: type_9;
-    var phi_169_: type_9;
-    var phi_192_: type_9;
-    var phi_210_: u32;
-    var phi_240_: bool;
-    var phi_244_: u32;
-    var phi_245_: u32;
-    var phi_246_: u32;
-    var phi_300_: u32;
-    var phi_305_: u32;
-    var phi_310_: u32;
-    var phi_319_: u32;
-    var phi_325_: u32;
-    var phi_331_: u32;
-    var phi_272_: u32;
-    var phi_278_: u32;
-    var phi_332_: u32;
-    var phi_333_: u32;
-    var phi_334_: u32;
+    var phi_170_: u32;
+    var phi_208_: type_9;
+    var phi_209_: type_9;
+    var phi_232_: type_9;
+    var phi_256_: u32;
+    var phi_287_: bool;
+    var phi_291_: u32;
+    var phi_292_: u32;
+    var phi_293_: u32;
     var phi_353_: u32;
-    var phi_354_: u32;
-    var phi_362_: type_9;
-    var phi_363_: type_9;
-    var phi_386_: type_9;
-    var phi_460_: array<u32, 2>;
-    var phi_461_: array<u32, 2>;
-    var phi_472_: array<u32, 2>;
-    var phi_490_: array<u32, 2>;
-    var phi_513_: u32;
-    var phi_514_: bool;
-    var phi_515_: u32;
-    var phi_516_: bool;
-    var phi_522_: u32;
-    var phi_528_: u32;
-    var phi_537_: u32;
-    var phi_652_: u32;
-    var phi_653_: bool;
-    var phi_654_: u32;
-    var phi_655_: bool;
-    var phi_661_: u32;
-    var phi_701_: type_20;
-    var phi_702_: bool;
-    var phi_703_: type_20;
-    var phi_704_: bool;
-    var phi_716_: bool;
-    var phi_722_: u32;
-    var phi_781_: type_9;
-    var phi_784_: u32;
-    var phi_786_: u32;
-    var phi_782_: type_9;
-    var phi_809_: type_9;
-    var phi_865_: u32;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_868_: bool;
-    var phi_785_: u32;
-    var phi_787_: u32;
-    var phi_869_: bool;
+    var phi_358_: u32;
+    var phi_363_: u32;
+    var phi_376_: u32;
+    var phi_382_: u32;
+    var phi_391_: u32;
+    var phi_321_: u32;
+    var phi_327_: u32;
+    var phi_392_: u32;
+    var phi_393_: u32;
+    var phi_394_: u32;
+    var phi_414_: u32;
+    var phi_415_: u32;
+    var phi_429_: type_9;
+    var phi_430_: type_9;
+    var phi_453_: type_9;
+    var phi_536_: array<u32, 2>;
+    var phi_537_: array<u32, 2>;
+    var phi_554_: array<u32, 2>;
+    var phi_572_: array<u32, 2>;
+    var phi_595_: u32;
+    var phi_596_: bool;
+    var phi_597_: u32;
+    var phi_598_: bool;
+    var phi_604_: u32;
+    var phi_610_: u32;
+    var phi_619_: u32;
+    var phi_736_: u32;
+    var phi_737_: bool;
+    var phi_738_: u32;
+    var phi_739_: bool;
+    var phi_745_: u32;
+    var phi_786_: type_20;
+    var phi_787_: bool;
+    var phi_788_: type_20;
+    var phi_789_: bool;
+    var phi_801_: bool;
+    var phi_807_: u32;
+    var phi_867_: type_9;
     var phi_870_: u32;
-    var phi_881_: u32;
-    var phi_882_: u32;
-    var phi_883_: u32;
-    var phi_896_: u32;
-    var phi_908_: u32;
-    var phi_909_: array<u32, 2>;
-    var phi_910_: u32;
-    var phi_911_: array<u32, 2>;
-    var phi_923_: array<u32, 2>;
-    var phi_924_: array<u32, 2>;
-    var phi_957_: u32;
-    var phi_1032_: u32;
-    var phi_1035_: type_9;
-    var phi_1038_: u32;
-    var phi_1040_: u32;
-    var phi_1042_: u32;
-    var phi_1036_: type_9;
-    var phi_1065_: type_9;
-    var phi_1091_: u32;
-    var phi_1182_: u32;
-    var phi_1183_: u32;
-    var phi_1184_: u32;
-    var phi_1185_: bool;
-    var phi_1039_: u32;
-    var phi_1041_: u32;
-    var phi_1043_: u32;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1188_: bool;
-    var phi_1207_: u32;
-    var phi_1211_: u32;
-    var phi_1268_: type_9;
-    var phi_1269_: type_9;
-    var phi_1292_: type_9;
-    var phi_1348_: u32;
-    var phi_1351_: type_9;
-    var phi_1352_: type_9;
-    var phi_1375_: type_9;
-    var phi_1447_: type_9;
-    var phi_1448_: type_9;
-    var phi_1471_: type_9;
-    var phi_1551_: bool;
-    var phi_1552_: bool;
+    var phi_872_: u32;
+    var phi_868_: type_9;
+    var phi_895_: type_9;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_954_: bool;
+    var phi_871_: u32;
+    var phi_873_: u32;
+    var phi_955_: bool;
+    var phi_956_: u32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_969_: u32;
+    var phi_983_: u32;
+    var phi_995_: u32;
+    var phi_996_: array<u32, 2>;
+    var phi_997_: u32;
+    var phi_998_: array<u32, 2>;
+    var phi_1010_: array<u32, 2>;
+    var phi_1011_: array<u32, 2>;
+    var phi_1055_: u32;
+    var phi_1142_: u32;
+    var phi_1145_: type_9;
+    var phi_1148_: u32;
+    var phi_1150_: u32;
+    var phi_1152_: u32;
+    var phi_1146_: type_9;
+    var phi_1175_: type_9;
+    var phi_1201_: u32;
+    var phi_1306_: u32;
+    var phi_1307_: u32;
+    var phi_1308_: u32;
+    var phi_1309_: bool;
+    var phi_1149_: u32;
+    var phi_1151_: u32;
+    var phi_1153_: u32;
+    var phi_1310_: bool;
+    var phi_1311_: bool;
+    var phi_1312_: bool;
+    var phi_1335_: u32;
+    var phi_1340_: u32;
+    var phi_1413_: type_9;
+    var phi_1414_: type_9;
+    var phi_1437_: type_9;
+    var phi_1497_: u32;
+    var phi_1500_: type_9;
+    var phi_1501_: type_9;
+    var phi_1524_: type_9;
+    var phi_1605_: type_9;
+    var phi_1606_: type_9;
+    var phi_1629_: type_9;
+    var phi_1721_: bool;
+    var phi_1722_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -223,669 +223,669 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e61 = lane_2;
     let _e72 = ((_e59.y * _e60.x) + _e59.x);
     let _e75 = params.member.member_2.member;
-    let _e78 = params.member.member_1.member_1;
-    let _e80 = (_e78 % 2u);
-    let _e83 = atomicLoad((&control.member[_e78]));
-    if (_e75.member_3 < _e83) {
-        phi_151_ = _e75.member_3;
+    let _e77 = params.member.member_1;
+    let _e80 = (_e77.member_1 % 2u);
+    let _e82 = atomicLoad((&control.member[_e77.member_1]));
+    if (_e75.member_3 < _e82) {
+        phi_170_ = _e75.member_3;
     } else {
-        phi_151_ = _e83;
+        phi_170_ = _e82;
     }
-    let _e86 = phi_151_;
-    let _e87 = (_e80 * _e75.member_3);
-    let _e89 = ((1u - _e80) * _e75.member_3);
-    let _e91 = params.member.member_1.member_3;
+    let _e85 = phi_170_;
+    let _e86 = (_e80 * _e75.member_3);
+    let _e88 = ((1u - _e80) * _e75.member_3);
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_168_ = type_9(0u, _e75.member_11);
+    phi_208_ = type_9(0u, _e75.member_11);
     loop {
-        let _e100 = phi_168_;
-        if (_e100.member < _e100.member_1) {
-            phi_169_ = type_9((_e100.member + 1u), _e100.member_1);
-            phi_192_ = type_9(1u, _e100.member);
+        let _e97 = phi_208_;
+        if (_e97.member < _e97.member_1) {
+            phi_209_ = type_9((_e97.member + 1u), _e97.member_1);
+            phi_232_ = type_9(1u, _e97.member);
         } else {
-            phi_169_ = _e100;
-            phi_192_ = type_9(0u, type_9().member_1);
+            phi_209_ = _e97;
+            phi_232_ = type_9(0u, type_9().member_1);
         }
-        let _e112 = phi_169_;
-        let _e114 = phi_192_;
-        if (bitcast<i32>(_e114.member) != 0i) {
+        let _e109 = phi_209_;
+        let _e111 = phi_232_;
+        if (bitcast<i32>(_e111.member) != 0i) {
             if (_e61 == 0u) {
-                let _e121 = atomicLoad((&shared_[0u]));
-                if (4u < _e121) {
-                    phi_210_ = 4u;
+                let _e122 = atomicLoad((&shared_[0u]));
+                if (4u < _e122) {
+                    phi_256_ = 4u;
                 } else {
-                    phi_210_ = _e121;
+                    phi_256_ = _e122;
                 }
-                let _e124 = phi_210_;
+                let _e125 = phi_256_;
                 if (_e75.member_9 > 0u) {
-                    if (_e114.member_1 >= 16u) {
-                        let _e130 = atomicLoad((&control.member[(1024u + _e78)]));
+                    if (_e111.member_1 >= 16u) {
+                        let _e130 = atomicLoad((&control.member[(1024u + _e77.member_1)]));
                         if (_e75.member_9 > 0u) {
-                            phi_240_ = ((_e130 * 100u) >= (_e75.member_9 << bitcast<u32>((_e75.member_7 & 31u))));
+                            phi_287_ = ((_e130 * 100u) >= (_e75.member_9 << bitcast<u32>((_e75.member_7 & 31u))));
                         } else {
-                            phi_240_ = false;
+                            phi_287_ = false;
                         }
-                        let _e139 = phi_240_;
-                        if _e139 {
-                            phi_244_ = 2u;
+                        let _e138 = phi_287_;
+                        if _e138 {
+                            phi_291_ = 2u;
                         } else {
-                            phi_244_ = 0u;
+                            phi_291_ = 0u;
                         }
-                        let _e141 = phi_244_;
-                        phi_245_ = _e141;
+                        let _e140 = phi_291_;
+                        phi_292_ = _e140;
                     } else {
-                        phi_245_ = 0u;
+                        phi_292_ = 0u;
                     }
-                    let _e143 = phi_245_;
-                    phi_246_ = _e143;
+                    let _e142 = phi_292_;
+                    phi_293_ = _e142;
                 } else {
-                    phi_246_ = 0u;
+                    phi_293_ = 0u;
                 }
-                let _e145 = phi_246_;
-                let _e146 = (4u - _e124);
-                if (_e145 == 0u) {
-                    if (_e146 > 0u) {
-                        let _e150 = atomicLoad((&shared_[5u]));
+                let _e144 = phi_293_;
+                let _e145 = (4u - _e125);
+                if (_e144 == 0u) {
+                    if (_e145 > 0u) {
+                        let _e149 = atomicLoad((&shared_[5u]));
                         if (_e75.member_6 == 0u) {
-                            if (_e72 < _e86) {
-                                phi_272_ = ((((_e86 - 1u) - _e72) >> bitcast<u32>((_e75.member_7 & 31u))) + 1u);
+                            if (_e72 < _e85) {
+                                phi_321_ = ((((_e85 - 1u) - _e72) >> bitcast<u32>((_e75.member_7 & 31u))) + 1u);
                             } else {
-                                phi_272_ = 0u;
+                                phi_321_ = 0u;
                             }
-                            let _e193 = phi_272_;
-                            let _e194 = (_e193 - _e150);
-                            if (_e146 < _e194) {
-                                phi_278_ = _e146;
+                            let _e190 = phi_321_;
+                            let _e191 = (_e190 - _e149);
+                            if (_e145 < _e191) {
+                                phi_327_ = _e145;
                             } else {
-                                phi_278_ = _e194;
+                                phi_327_ = _e191;
                             }
-                            let _e197 = phi_278_;
-                            atomicStore((&shared_[3u]), (_e72 + (_e150 << bitcast<u32>((_e75.member_7 & 31u)))));
+                            let _e194 = phi_327_;
+                            atomicStore((&shared_[3u]), (_e72 + (_e149 << bitcast<u32>((_e75.member_7 & 31u)))));
                             atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e75.member_7 & 31u))));
-                            atomicStore((&shared_[5u]), (_e150 + _e197));
-                            phi_332_ = _e197;
+                            atomicStore((&shared_[5u]), (_e149 + _e194));
+                            phi_392_ = _e194;
                         } else {
-                            if (_e150 == 0u) {
-                                let _e158 = (_e86 >> bitcast<u32>(((_e75.member_7 + 2u) & 31u)));
-                                if (_e75.member_8 < _e158) {
-                                    phi_300_ = _e158;
+                            if (_e149 == 0u) {
+                                let _e155 = (_e85 >> bitcast<u32>(((_e75.member_7 + 2u) & 31u)));
+                                if (_e75.member_8 < _e155) {
+                                    phi_353_ = _e155;
                                 } else {
-                                    phi_300_ = _e75.member_8;
+                                    phi_353_ = _e75.member_8;
                                 }
-                                let _e161 = phi_300_;
-                                if (128u < _e161) {
-                                    phi_305_ = 128u;
+                                let _e158 = phi_353_;
+                                if (128u < _e158) {
+                                    phi_358_ = 128u;
                                 } else {
-                                    phi_305_ = _e161;
+                                    phi_358_ = _e158;
                                 }
-                                let _e164 = phi_305_;
-                                if (_e146 < _e164) {
-                                    phi_310_ = _e146;
+                                let _e161 = phi_358_;
+                                if (_e145 < _e161) {
+                                    phi_363_ = _e145;
                                 } else {
-                                    phi_310_ = _e164;
+                                    phi_363_ = _e161;
                                 }
-                                let _e167 = phi_310_;
-                                let _e170 = atomicAdd((&control.member[(512u + _e78)]), _e167);
-                                if (_e86 < _e170) {
-                                    phi_319_ = _e86;
+                                let _e164 = phi_363_;
+                                let _e167 = atomicAdd((&control.member[(512u + _e77.member_1)]), _e164);
+                                if (_e85 < _e167) {
+                                    phi_376_ = _e85;
                                 } else {
-                                    phi_319_ = _e170;
+                                    phi_376_ = _e167;
                                 }
-                                let _e173 = phi_319_;
-                                let _e174 = (_e86 - _e173);
-                                if (_e167 < _e174) {
-                                    phi_325_ = _e167;
+                                let _e170 = phi_376_;
+                                let _e171 = (_e85 - _e170);
+                                if (_e164 < _e171) {
+                                    phi_382_ = _e164;
                                 } else {
-                                    phi_325_ = _e174;
+                                    phi_382_ = _e171;
                                 }
-                                let _e177 = phi_325_;
-                                atomicStore((&shared_[3u]), _e170);
+                                let _e174 = phi_382_;
+                                atomicStore((&shared_[3u]), _e167);
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), select(0u, 1u, (_e177 < _e167)));
-                                phi_331_ = _e177;
+                                atomicStore((&shared_[5u]), select(0u, 1u, (_e174 < _e164)));
+                                phi_391_ = _e174;
                             } else {
-                                phi_331_ = 0u;
+                                phi_391_ = 0u;
                             }
-                            let _e184 = phi_331_;
-                            phi_332_ = _e184;
+                            let _e181 = phi_391_;
+                            phi_392_ = _e181;
                         }
-                        let _e210 = phi_332_;
-                        phi_333_ = _e210;
+                        let _e207 = phi_392_;
+                        phi_393_ = _e207;
                     } else {
-                        phi_333_ = 0u;
+                        phi_393_ = 0u;
                     }
-                    let _e212 = phi_333_;
-                    phi_334_ = _e212;
+                    let _e209 = phi_393_;
+                    phi_394_ = _e209;
                 } else {
-                    phi_334_ = 0u;
+                    phi_394_ = 0u;
                 }
-                let _e214 = phi_334_;
-                if (_e145 == 0u) {
-                    if ((_e124 + _e214) == 0u) {
+                let _e211 = phi_394_;
+                if (_e144 == 0u) {
+                    if ((_e125 + _e211) == 0u) {
                         if (_e75.member_9 > 0u) {
-                            let _e222 = atomicAdd((&control.member[(1024u + _e78)]), 1u);
+                            let _e218 = atomicAdd((&control.member[(1024u + _e77.member_1)]), 1u);
                         }
-                        phi_353_ = 1u;
+                        phi_414_ = 1u;
                     } else {
-                        phi_353_ = _e145;
+                        phi_414_ = _e144;
                     }
-                    let _e224 = phi_353_;
-                    phi_354_ = _e224;
+                    let _e220 = phi_414_;
+                    phi_415_ = _e220;
                 } else {
-                    phi_354_ = _e145;
+                    phi_415_ = _e144;
                 }
-                let _e226 = phi_354_;
-                atomicStore((&shared_[1u]), _e124);
-                atomicStore((&shared_[2u]), _e214);
+                let _e222 = phi_415_;
+                atomicStore((&shared_[1u]), _e125);
+                atomicStore((&shared_[2u]), _e211);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                phi_362_ = type_9(0u, 4u);
+                phi_429_ = type_9(0u, 4u);
                 loop {
-                    let _e233 = phi_362_;
-                    if (_e233.member < _e233.member_1) {
-                        phi_363_ = type_9((_e233.member + 1u), _e233.member_1);
-                        phi_386_ = type_9(1u, _e233.member);
+                    let _e229 = phi_429_;
+                    if (_e229.member < _e229.member_1) {
+                        phi_430_ = type_9((_e229.member + 1u), _e229.member_1);
+                        phi_453_ = type_9(1u, _e229.member);
                     } else {
-                        phi_363_ = _e233;
-                        phi_386_ = type_9(0u, type_9().member_1);
+                        phi_430_ = _e229;
+                        phi_453_ = type_9(0u, type_9().member_1);
                     }
-                    let _e245 = phi_363_;
-                    let _e247 = phi_386_;
-                    let _e251 = (bitcast<i32>(_e247.member) != 0i);
-                    if _e251 {
-                        atomicStore((&shared_[(18u + _e247.member_1)]), 0u);
+                    let _e241 = phi_430_;
+                    let _e243 = phi_453_;
+                    let _e247 = (bitcast<i32>(_e243.member) != 0i);
+                    if _e247 {
+                        atomicStore((&shared_[(18u + _e243.member_1)]), 0u);
                     }
                     continue;
                     continuing {
-                        phi_362_ = _e245;
-                        break if !(_e251);
+                        phi_429_ = _e241;
+                        break if !(_e247);
                     }
                 }
-                state[0u] = _e226;
+                state[0u] = _e222;
             }
-            let _e257 = workgroupUniformLoad((&state[0u]));
-            if (_e257 != 0u) {
-                phi_1187_ = false;
+            let _e253 = workgroupUniformLoad((&state[0u]));
+            if (_e253 != 0u) {
+                phi_1311_ = false;
             } else {
-                let _e259 = (_e61 / 32u);
-                let _e261 = atomicLoad((&shared_[1u]));
-                let _e263 = atomicLoad((&shared_[2u]));
-                if (_e259 < _e261) {
-                    let _e286 = atomicLoad((&shared_[0u]));
-                    let _e289 = (2u * ((_e286 - 1u) - _e259));
-                    let _e291 = stack[_e289];
-                    let _e294 = stack[(_e289 + 1u)];
-                    phi_461_ = array<u32, 2>(_e291, _e294);
+                let _e255 = (_e61 / 32u);
+                let _e257 = atomicLoad((&shared_[1u]));
+                let _e259 = atomicLoad((&shared_[2u]));
+                if (_e255 < _e257) {
+                    let _e282 = atomicLoad((&shared_[0u]));
+                    let _e285 = (2u * ((_e282 - 1u) - _e255));
+                    let _e287 = stack[_e285];
+                    let _e290 = stack[(_e285 + 1u)];
+                    phi_537_ = array<u32, 2>(_e287, _e290);
                 } else {
-                    if (_e259 < (_e261 + _e263)) {
-                        let _e268 = atomicLoad((&shared_[3u]));
-                        let _e271 = atomicLoad((&shared_[4u]));
-                        let _e275 = (2u * (_e87 + (_e268 + ((_e259 - _e261) * _e271))));
-                        let _e278 = atomicLoad((&nodes.member[(4u + _e275)]));
-                        let _e281 = atomicLoad((&nodes.member[(_e275 + 5u)]));
-                        phi_460_ = array<u32, 2>(_e278, _e281);
+                    if (_e255 < (_e257 + _e259)) {
+                        let _e264 = atomicLoad((&shared_[3u]));
+                        let _e267 = atomicLoad((&shared_[4u]));
+                        let _e271 = (2u * (_e86 + (_e264 + ((_e255 - _e257) * _e267))));
+                        let _e274 = atomicLoad((&nodes.member[(4u + _e271)]));
+                        let _e277 = atomicLoad((&nodes.member[(_e271 + 5u)]));
+                        phi_536_ = array<u32, 2>(_e274, _e277);
                     } else {
-                        phi_460_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_536_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e284 = phi_460_;
-                    phi_461_ = _e284;
+                    let _e280 = phi_536_;
+                    phi_537_ = _e280;
                 }
-                let _e297 = phi_461_;
-                let _e298 = (_e61 / 32u);
-                let _e299 = (_e61 % 32u);
-                let _e301 = (_e297[0] != 4294967295u);
-                if _e301 {
-                    phi_472_ = _e297;
+                let _e293 = phi_537_;
+                let _e294 = (_e61 / 32u);
+                let _e295 = (_e61 % 32u);
+                let _e297 = (_e293[0] != 4294967295u);
+                if _e297 {
+                    phi_554_ = _e293;
                 } else {
-                    phi_472_ = array<u32, 2>(134217728u, 0u);
+                    phi_554_ = array<u32, 2>(134217728u, 0u);
                 }
-                let _e303 = phi_472_;
-                let _e307 = (_e303[0] >> bitcast<u32>(27u));
-                let _e308 = (_e303[0] & 134217727u);
-                let _e309 = (_e307 - 1u);
-                let _e311 = ((_e308 * 32u) + _e299);
-                let _e312 = (_e303[1] * 32u);
-                let _e316 = params.member.member_2.member.member;
-                if (_e316 == 0u) {
-                    phi_490_ = array<u32, 2>(0u, 2u);
+                let _e299 = phi_554_;
+                let _e303 = (_e299[0] >> bitcast<u32>(27u));
+                let _e304 = (_e299[0] & 134217727u);
+                let _e305 = (_e303 - 1u);
+                let _e307 = ((_e304 * 32u) + _e295);
+                let _e308 = (_e299[1] * 32u);
+                let _e312 = params.member.member_2.member.member;
+                if (_e312 == 0u) {
+                    phi_572_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_490_ = array<u32, 2>(1u, 1u);
+                    phi_572_ = array<u32, 2>(1u, 1u);
                 }
-                let _e319 = phi_490_;
-                let _e325 = params.member.member.member[_e319[1]];
-                let _e326 = (5u * _e309);
-                if (_e325 > 0u) {
-                    if (_e326 < 32u) {
-                        phi_513_ = (((_e325 - 1u) >> bitcast<u32>((_e326 & 31u))) + 1u);
-                        phi_514_ = false;
+                let _e315 = phi_572_;
+                let _e321 = params.member.member.member[_e315[1]];
+                let _e322 = (5u * _e305);
+                if (_e321 > 0u) {
+                    if (_e322 < 32u) {
+                        phi_595_ = (((_e321 - 1u) >> bitcast<u32>((_e322 & 31u))) + 1u);
+                        phi_596_ = false;
                     } else {
-                        phi_513_ = u32();
-                        phi_514_ = true;
+                        phi_595_ = u32();
+                        phi_596_ = true;
                     }
-                    let _e335 = phi_513_;
-                    let _e337 = phi_514_;
-                    phi_515_ = _e335;
-                    phi_516_ = _e337;
+                    let _e331 = phi_595_;
+                    let _e333 = phi_596_;
+                    phi_597_ = _e331;
+                    phi_598_ = _e333;
                 } else {
-                    phi_515_ = u32();
-                    phi_516_ = true;
+                    phi_597_ = u32();
+                    phi_598_ = true;
                 }
-                let _e339 = phi_515_;
-                let _e341 = phi_516_;
-                if _e341 {
-                    phi_522_ = select(0u, 1u, (_e325 > 0u));
+                let _e335 = phi_597_;
+                let _e337 = phi_598_;
+                if _e337 {
+                    phi_604_ = select(0u, 1u, (_e321 > 0u));
                 } else {
-                    phi_522_ = _e339;
+                    phi_604_ = _e335;
                 }
-                let _e345 = phi_522_;
-                let _e346 = (_e303[1] * 32u);
-                if (_e346 < _e345) {
-                    phi_528_ = _e345;
+                let _e341 = phi_604_;
+                let _e342 = (_e299[1] * 32u);
+                if (_e342 < _e341) {
+                    phi_610_ = _e341;
                 } else {
-                    phi_528_ = _e346;
+                    phi_610_ = _e342;
                 }
-                let _e349 = phi_528_;
-                let _e350 = (_e349 - _e346);
-                if (_e350 >= 32u) {
-                    phi_537_ = 4294967295u;
+                let _e345 = phi_610_;
+                let _e346 = (_e345 - _e342);
+                if (_e346 >= 32u) {
+                    phi_619_ = 4294967295u;
                 } else {
-                    phi_537_ = ((1u << bitcast<u32>((_e350 & 31u))) - 1u);
+                    phi_619_ = ((1u << bitcast<u32>((_e346 & 31u))) - 1u);
                 }
-                let _e357 = phi_537_;
-                let _e362 = params.member.member_2.member_1[_e309][1u];
-                let _e363 = (_e362 + _e312);
-                if _e301 {
-                    if (((_e357 >> bitcast<u32>((_e299 & 31u))) & 1u) == 1u) {
-                        let _e371 = boxes.member[(_e363 + _e299)];
-                        let _e388 = params.member.member_2.member_1[_e307][0u];
-                        let _e391 = boxes.member[(_e388 + _e308)];
-                        if ((((((_e371.member.x <= _e391.member_1.y) && (_e391.member.x <= _e371.member_1.y)) && (_e371.member.y <= _e391.member_2.x)) && (_e391.member.y <= _e371.member_2.x)) && (_e371.member_1.x <= _e391.member_2.y)) && (_e391.member_1.x <= _e371.member_2.y)) {
-                            let _e420 = atomicOr((&shared_[(18u + _e298)]), (1u << bitcast<u32>((_e299 & 31u))));
+                let _e353 = phi_619_;
+                let _e358 = params.member.member_2.member_1[_e305][1u];
+                let _e359 = (_e358 + _e308);
+                if _e297 {
+                    if (((_e353 >> bitcast<u32>((_e295 & 31u))) & 1u) == 1u) {
+                        let _e367 = boxes.member[(_e359 + _e295)];
+                        let _e384 = params.member.member_2.member_1[_e303][0u];
+                        let _e387 = boxes.member[(_e384 + _e304)];
+                        if ((((((_e367.member.x <= _e387.member_1.y) && (_e387.member.x <= _e367.member_1.y)) && (_e367.member.y <= _e387.member_2.x)) && (_e387.member.y <= _e367.member_2.x)) && (_e367.member_1.x <= _e387.member_2.y)) && (_e387.member_1.x <= _e367.member_2.y)) {
+                            let _e416 = atomicOr((&shared_[(18u + _e294)]), (1u << bitcast<u32>((_e295 & 31u))));
                         }
                     }
-                    let _e424 = params.member.member.member[_e319[0]];
-                    let _e425 = (5u * _e309);
-                    if (_e424 > 0u) {
-                        if (_e425 < 32u) {
-                            phi_652_ = (((_e424 - 1u) >> bitcast<u32>((_e425 & 31u))) + 1u);
-                            phi_653_ = false;
+                    let _e420 = params.member.member.member[_e315[0]];
+                    let _e421 = (5u * _e305);
+                    if (_e420 > 0u) {
+                        if (_e421 < 32u) {
+                            phi_736_ = (((_e420 - 1u) >> bitcast<u32>((_e421 & 31u))) + 1u);
+                            phi_737_ = false;
                         } else {
-                            phi_652_ = u32();
-                            phi_653_ = true;
+                            phi_736_ = u32();
+                            phi_737_ = true;
                         }
-                        let _e434 = phi_652_;
-                        let _e436 = phi_653_;
-                        phi_654_ = _e434;
-                        phi_655_ = _e436;
+                        let _e430 = phi_736_;
+                        let _e432 = phi_737_;
+                        phi_738_ = _e430;
+                        phi_739_ = _e432;
                     } else {
-                        phi_654_ = u32();
-                        phi_655_ = true;
+                        phi_738_ = u32();
+                        phi_739_ = true;
                     }
-                    let _e438 = phi_654_;
-                    let _e440 = phi_655_;
-                    if _e440 {
-                        phi_661_ = select(0u, 1u, (_e424 > 0u));
+                    let _e434 = phi_738_;
+                    let _e436 = phi_739_;
+                    if _e436 {
+                        phi_745_ = select(0u, 1u, (_e420 > 0u));
                     } else {
-                        phi_661_ = _e438;
+                        phi_745_ = _e434;
                     }
-                    let _e444 = phi_661_;
-                    if (_e311 < _e444) {
-                        let _e450 = params.member.member_2.member_1[_e309][0u];
-                        let _e453 = boxes.member[(_e450 + _e311)];
-                        phi_701_ = type_20(array<f32, 3>(_e453.member.x, _e453.member.y, _e453.member_1.x), array<f32, 3>(_e453.member_1.y, _e453.member_2.x, _e453.member_2.y));
-                        phi_702_ = true;
+                    let _e440 = phi_745_;
+                    if (_e307 < _e440) {
+                        let _e446 = params.member.member_2.member_1[_e305][0u];
+                        let _e449 = boxes.member[(_e446 + _e307)];
+                        phi_786_ = type_20(array<f32, 3>(_e449.member.x, _e449.member.y, _e449.member_1.x), array<f32, 3>(_e449.member_1.y, _e449.member_2.x, _e449.member_2.y));
+                        phi_787_ = true;
                     } else {
-                        phi_701_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_702_ = false;
+                        phi_786_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_787_ = false;
                     }
-                    let _e470 = phi_701_;
-                    let _e472 = phi_702_;
-                    phi_703_ = _e470;
-                    phi_704_ = _e472;
+                    let _e466 = phi_786_;
+                    let _e468 = phi_787_;
+                    phi_788_ = _e466;
+                    phi_789_ = _e468;
                 } else {
-                    phi_703_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                    phi_704_ = false;
+                    phi_788_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                    phi_789_ = false;
                 }
-                let _e474 = phi_703_;
-                let _e476 = phi_704_;
+                let _e470 = phi_788_;
+                let _e472 = phi_789_;
                 workgroupBarrier();
-                if _e476 {
-                    let _e480 = params.member.member_2.member.member;
-                    if (_e480 == 1u) {
-                        phi_716_ = (_e308 == _e303[1]);
+                if _e472 {
+                    let _e476 = params.member.member_2.member.member;
+                    if (_e476 == 1u) {
+                        phi_801_ = (_e304 == _e299[1]);
                     } else {
-                        phi_716_ = false;
+                        phi_801_ = false;
                     }
-                    let _e484 = phi_716_;
-                    if _e484 {
-                        phi_722_ = (4294967295u << bitcast<u32>((_e299 & 31u)));
+                    let _e480 = phi_801_;
+                    if _e480 {
+                        phi_807_ = (4294967295u << bitcast<u32>((_e295 & 31u)));
                     } else {
-                        phi_722_ = 4294967295u;
+                        phi_807_ = 4294967295u;
                     }
-                    let _e489 = phi_722_;
-                    let _e494 = params.member.member_2.member_1[_e307][1u];
-                    let _e497 = boxes.member[(_e494 + _e303[1])];
-                    if ((((((_e474.member[0] <= _e497.member_1.y) && (_e497.member.x <= _e474.member_1[0])) && (_e474.member[1] <= _e497.member_2.x)) && (_e497.member.y <= _e474.member_1[1])) && (_e474.member[2] <= _e497.member_2.y)) && (_e497.member_1.x <= _e474.member_1[2])) {
-                        let _e535 = atomicLoad((&shared_[(18u + _e298)]));
-                        phi_781_ = type_9(0u, 32u);
-                        phi_784_ = 0u;
-                        phi_786_ = (_e535 & _e489);
+                    let _e485 = phi_807_;
+                    let _e490 = params.member.member_2.member_1[_e303][1u];
+                    let _e493 = boxes.member[(_e490 + _e299[1])];
+                    if ((((((_e470.member[0] <= _e493.member_1.y) && (_e493.member.x <= _e470.member_1[0])) && (_e470.member[1] <= _e493.member_2.x)) && (_e493.member.y <= _e470.member_1[1])) && (_e470.member[2] <= _e493.member_2.y)) && (_e493.member_1.x <= _e470.member_1[2])) {
+                        let _e531 = atomicLoad((&shared_[(18u + _e294)]));
+                        phi_867_ = type_9(0u, 32u);
+                        phi_870_ = 0u;
+                        phi_872_ = (_e531 & _e485);
                         loop {
-                            let _e538 = phi_781_;
-                            let _e540 = phi_784_;
-                            let _e542 = phi_786_;
-                            local = _e540;
-                            if (_e538.member < _e538.member_1) {
-                                phi_782_ = type_9((_e538.member + 1u), _e538.member_1);
-                                phi_809_ = type_9(1u, _e538.member);
+                            let _e534 = phi_867_;
+                            let _e536 = phi_870_;
+                            let _e538 = phi_872_;
+                            local = _e536;
+                            if (_e534.member < _e534.member_1) {
+                                phi_868_ = type_9((_e534.member + 1u), _e534.member_1);
+                                phi_895_ = type_9(1u, _e534.member);
                             } else {
-                                phi_782_ = _e538;
-                                phi_809_ = type_9(0u, type_9().member_1);
+                                phi_868_ = _e534;
+                                phi_895_ = type_9(0u, type_9().member_1);
                             }
-                            let _e554 = phi_782_;
-                            let _e556 = phi_809_;
-                            if (bitcast<i32>(_e556.member) != 0i) {
-                                if (_e542 == 0u) {
-                                    phi_866_ = u32();
-                                    phi_867_ = u32();
-                                    phi_868_ = false;
+                            let _e550 = phi_868_;
+                            let _e552 = phi_895_;
+                            if (bitcast<i32>(_e552.member) != 0i) {
+                                if (_e538 == 0u) {
+                                    phi_952_ = u32();
+                                    phi_953_ = u32();
+                                    phi_954_ = false;
                                 } else {
-                                    let _e563 = select(firstTrailingBit(_e542), 32u, (_e542 == 0u));
-                                    let _e568 = boxes.member[(_e363 + _e563)];
-                                    if ((((((_e474.member[0] <= _e568.member_1.y) && (_e568.member.x <= _e474.member_1[0])) && (_e474.member[1] <= _e568.member_2.x)) && (_e568.member.y <= _e474.member_1[1])) && (_e474.member[2] <= _e568.member_2.y)) && (_e568.member_1.x <= _e474.member_1[2])) {
-                                        phi_865_ = (_e540 | (1u << bitcast<u32>((_e563 & 31u))));
+                                    let _e559 = select(firstTrailingBit(_e538), 32u, (_e538 == 0u));
+                                    let _e564 = boxes.member[(_e359 + _e559)];
+                                    if ((((((_e470.member[0] <= _e564.member_1.y) && (_e564.member.x <= _e470.member_1[0])) && (_e470.member[1] <= _e564.member_2.x)) && (_e564.member.y <= _e470.member_1[1])) && (_e470.member[2] <= _e564.member_2.y)) && (_e564.member_1.x <= _e470.member_1[2])) {
+                                        phi_951_ = (_e536 | (1u << bitcast<u32>((_e559 & 31u))));
                                     } else {
-                                        phi_865_ = _e540;
+                                        phi_951_ = _e536;
                                     }
-                                    let _e609 = phi_865_;
-                                    phi_866_ = _e609;
-                                    phi_867_ = (_e542 & (_e542 - 1u));
-                                    phi_868_ = true;
+                                    let _e605 = phi_951_;
+                                    phi_952_ = _e605;
+                                    phi_953_ = (_e538 & (_e538 - 1u));
+                                    phi_954_ = true;
                                 }
-                                let _e611 = phi_866_;
-                                let _e613 = phi_867_;
-                                let _e615 = phi_868_;
-                                phi_785_ = _e611;
-                                phi_787_ = _e613;
-                                phi_869_ = _e615;
+                                let _e607 = phi_952_;
+                                let _e609 = phi_953_;
+                                let _e611 = phi_954_;
+                                phi_871_ = _e607;
+                                phi_873_ = _e609;
+                                phi_955_ = _e611;
                             } else {
-                                phi_785_ = u32();
-                                phi_787_ = u32();
-                                phi_869_ = false;
+                                phi_871_ = u32();
+                                phi_873_ = u32();
+                                phi_955_ = false;
                             }
-                            let _e617 = phi_785_;
-                            let _e619 = phi_787_;
-                            let _e621 = phi_869_;
+                            let _e613 = phi_871_;
+                            let _e615 = phi_873_;
+                            let _e617 = phi_955_;
                             continue;
                             continuing {
-                                phi_781_ = _e554;
-                                phi_784_ = _e617;
-                                phi_786_ = _e619;
-                                break if !(_e621);
+                                phi_867_ = _e550;
+                                phi_870_ = _e613;
+                                phi_872_ = _e615;
+                                break if !(_e617);
                             }
                         }
-                        let _e1141 = local;
-                        phi_870_ = _e1141;
+                        let _e1142 = local;
+                        phi_956_ = _e1142;
                     } else {
-                        phi_870_ = 0u;
+                        phi_956_ = 0u;
                     }
-                    let _e624 = phi_870_;
-                    let _e628 = params.member.member_2.member.member_4;
-                    if (_e628 > 0u) {
-                        phi_881_ = ((_e357 & _e489) & ~(_e624));
+                    let _e620 = phi_956_;
+                    let _e624 = params.member.member_2.member.member_4;
+                    if (_e624 > 0u) {
+                        phi_967_ = ((_e353 & _e485) & ~(_e620));
                     } else {
-                        phi_881_ = 0u;
+                        phi_967_ = 0u;
                     }
-                    let _e634 = phi_881_;
-                    phi_882_ = _e624;
-                    phi_883_ = _e634;
+                    let _e630 = phi_967_;
+                    phi_968_ = _e620;
+                    phi_969_ = _e630;
                 } else {
-                    phi_882_ = 0u;
-                    phi_883_ = 0u;
+                    phi_968_ = 0u;
+                    phi_969_ = 0u;
                 }
-                let _e636 = phi_882_;
-                let _e638 = phi_883_;
-                let _e640 = countOneBits(_e638);
-                let _e641 = countOneBits(_e636);
-                if (_e641 > 0u) {
-                    if (_e309 > 1u) {
-                        phi_896_ = 1u;
+                let _e632 = phi_968_;
+                let _e634 = phi_969_;
+                let _e636 = countOneBits(_e634);
+                let _e637 = countOneBits(_e632);
+                if (_e637 > 0u) {
+                    if (_e305 > 1u) {
+                        phi_983_ = 1u;
                     } else {
-                        phi_896_ = 2u;
+                        phi_983_ = 2u;
                     }
-                    let _e645 = phi_896_;
-                    if (_e645 == 1u) {
-                        let _e652 = atomicAdd((&shared_[6u]), _e641);
-                        phi_908_ = _e640;
-                        phi_909_ = array<u32, 2>(_e652, 0u);
+                    let _e641 = phi_983_;
+                    if (_e641 == 1u) {
+                        let _e648 = atomicAdd((&shared_[6u]), _e637);
+                        phi_995_ = _e636;
+                        phi_996_ = array<u32, 2>(_e648, 0u);
                     } else {
-                        let _e648 = atomicAdd((&shared_[7u]), _e641);
-                        phi_908_ = (_e640 + _e641);
-                        phi_909_ = array<u32, 2>(_e648, 0u);
+                        let _e644 = atomicAdd((&shared_[7u]), _e637);
+                        phi_995_ = (_e636 + _e637);
+                        phi_996_ = array<u32, 2>(_e644, 0u);
                     }
-                    let _e655 = phi_908_;
-                    let _e657 = phi_909_;
-                    phi_910_ = _e655;
-                    phi_911_ = _e657;
+                    let _e651 = phi_995_;
+                    let _e653 = phi_996_;
+                    phi_997_ = _e651;
+                    phi_998_ = _e653;
                 } else {
-                    phi_910_ = _e640;
-                    phi_911_ = array<u32, 2>(0u, 0u);
+                    phi_997_ = _e636;
+                    phi_998_ = array<u32, 2>(0u, 0u);
                 }
-                let _e659 = phi_910_;
-                let _e661 = phi_911_;
+                let _e655 = phi_997_;
+                let _e657 = phi_998_;
                 if (_e75.member_4 > 0u) {
-                    if (_e659 > 0u) {
-                        let _e665 = atomicAdd((&shared_[8u]), _e659);
-                        phi_923_ = array<u32, 2>(_e661[0], _e665);
+                    if (_e655 > 0u) {
+                        let _e661 = atomicAdd((&shared_[8u]), _e655);
+                        phi_1010_ = array<u32, 2>(_e657[0], _e661);
                     } else {
-                        phi_923_ = _e661;
+                        phi_1010_ = _e657;
                     }
-                    let _e669 = phi_923_;
-                    phi_924_ = _e669;
+                    let _e665 = phi_1010_;
+                    phi_1011_ = _e665;
                 } else {
-                    phi_924_ = _e661;
+                    phi_1011_ = _e657;
                 }
-                let _e671 = phi_924_;
+                let _e667 = phi_1011_;
                 workgroupBarrier();
                 if (_e61 == 0u) {
-                    let _e674 = atomicLoad((&shared_[6u]));
-                    let _e676 = atomicLoad((&shared_[7u]));
-                    let _e678 = atomicLoad((&shared_[8u]));
-                    let _e680 = atomicLoad((&shared_[1u]));
-                    let _e682 = atomicLoad((&shared_[2u]));
-                    let _e684 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e684 + 1u));
-                    let _e688 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e688 + _e680) + _e682));
-                    let _e693 = atomicLoad((&shared_[0u]));
-                    let _e694 = (_e693 - _e680);
-                    let _e696 = (_e75.member_10 - _e694);
-                    if (_e696 < _e674) {
-                        phi_957_ = _e696;
+                    let _e670 = atomicLoad((&shared_[6u]));
+                    let _e672 = atomicLoad((&shared_[7u]));
+                    let _e674 = atomicLoad((&shared_[8u]));
+                    let _e676 = atomicLoad((&shared_[1u]));
+                    let _e678 = atomicLoad((&shared_[2u]));
+                    let _e680 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e680 + 1u));
+                    let _e684 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e684 + _e676) + _e678));
+                    let _e689 = atomicLoad((&shared_[0u]));
+                    let _e690 = (_e689 - _e676);
+                    let _e692 = (_e75.member_10 - _e690);
+                    if (_e692 < _e670) {
+                        phi_1055_ = _e692;
                     } else {
-                        phi_957_ = _e674;
+                        phi_1055_ = _e670;
                     }
-                    let _e699 = phi_957_;
-                    atomicStore((&shared_[9u]), _e694);
-                    atomicStore((&shared_[10u]), _e699);
-                    atomicStore((&shared_[0u]), (_e694 + _e699));
-                    if (_e674 > _e699) {
-                        let _e705 = (_e674 - _e699);
+                    let _e695 = phi_1055_;
+                    atomicStore((&shared_[9u]), _e690);
+                    atomicStore((&shared_[10u]), _e695);
+                    atomicStore((&shared_[0u]), (_e690 + _e695));
+                    if (_e670 > _e695) {
+                        let _e701 = (_e670 - _e695);
                         if (_e75.member_12 == 0u) {
                         } else {
-                            let _e709 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e705 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e712 = atomicAdd((&control.member[(_e78 + 1u)]), _e705);
-                        let _e715 = atomicMax((&nodes.member[0u]), (_e712 + _e705));
-                        if ((_e712 + _e705) < _e712) {
-                            let _e719 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e708 = atomicAdd((&control.member[(_e77.member_1 + 1u)]), _e701);
+                        let _e711 = atomicMax((&nodes.member[0u]), (_e708 + _e701));
+                        if ((_e708 + _e701) < _e708) {
+                            let _e715 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[11u]), _e712);
+                        atomicStore((&shared_[11u]), _e708);
                     }
-                    if (_e676 > 0u) {
-                        let _e723 = atomicAdd((&pairs.member[0u]), _e676);
-                        if ((_e723 + _e676) < _e723) {
-                            let _e727 = atomicAdd((&pairs.member[2u]), 1u);
+                    if (_e672 > 0u) {
+                        let _e719 = atomicAdd((&pairs.member[0u]), _e672);
+                        if ((_e719 + _e672) < _e719) {
+                            let _e723 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[12u]), _e723);
+                        atomicStore((&shared_[12u]), _e719);
                     }
-                    if (_e678 > 0u) {
-                        let _e731 = atomicAdd((&control.member[1537u]), _e678);
-                        if ((_e731 + _e678) < _e731) {
-                            let _e735 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e674 > 0u) {
+                        let _e727 = atomicAdd((&control.member[1537u]), _e674);
+                        if ((_e727 + _e674) < _e727) {
+                            let _e731 = atomicAdd((&control.member[1538u]), 1u);
                         }
-                        atomicStore((&shared_[13u]), _e731);
+                        atomicStore((&shared_[13u]), _e727);
                     }
                 }
                 workgroupBarrier();
-                if (_e309 > 1u) {
-                    phi_1032_ = 1u;
+                if (_e305 > 1u) {
+                    phi_1142_ = 1u;
                 } else {
-                    phi_1032_ = 2u;
+                    phi_1142_ = 2u;
                 }
-                let _e742 = phi_1032_;
-                phi_1035_ = type_9(0u, 32u);
-                phi_1038_ = _e671[1];
-                phi_1040_ = _e671[0];
-                phi_1042_ = (_e636 | _e638);
+                let _e738 = phi_1142_;
+                phi_1145_ = type_9(0u, 32u);
+                phi_1148_ = _e667[1];
+                phi_1150_ = _e667[0];
+                phi_1152_ = (_e632 | _e634);
                 loop {
-                    let _e744 = phi_1035_;
-                    let _e746 = phi_1038_;
-                    let _e748 = phi_1040_;
-                    let _e750 = phi_1042_;
-                    if (_e744.member < _e744.member_1) {
-                        phi_1036_ = type_9((_e744.member + 1u), _e744.member_1);
-                        phi_1065_ = type_9(1u, _e744.member);
+                    let _e740 = phi_1145_;
+                    let _e742 = phi_1148_;
+                    let _e744 = phi_1150_;
+                    let _e746 = phi_1152_;
+                    if (_e740.member < _e740.member_1) {
+                        phi_1146_ = type_9((_e740.member + 1u), _e740.member_1);
+                        phi_1175_ = type_9(1u, _e740.member);
                     } else {
-                        phi_1036_ = _e744;
-                        phi_1065_ = type_9(0u, type_9().member_1);
+                        phi_1146_ = _e740;
+                        phi_1175_ = type_9(0u, type_9().member_1);
                     }
-                    let _e762 = phi_1036_;
-                    let _e764 = phi_1065_;
-                    if (bitcast<i32>(_e764.member) != 0i) {
-                        if (_e750 == 0u) {
-                            phi_1182_ = u32();
-                            phi_1183_ = u32();
-                            phi_1184_ = u32();
-                            phi_1185_ = false;
+                    let _e758 = phi_1146_;
+                    let _e760 = phi_1175_;
+                    if (bitcast<i32>(_e760.member) != 0i) {
+                        if (_e746 == 0u) {
+                            phi_1306_ = u32();
+                            phi_1307_ = u32();
+                            phi_1308_ = u32();
+                            phi_1309_ = false;
                         } else {
-                            let _e771 = select(firstTrailingBit(_e750), 32u, (_e750 == 0u));
-                            let _e774 = (_e312 + _e771);
-                            let _e777 = ((_e309 << bitcast<u32>(27u)) | _e311);
-                            if (((_e638 >> bitcast<u32>((_e771 & 31u))) & 1u) == 1u) {
-                                phi_1091_ = 3u;
+                            let _e767 = select(firstTrailingBit(_e746), 32u, (_e746 == 0u));
+                            let _e770 = (_e308 + _e767);
+                            let _e773 = ((_e305 << bitcast<u32>(27u)) | _e307);
+                            if (((_e634 >> bitcast<u32>((_e767 & 31u))) & 1u) == 1u) {
+                                phi_1201_ = 3u;
                             } else {
-                                phi_1091_ = _e742;
+                                phi_1201_ = _e738;
                             }
-                            let _e784 = phi_1091_;
-                            if (_e784 == 1u) {
-                                let _e814 = atomicLoad((&shared_[10u]));
-                                if (_e748 < _e814) {
-                                    let _e830 = atomicLoad((&shared_[9u]));
-                                    let _e832 = (2u * (_e830 + _e748));
-                                    stack[_e832] = _e777;
-                                    stack[(_e832 + 1u)] = _e774;
+                            let _e780 = phi_1201_;
+                            if (_e780 == 1u) {
+                                let _e813 = atomicLoad((&shared_[10u]));
+                                if (_e744 < _e813) {
+                                    let _e829 = atomicLoad((&shared_[9u]));
+                                    let _e831 = (2u * (_e829 + _e744));
+                                    stack[_e831] = _e773;
+                                    stack[(_e831 + 1u)] = _e770;
                                 } else {
-                                    let _e817 = atomicLoad((&shared_[11u]));
-                                    let _e819 = ((_e817 + _e748) - _e814);
-                                    if (_e819 < _e75.member_3) {
-                                        let _e822 = (_e89 + _e819);
-                                        if (_e822 < 4294967295u) {
-                                            let _e824 = (2u * _e822);
-                                            atomicStore((&nodes.member[(4u + _e824)]), _e777);
-                                            atomicStore((&nodes.member[(_e824 + 5u)]), _e774);
+                                    let _e816 = atomicLoad((&shared_[11u]));
+                                    let _e818 = ((_e816 + _e744) - _e813);
+                                    if (_e818 < _e75.member_3) {
+                                        let _e821 = (_e88 + _e818);
+                                        if (_e821 < 4294967295u) {
+                                            let _e823 = (2u * _e821);
+                                            atomicStore((&nodes.member[(4u + _e823)]), _e773);
+                                            atomicStore((&nodes.member[(_e823 + 5u)]), _e770);
                                         }
                                     }
                                 }
                             } else {
-                                if (_e784 == 0u) {
+                                if (_e780 == 0u) {
                                 } else {
-                                    if (_e784 == 2u) {
-                                        let _e790 = atomicLoad((&shared_[12u]));
-                                        let _e791 = (_e790 + _e748);
-                                        if (_e791 < _e91) {
-                                            let _e793 = (2u * _e791);
-                                            atomicStore((&pairs.member[(4u + _e793)]), (_e777 & 134217727u));
-                                            atomicStore((&pairs.member[(_e793 + 5u)]), _e774);
+                                    if (_e780 == 2u) {
+                                        let _e786 = params.member.member_1;
+                                        let _e789 = atomicLoad((&shared_[12u]));
+                                        let _e790 = (_e789 + _e744);
+                                        if (_e790 < _e786.member_3) {
+                                            let _e792 = (2u * _e790);
+                                            atomicStore((&pairs.member[(4u + _e792)]), (_e773 & 134217727u));
+                                            atomicStore((&pairs.member[(_e792 + 5u)]), _e770);
                                         }
                                     }
                                     if (_e75.member_4 > 0u) {
-                                        let _e801 = atomicLoad((&shared_[13u]));
-                                        let _e802 = (_e801 + _e746);
-                                        if (_e802 < _e75.member_4) {
-                                            let _e809 = (2u * ((_e75.member_5 * _e75.member_4) + _e802));
-                                            front.member[_e809] = _e777;
-                                            front.member[(_e809 + 1u)] = _e774;
+                                        let _e800 = atomicLoad((&shared_[13u]));
+                                        let _e801 = (_e800 + _e742);
+                                        if (_e801 < _e75.member_4) {
+                                            let _e808 = (2u * ((_e75.member_5 * _e75.member_4) + _e801));
+                                            front.member[_e808] = _e773;
+                                            front.member[(_e808 + 1u)] = _e770;
                                         }
                                     }
                                 }
                             }
-                            phi_1182_ = (_e746 + select(0u, 1u, (_e784 != 1u)));
-                            phi_1183_ = (_e748 + select(0u, 1u, (_e784 != 3u)));
-                            phi_1184_ = (_e750 & (_e750 - 1u));
-                            phi_1185_ = true;
+                            phi_1306_ = (_e742 + select(0u, 1u, (_e780 != 1u)));
+                            phi_1307_ = (_e744 + select(0u, 1u, (_e780 != 3u)));
+                            phi_1308_ = (_e746 & (_e746 - 1u));
+                            phi_1309_ = true;
                         }
-                        let _e843 = phi_1182_;
-                        let _e845 = phi_1183_;
-                        let _e847 = phi_1184_;
-                        let _e849 = phi_1185_;
-                        phi_1039_ = _e843;
-                        phi_1041_ = _e845;
-                        phi_1043_ = _e847;
-                        phi_1186_ = _e849;
+                        let _e842 = phi_1306_;
+                        let _e844 = phi_1307_;
+                        let _e846 = phi_1308_;
+                        let _e848 = phi_1309_;
+                        phi_1149_ = _e842;
+                        phi_1151_ = _e844;
+                        phi_1153_ = _e846;
+                        phi_1310_ = _e848;
                     } else {
-                        phi_1039_ = u32();
-                        phi_1041_ = u32();
-                        phi_1043_ = u32();
-                        phi_1186_ = false;
+                        phi_1149_ = u32();
+                        phi_1151_ = u32();
+                        phi_1153_ = u32();
+                        phi_1310_ = false;
                     }
-                    let _e851 = phi_1039_;
-                    let _e853 = phi_1041_;
-                    let _e855 = phi_1043_;
-                    let _e857 = phi_1186_;
+                    let _e850 = phi_1149_;
+                    let _e852 = phi_1151_;
+                    let _e854 = phi_1153_;
+                    let _e856 = phi_1310_;
                     continue;
                     continuing {
-                        phi_1035_ = _e762;
-                        phi_1038_ = _e851;
-                        phi_1040_ = _e853;
-                        phi_1042_ = _e855;
-                        break if !(_e857);
+                        phi_1145_ = _e758;
+                        phi_1148_ = _e850;
+                        phi_1150_ = _e852;
+                        phi_1152_ = _e854;
+                        break if !(_e856);
                     }
                 }
-                phi_1187_ = true;
+                phi_1311_ = true;
             }
-            let _e860 = phi_1187_;
-            phi_1188_ = _e860;
+            let _e859 = phi_1311_;
+            phi_1312_ = _e859;
         } else {
-            phi_1188_ = false;
+            phi_1312_ = false;
         }
-        let _e862 = phi_1188_;
+        let _e861 = phi_1312_;
         continue;
         continuing {
-            phi_168_ = _e112;
-            break if !(_e862);
+            phi_208_ = _e109;
+            break if !(_e861);
         }
     }
     if (_e61 == 0u) {
         if (_e75.member_6 == 0u) {
-            if (_e72 < _e86) {
-                phi_1207_ = ((((_e86 - 1u) - _e72) >> bitcast<u32>((_e75.member_7 & 31u))) + 1u);
+            if (_e72 < _e85) {
+                phi_1335_ = ((((_e85 - 1u) - _e72) >> bitcast<u32>((_e75.member_7 & 31u))) + 1u);
             } else {
-                phi_1207_ = 0u;
+                phi_1335_ = 0u;
             }
-            let _e875 = phi_1207_;
+            let _e875 = phi_1335_;
             let _e877 = atomicLoad((&shared_[5u]));
-            phi_1211_ = (_e875 - _e877);
+            phi_1340_ = (_e875 - _e877);
         } else {
-            phi_1211_ = 0u;
+            phi_1340_ = 0u;
         }
-        let _e880 = phi_1211_;
+        let _e880 = phi_1340_;
         atomicStore((&shared_[14u]), _e880);
         let _e883 = atomicLoad((&shared_[0u]));
         let _e884 = (_e883 + _e880);
@@ -894,7 +894,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             } else {
                 let _e889 = atomicMax((&control.member[1536u]), 4294967295u);
             }
-            let _e892 = atomicAdd((&control.member[(_e78 + 1u)]), _e884);
+            let _e892 = atomicAdd((&control.member[(_e77.member_1 + 1u)]), _e884);
             let _e895 = atomicMax((&nodes.member[0u]), (_e892 + _e884));
             if ((_e892 + _e884) < _e892) {
                 let _e899 = atomicAdd((&nodes.member[2u]), 1u);
@@ -910,18 +910,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e914 = atomicLoad((&shared_[0u]));
     let _e916 = atomicLoad((&shared_[17u]));
     let _e918 = atomicLoad((&shared_[14u]));
-    phi_1268_ = type_9(0u, 8u);
+    phi_1413_ = type_9(0u, 8u);
     loop {
-        let _e920 = phi_1268_;
+        let _e920 = phi_1413_;
         if (_e920.member < _e920.member_1) {
-            phi_1269_ = type_9((_e920.member + 1u), _e920.member_1);
-            phi_1292_ = type_9(1u, _e920.member);
+            phi_1414_ = type_9((_e920.member + 1u), _e920.member_1);
+            phi_1437_ = type_9(1u, _e920.member);
         } else {
-            phi_1269_ = _e920;
-            phi_1292_ = type_9(0u, type_9().member_1);
+            phi_1414_ = _e920;
+            phi_1437_ = type_9(0u, type_9().member_1);
         }
-        let _e932 = phi_1269_;
-        let _e934 = phi_1292_;
+        let _e932 = phi_1414_;
+        let _e934 = phi_1437_;
         let _e938 = (bitcast<i32>(_e934.member) != 0i);
         if _e938 {
             let _e940 = ((_e934.member_1 * 128u) + _e61);
@@ -930,7 +930,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e948 = stack[((2u * _e940) + 1u)];
                 let _e949 = (_e916 + _e940);
                 if (_e949 < _e75.member_3) {
-                    let _e952 = (_e89 + _e949);
+                    let _e952 = (_e88 + _e949);
                     if (_e952 < 4294967295u) {
                         let _e954 = (2u * _e952);
                         atomicStore((&nodes.member[(4u + _e954)]), _e944);
@@ -941,105 +941,105 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_1268_ = _e932;
+            phi_1413_ = _e932;
             break if !(_e938);
         }
     }
     let _e961 = atomicLoad((&shared_[5u]));
     let _e962 = (_e918 / 128u);
     if ((_e918 % 128u) > 0u) {
-        phi_1348_ = (_e962 + 1u);
+        phi_1497_ = (_e962 + 1u);
     } else {
-        phi_1348_ = _e962;
+        phi_1497_ = _e962;
     }
-    let _e967 = phi_1348_;
-    phi_1351_ = type_9(0u, _e967);
+    let _e967 = phi_1497_;
+    phi_1500_ = type_9(0u, _e967);
     loop {
-        let _e970 = phi_1351_;
+        let _e970 = phi_1500_;
         if (_e970.member < _e970.member_1) {
-            phi_1352_ = type_9((_e970.member + 1u), _e970.member_1);
-            phi_1375_ = type_9(1u, _e970.member);
+            phi_1501_ = type_9((_e970.member + 1u), _e970.member_1);
+            phi_1524_ = type_9(1u, _e970.member);
         } else {
-            phi_1352_ = _e970;
-            phi_1375_ = type_9(0u, type_9().member_1);
+            phi_1501_ = _e970;
+            phi_1524_ = type_9(0u, type_9().member_1);
         }
-        let _e982 = phi_1352_;
-        let _e984 = phi_1375_;
+        let _e982 = phi_1501_;
+        let _e984 = phi_1524_;
         let _e988 = (bitcast<i32>(_e984.member) != 0i);
         if _e988 {
             let _e990 = ((_e984.member_1 * 128u) + _e61);
             if (_e990 < _e918) {
-                let _e998 = (2u * ((_e87 + _e72) + ((_e961 + _e990) << bitcast<u32>((_e75.member_7 & 31u)))));
-                let _e1001 = atomicLoad((&nodes.member[(4u + _e998)]));
-                let _e1004 = atomicLoad((&nodes.member[(_e998 + 5u)]));
-                let _e1006 = ((_e916 + _e914) + _e990);
-                if (_e1006 < _e75.member_3) {
-                    let _e1009 = (_e89 + _e1006);
-                    if (_e1009 < 4294967295u) {
-                        let _e1011 = (2u * _e1009);
-                        atomicStore((&nodes.member[(4u + _e1011)]), _e1001);
-                        atomicStore((&nodes.member[(_e1011 + 5u)]), _e1004);
+                let _e999 = (2u * ((_e86 + _e72) + ((_e961 + _e990) << bitcast<u32>((_e75.member_7 & 31u)))));
+                let _e1002 = atomicLoad((&nodes.member[(4u + _e999)]));
+                let _e1005 = atomicLoad((&nodes.member[(_e999 + 5u)]));
+                let _e1007 = ((_e916 + _e914) + _e990);
+                if (_e1007 < _e75.member_3) {
+                    let _e1010 = (_e88 + _e1007);
+                    if (_e1010 < 4294967295u) {
+                        let _e1012 = (2u * _e1010);
+                        atomicStore((&nodes.member[(4u + _e1012)]), _e1002);
+                        atomicStore((&nodes.member[(_e1012 + 5u)]), _e1005);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_1351_ = _e982;
+            phi_1500_ = _e982;
             break if !(_e988);
         }
     }
     if (_e75.member_6 == 1u) {
         if (_e961 == 0u) {
-            phi_1447_ = type_9(0u, _e86);
+            phi_1605_ = type_9(0u, _e85);
             loop {
-                let _e1022 = phi_1447_;
-                if (_e1022.member < _e1022.member_1) {
-                    phi_1448_ = type_9((_e1022.member + 1u), _e1022.member_1);
-                    phi_1471_ = type_9(1u, _e1022.member);
+                let _e1023 = phi_1605_;
+                if (_e1023.member < _e1023.member_1) {
+                    phi_1606_ = type_9((_e1023.member + 1u), _e1023.member_1);
+                    phi_1629_ = type_9(1u, _e1023.member);
                 } else {
-                    phi_1448_ = _e1022;
-                    phi_1471_ = type_9(0u, type_9().member_1);
+                    phi_1606_ = _e1023;
+                    phi_1629_ = type_9(0u, type_9().member_1);
                 }
-                let _e1034 = phi_1448_;
-                let _e1036 = phi_1471_;
-                if (bitcast<i32>(_e1036.member) != 0i) {
-                    let _e1042 = atomicAdd((&control.member[(512u + _e78)]), 1u);
-                    if (_e1042 >= _e86) {
-                        phi_1551_ = false;
+                let _e1035 = phi_1606_;
+                let _e1037 = phi_1629_;
+                if (bitcast<i32>(_e1037.member) != 0i) {
+                    let _e1043 = atomicAdd((&control.member[(512u + _e77.member_1)]), 1u);
+                    if (_e1043 >= _e85) {
+                        phi_1721_ = false;
                     } else {
-                        let _e1045 = (2u * (_e87 + _e1042));
-                        let _e1048 = atomicLoad((&nodes.member[(4u + _e1045)]));
-                        let _e1051 = atomicLoad((&nodes.member[(_e1045 + 5u)]));
+                        let _e1046 = (2u * (_e86 + _e1043));
+                        let _e1049 = atomicLoad((&nodes.member[(4u + _e1046)]));
+                        let _e1052 = atomicLoad((&nodes.member[(_e1046 + 5u)]));
                         if (_e75.member_12 == 0u) {
                         } else {
-                            let _e1055 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e1056 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1058 = atomicAdd((&control.member[(_e78 + 1u)]), 1u);
-                        let _e1061 = atomicMax((&nodes.member[0u]), (_e1058 + 1u));
-                        if ((_e1058 + 1u) < _e1058) {
-                            let _e1065 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e1059 = atomicAdd((&control.member[(_e77.member_1 + 1u)]), 1u);
+                        let _e1062 = atomicMax((&nodes.member[0u]), (_e1059 + 1u));
+                        if ((_e1059 + 1u) < _e1059) {
+                            let _e1066 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e1058 < _e75.member_3) {
-                            let _e1068 = (_e89 + _e1058);
-                            if (_e1068 < 4294967295u) {
-                                let _e1070 = (2u * _e1068);
-                                atomicStore((&nodes.member[(4u + _e1070)]), _e1048);
-                                atomicStore((&nodes.member[(_e1070 + 5u)]), _e1051);
+                        if (_e1059 < _e75.member_3) {
+                            let _e1069 = (_e88 + _e1059);
+                            if (_e1069 < 4294967295u) {
+                                let _e1071 = (2u * _e1069);
+                                atomicStore((&nodes.member[(4u + _e1071)]), _e1049);
+                                atomicStore((&nodes.member[(_e1071 + 5u)]), _e1052);
                             }
                         }
-                        phi_1551_ = true;
+                        phi_1721_ = true;
                     }
-                    let _e1076 = phi_1551_;
-                    phi_1552_ = _e1076;
+                    let _e1077 = phi_1721_;
+                    phi_1722_ = _e1077;
                 } else {
-                    phi_1552_ = false;
+                    phi_1722_ = false;
                 }
-                let _e1078 = phi_1552_;
+                let _e1079 = phi_1722_;
                 continue;
                 continuing {
-                    phi_1447_ = _e1034;
-                    break if !(_e1078);
+                    phi_1605_ = _e1035;
+                    break if !(_e1079);
                 }
             }
         }

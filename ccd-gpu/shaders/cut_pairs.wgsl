@@ -92,15 +92,15 @@ var<storage, read_write> control: type_21;
 var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_102_: u32;
-    var phi_139_: bool;
-    var phi_168_: array<u32, 2>;
-    var phi_169_: array<u32, 2>;
-    var phi_170_: array<u32, 2>;
-    var phi_208_: bool;
-    var phi_217_: bool;
-    var phi_218_: bool;
-    var phi_254_: bool;
+    var phi_111_: u32;
+    var phi_148_: bool;
+    var phi_177_: array<u32, 2>;
+    var phi_178_: array<u32, 2>;
+    var phi_179_: array<u32, 2>;
+    var phi_224_: bool;
+    var phi_233_: bool;
+    var phi_234_: bool;
+    var phi_305_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -125,95 +125,94 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e50 = params.member.member_2.member;
     let _e51 = (_e50 == 1u);
     if _e51 {
-        phi_102_ = 0u;
+        phi_111_ = 0u;
     } else {
-        phi_102_ = 1u;
+        phi_111_ = 1u;
     }
-    let _e53 = phi_102_;
+    let _e53 = phi_111_;
     let _e54 = (_e53 * 1028u);
     let _e56 = cuts.member[0u];
     if (_e44 < _e56) {
         let _e59 = cuts.member[_e54];
         if (_e48 < _e59) {
             if _e51 {
-                phi_139_ = (_e44 <= _e48);
+                phi_148_ = (_e44 <= _e48);
             } else {
-                phi_139_ = true;
+                phi_148_ = true;
             }
-            let _e63 = phi_139_;
+            let _e63 = phi_148_;
             if _e63 {
                 let _e66 = cuts.member[(4u + _e44)];
                 let _e70 = cuts.member[((_e54 + 4u) + _e48)];
-                phi_168_ = array<u32, 2>(_e66, _e70);
+                phi_177_ = array<u32, 2>(_e66, _e70);
             } else {
-                phi_168_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_177_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e73 = phi_168_;
-            phi_169_ = _e73;
+            let _e73 = phi_177_;
+            phi_178_ = _e73;
         } else {
-            phi_169_ = array<u32, 2>(4294967295u, 4294967295u);
+            phi_178_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e75 = phi_169_;
-        phi_170_ = _e75;
+        let _e75 = phi_178_;
+        phi_179_ = _e75;
     } else {
-        phi_170_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_179_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e77 = phi_170_;
+    let _e77 = phi_179_;
     if (_e77[0] != 4294967295u) {
-        let _e82 = a_nodes.member[_e77[0]];
-        let _e85 = b_nodes.member[_e77[1]];
-        let _e88 = params.member.member_2.member;
-        if (_e88 == 1u) {
-            phi_208_ = (_e77[0] == _e77[1]);
+        let _e83 = a_nodes.member[_e77[0]];
+        let _e86 = b_nodes.member[_e77[1]];
+        let _e89 = params.member.member_2.member;
+        if (_e89 == 1u) {
+            phi_224_ = (_e77[0] == _e77[1]);
         } else {
-            phi_208_ = false;
+            phi_224_ = false;
         }
-        let _e94 = phi_208_;
-        if _e94 {
-            if (_e82.member_3 == 4294967295u) {
-                phi_217_ = false;
+        let _e95 = phi_224_;
+        if _e95 {
+            if (_e83.member_3 == 4294967295u) {
+                phi_233_ = false;
             } else {
-                phi_217_ = true;
+                phi_233_ = true;
             }
-            let _e98 = phi_217_;
-            phi_218_ = _e98;
+            let _e99 = phi_233_;
+            phi_234_ = _e99;
         } else {
-            phi_218_ = true;
+            phi_234_ = true;
         }
-        let _e100 = phi_218_;
-        if _e100 {
-            if ((((((_e82.member[0] <= _e85.member_2[0]) && (_e85.member[0] <= _e82.member_2[0])) && (_e82.member[1] <= _e85.member_2[1])) && (_e85.member[1] <= _e82.member_2[1])) && (_e82.member[2] <= _e85.member_2[2])) && (_e85.member[2] <= _e82.member_2[2])) {
-                phi_254_ = true;
+        let _e101 = phi_234_;
+        if _e101 {
+            if ((((((_e83.member[0] <= _e86.member_2[0]) && (_e86.member[0] <= _e83.member_2[0])) && (_e83.member[1] <= _e86.member_2[1])) && (_e86.member[1] <= _e83.member_2[1])) && (_e83.member[2] <= _e86.member_2[2])) && (_e86.member[2] <= _e83.member_2[2])) {
+                let _e130 = atomicAdd((&control.member[0u]), 1u);
+                let _e133 = atomicMax((&output.member[0u]), (_e130 + 1u));
+                if ((_e130 + 1u) < _e130) {
+                    let _e137 = atomicAdd((&output.member[2u]), 1u);
+                }
+                let _e140 = params.member.member_2.member_3;
+                if (_e130 < _e140) {
+                    let _e144 = (2u * _e130);
+                    atomicStore((&output.member[(4u + _e144)]), _e77[0]);
+                    atomicStore((&output.member[(_e144 + 5u)]), _e77[1]);
+                }
+                phi_305_ = false;
             } else {
-                phi_254_ = false;
+                phi_305_ = true;
             }
-            let _e129 = phi_254_;
-            if _e129 {
-                let _e157 = atomicAdd((&control.member[0u]), 1u);
-                let _e160 = atomicMax((&output.member[0u]), (_e157 + 1u));
-                if ((_e157 + 1u) < _e157) {
-                    let _e164 = atomicAdd((&output.member[2u]), 1u);
-                }
-                let _e167 = params.member.member_2.member_3;
-                if (_e157 < _e167) {
-                    let _e171 = (2u * _e157);
-                    atomicStore((&output.member[(4u + _e171)]), _e77[0]);
-                    atomicStore((&output.member[(_e171 + 5u)]), _e77[1]);
-                }
-            } else {
-                let _e132 = params.member.member_2.member_4;
-                if (_e132 > 0u) {
-                    let _e135 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e135 + 1u) < _e135) {
-                        let _e139 = atomicAdd((&control.member[1538u]), 1u);
+            let _e150 = phi_305_;
+            if _e150 {
+                let _e153 = params.member.member_2.member_4;
+                if (_e153 > 0u) {
+                    let _e156 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e156 + 1u) < _e156) {
+                        let _e160 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e142 = params.member.member_2.member_4;
-                    if (_e135 < _e142) {
-                        let _e145 = params.member.member_2.member_5;
-                        let _e147 = params.member.member_2.member_4;
-                        let _e150 = (2u * ((_e145 * _e147) + _e135));
-                        front.member[_e150] = _e77[0];
-                        front.member[(_e150 + 1u)] = _e77[1];
+                    let _e162 = params.member.member_2.member_4;
+                    if (_e156 < _e162) {
+                        let _e165 = params.member.member_2.member_5;
+                        let _e167 = params.member.member_2.member_4;
+                        let _e170 = (2u * ((_e165 * _e167) + _e156));
+                        front.member[_e170] = _e77[0];
+                        front.member[(_e170 + 1u)] = _e77[1];
                     }
                 }
             }

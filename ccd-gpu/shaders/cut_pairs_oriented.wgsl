@@ -121,137 +121,138 @@ var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_20;
-    var phi_136_: u32;
-    var phi_173_: bool;
-    var phi_202_: array<u32, 2>;
-    var phi_203_: array<u32, 2>;
-    var phi_204_: array<u32, 2>;
-    var phi_242_: bool;
-    var phi_251_: bool;
-    var phi_252_: bool;
-    var phi_301_: array<u32, 2>;
-    var phi_329_: array<u32, 2>;
-    var phi_354_: bool;
-    var phi_366_: bool;
-    var phi_367_: bool;
-    var phi_440_: f32;
-    var phi_446_: f32;
-    var phi_452_: f32;
-    var phi_458_: f32;
-    var phi_464_: f32;
-    var phi_470_: f32;
-    var phi_488_: f32;
-    var phi_493_: f32;
-    var phi_498_: f32;
-    var phi_514_: type_25;
-    var phi_584_: f32;
-    var phi_590_: f32;
-    var phi_596_: f32;
-    var phi_602_: f32;
-    var phi_608_: f32;
-    var phi_614_: f32;
-    var phi_632_: f32;
-    var phi_637_: f32;
-    var phi_642_: f32;
-    var phi_658_: type_25;
-    var phi_848_: f32;
-    var phi_854_: f32;
-    var phi_861_: f32;
-    var phi_870_: f32;
-    var phi_877_: f32;
+    var phi_147_: u32;
+    var phi_184_: bool;
+    var phi_213_: array<u32, 2>;
+    var phi_214_: array<u32, 2>;
+    var phi_215_: array<u32, 2>;
+    var phi_260_: bool;
+    var phi_269_: bool;
+    var phi_270_: bool;
+    var phi_322_: array<u32, 2>;
+    var phi_353_: array<u32, 2>;
+    var phi_385_: bool;
+    var phi_397_: bool;
+    var phi_398_: bool;
+    var phi_471_: f32;
+    var phi_477_: f32;
+    var phi_483_: f32;
+    var phi_489_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_519_: f32;
+    var phi_524_: f32;
+    var phi_529_: f32;
+    var phi_545_: type_25;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_627_: f32;
+    var phi_633_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_663_: f32;
+    var phi_668_: f32;
+    var phi_673_: f32;
+    var phi_689_: type_25;
+    var phi_879_: f32;
     var phi_885_: f32;
-    var phi_894_: f32;
+    var phi_892_: f32;
     var phi_901_: f32;
-    var phi_909_: f32;
-    var phi_1002_: f32;
-    var phi_1009_: f32;
-    var phi_1015_: f32;
-    var phi_1021_: f32;
+    var phi_908_: f32;
+    var phi_916_: f32;
+    var phi_925_: f32;
+    var phi_932_: f32;
+    var phi_940_: f32;
+    var phi_1033_: f32;
     var phi_1040_: f32;
-    var phi_1047_: f32;
-    var phi_1053_: f32;
-    var phi_1059_: f32;
+    var phi_1046_: f32;
+    var phi_1052_: f32;
+    var phi_1071_: f32;
     var phi_1078_: f32;
-    var phi_1085_: f32;
-    var phi_1091_: f32;
-    var phi_1097_: f32;
+    var phi_1084_: f32;
+    var phi_1090_: f32;
+    var phi_1109_: f32;
     var phi_1116_: f32;
-    var phi_1123_: f32;
-    var phi_1129_: f32;
-    var phi_1135_: f32;
+    var phi_1122_: f32;
+    var phi_1128_: f32;
+    var phi_1147_: f32;
     var phi_1154_: f32;
-    var phi_1161_: f32;
-    var phi_1167_: f32;
-    var phi_1173_: f32;
+    var phi_1160_: f32;
+    var phi_1166_: f32;
+    var phi_1185_: f32;
     var phi_1192_: f32;
-    var phi_1199_: f32;
-    var phi_1205_: f32;
-    var phi_1211_: f32;
-    var phi_1226_: f32;
-    var phi_1231_: f32;
+    var phi_1198_: f32;
+    var phi_1204_: f32;
+    var phi_1223_: f32;
+    var phi_1230_: f32;
     var phi_1236_: f32;
-    var phi_1241_: f32;
-    var phi_1246_: f32;
-    var phi_1305_: f32;
-    var phi_1328_: f32;
-    var phi_1351_: f32;
-    var phi_1373_: f32;
-    var phi_1389_: f32;
-    var phi_1444_: f32;
-    var phi_1467_: f32;
-    var phi_1490_: f32;
-    var phi_1512_: f32;
-    var phi_1528_: f32;
-    var phi_1583_: f32;
-    var phi_1606_: f32;
-    var phi_1629_: f32;
-    var phi_1651_: f32;
-    var phi_1667_: f32;
-    var phi_1722_: f32;
-    var phi_1745_: f32;
-    var phi_1769_: f32;
-    var phi_1792_: f32;
-    var phi_1808_: f32;
-    var phi_1863_: f32;
-    var phi_1886_: f32;
-    var phi_1910_: f32;
-    var phi_1933_: f32;
-    var phi_1949_: f32;
-    var phi_2004_: f32;
-    var phi_2027_: f32;
-    var phi_2051_: f32;
-    var phi_2074_: f32;
-    var phi_2090_: f32;
-    var phi_2145_: f32;
-    var phi_2168_: f32;
-    var phi_2192_: f32;
-    var phi_2215_: f32;
-    var phi_2231_: f32;
-    var phi_2286_: f32;
-    var phi_2309_: f32;
-    var phi_2333_: f32;
-    var phi_2356_: f32;
-    var phi_2372_: f32;
-    var phi_2427_: f32;
-    var phi_2450_: f32;
-    var phi_2474_: f32;
-    var phi_2497_: f32;
-    var phi_2513_: f32;
-    var phi_2520_: f32;
-    var phi_2525_: f32;
-    var phi_2530_: f32;
-    var phi_2535_: f32;
-    var phi_2540_: f32;
-    var phi_2545_: f32;
-    var phi_2550_: f32;
-    var phi_2555_: f32;
-    var phi_2559_: bool;
-    var phi_2561_: bool;
-    var phi_2562_: bool;
-    var phi_2563_: bool;
-    var phi_2564_: bool;
-    var phi_2568_: bool;
-    var phi_2569_: bool;
+    var phi_1242_: f32;
+    var phi_1257_: f32;
+    var phi_1262_: f32;
+    var phi_1267_: f32;
+    var phi_1272_: f32;
+    var phi_1277_: f32;
+    var phi_1336_: f32;
+    var phi_1359_: f32;
+    var phi_1382_: f32;
+    var phi_1404_: f32;
+    var phi_1420_: f32;
+    var phi_1475_: f32;
+    var phi_1498_: f32;
+    var phi_1521_: f32;
+    var phi_1543_: f32;
+    var phi_1559_: f32;
+    var phi_1614_: f32;
+    var phi_1637_: f32;
+    var phi_1660_: f32;
+    var phi_1682_: f32;
+    var phi_1698_: f32;
+    var phi_1753_: f32;
+    var phi_1776_: f32;
+    var phi_1800_: f32;
+    var phi_1823_: f32;
+    var phi_1839_: f32;
+    var phi_1894_: f32;
+    var phi_1917_: f32;
+    var phi_1941_: f32;
+    var phi_1964_: f32;
+    var phi_1980_: f32;
+    var phi_2035_: f32;
+    var phi_2058_: f32;
+    var phi_2082_: f32;
+    var phi_2105_: f32;
+    var phi_2121_: f32;
+    var phi_2176_: f32;
+    var phi_2199_: f32;
+    var phi_2223_: f32;
+    var phi_2246_: f32;
+    var phi_2262_: f32;
+    var phi_2317_: f32;
+    var phi_2340_: f32;
+    var phi_2364_: f32;
+    var phi_2387_: f32;
+    var phi_2403_: f32;
+    var phi_2458_: f32;
+    var phi_2481_: f32;
+    var phi_2505_: f32;
+    var phi_2528_: f32;
+    var phi_2544_: f32;
+    var phi_2551_: f32;
+    var phi_2556_: f32;
+    var phi_2561_: f32;
+    var phi_2566_: f32;
+    var phi_2571_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: f32;
+    var phi_2586_: f32;
+    var phi_2590_: bool;
+    var phi_2592_: bool;
+    var phi_2593_: bool;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2599_: bool;
+    var phi_2634_: bool;
+    var phi_2635_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -276,1011 +277,1016 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e66 = params.member.member_2.member;
     let _e67 = (_e66 == 1u);
     if _e67 {
-        phi_136_ = 0u;
+        phi_147_ = 0u;
     } else {
-        phi_136_ = 1u;
+        phi_147_ = 1u;
     }
-    let _e69 = phi_136_;
+    let _e69 = phi_147_;
     let _e70 = (_e69 * 1028u);
     let _e72 = cuts.member[0u];
     if (_e60 < _e72) {
         let _e75 = cuts.member[_e70];
         if (_e64 < _e75) {
             if _e67 {
-                phi_173_ = (_e60 <= _e64);
+                phi_184_ = (_e60 <= _e64);
             } else {
-                phi_173_ = true;
+                phi_184_ = true;
             }
-            let _e79 = phi_173_;
+            let _e79 = phi_184_;
             if _e79 {
                 let _e82 = cuts.member[(4u + _e60)];
                 let _e86 = cuts.member[((_e70 + 4u) + _e64)];
-                phi_202_ = array<u32, 2>(_e82, _e86);
+                phi_213_ = array<u32, 2>(_e82, _e86);
             } else {
-                phi_202_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_213_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e89 = phi_202_;
-            phi_203_ = _e89;
+            let _e89 = phi_213_;
+            phi_214_ = _e89;
         } else {
-            phi_203_ = array<u32, 2>(4294967295u, 4294967295u);
+            phi_214_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e91 = phi_203_;
-        phi_204_ = _e91;
+        let _e91 = phi_214_;
+        phi_215_ = _e91;
     } else {
-        phi_204_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_215_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e93 = phi_204_;
+    let _e93 = phi_215_;
     if (_e93[0] != 4294967295u) {
-        let _e98 = a_nodes.member[_e93[0]];
-        let _e101 = b_nodes.member[_e93[1]];
-        let _e104 = params.member.member_2.member;
-        if (_e104 == 1u) {
-            phi_242_ = (_e93[0] == _e93[1]);
+        let _e99 = a_nodes.member[_e93[0]];
+        let _e102 = b_nodes.member[_e93[1]];
+        let _e105 = params.member.member_2.member;
+        if (_e105 == 1u) {
+            phi_260_ = (_e93[0] == _e93[1]);
         } else {
-            phi_242_ = false;
+            phi_260_ = false;
         }
-        let _e110 = phi_242_;
-        if _e110 {
-            if (_e98.member_3 == 4294967295u) {
-                phi_251_ = false;
+        let _e111 = phi_260_;
+        if _e111 {
+            if (_e99.member_3 == 4294967295u) {
+                phi_269_ = false;
             } else {
-                phi_251_ = true;
+                phi_269_ = true;
             }
-            let _e114 = phi_251_;
-            phi_252_ = _e114;
+            let _e115 = phi_269_;
+            phi_270_ = _e115;
         } else {
-            phi_252_ = true;
+            phi_270_ = true;
         }
-        let _e116 = phi_252_;
-        if _e116 {
-            if ((((((_e98.member[0] <= _e101.member_2[0]) && (_e101.member[0] <= _e98.member_2[0])) && (_e98.member[1] <= _e101.member_2[1])) && (_e101.member[1] <= _e98.member_2[1])) && (_e98.member[2] <= _e101.member_2[2])) && (_e101.member[2] <= _e98.member_2[2])) {
-                let _e146 = params.member.member_2.member;
-                let _e150 = params.member.member_2.member;
-                if (_e150 == 0u) {
-                    phi_301_ = array<u32, 2>(0u, 2u);
+        let _e117 = phi_270_;
+        if _e117 {
+            if ((((((_e99.member[0] <= _e102.member_2[0]) && (_e102.member[0] <= _e99.member_2[0])) && (_e99.member[1] <= _e102.member_2[1])) && (_e102.member[1] <= _e99.member_2[1])) && (_e99.member[2] <= _e102.member_2[2])) && (_e102.member[2] <= _e99.member_2[2])) {
+                let _e147 = params.member.member_2.member;
+                if (_e147 == 0u) {
+                    phi_322_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_301_ = array<u32, 2>(1u, 1u);
+                    phi_322_ = array<u32, 2>(1u, 1u);
                 }
-                let _e153 = phi_301_;
-                let _e159 = params.member.member.member[_e153[0]];
-                let _e160 = (_e159 - 1u);
-                let _e164 = params.member.member.member[_e153[1]];
-                let _e165 = (_e164 - 1u);
-                let _e168 = params.member.member_2.member;
-                if (_e168 == 0u) {
-                    phi_329_ = array<u32, 2>(0u, 2u);
+                let _e150 = phi_322_;
+                let _e156 = params.member.member.member[_e150[0]];
+                let _e157 = (_e156 - 1u);
+                let _e161 = params.member.member.member[_e150[1]];
+                let _e162 = (_e161 - 1u);
+                let _e165 = params.member.member_2.member;
+                if (_e165 == 0u) {
+                    phi_353_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_329_ = array<u32, 2>(1u, 1u);
+                    phi_353_ = array<u32, 2>(1u, 1u);
                 }
-                let _e171 = phi_329_;
-                let _e177 = params.member.member.member_2[_e171[0]];
-                let _e181 = params.member.member.member_2[_e171[1]];
-                if (_e146 == 1u) {
-                    phi_354_ = (_e93[0] == _e93[1]);
+                let _e168 = phi_353_;
+                let _e174 = params.member.member.member_2[_e168[0]];
+                let _e178 = params.member.member.member_2[_e168[1]];
+                let _e181 = params.member.member_2.member;
+                if (_e181 == 1u) {
+                    phi_385_ = (_e93[0] == _e93[1]);
                 } else {
-                    phi_354_ = false;
+                    phi_385_ = false;
                 }
-                let _e186 = phi_354_;
-                if _e186 {
-                    phi_2563_ = bool();
-                    phi_2564_ = true;
+                let _e187 = phi_385_;
+                if _e187 {
+                    phi_2594_ = bool();
+                    phi_2595_ = true;
                 } else {
-                    if (_e93[0] >= _e160) {
-                        if (_e93[1] >= _e165) {
-                            phi_366_ = false;
+                    if (_e93[0] >= _e157) {
+                        if (_e93[1] >= _e162) {
+                            phi_397_ = false;
                         } else {
-                            phi_366_ = true;
+                            phi_397_ = true;
                         }
-                        let _e190 = phi_366_;
-                        phi_367_ = _e190;
+                        let _e191 = phi_397_;
+                        phi_398_ = _e191;
                     } else {
-                        phi_367_ = true;
+                        phi_398_ = true;
                     }
-                    let _e192 = phi_367_;
-                    if _e192 {
-                        if (_e93[0] < _e160) {
-                            let _e272 = oriented.member[(_e177 + _e93[0])];
-                            phi_514_ = type_25(array<f32, 3>(_e272.member.x, _e272.member.y, _e272.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e272.member.w, _e272.member_1.x, _e272.member_1.y), array<f32, 3>(_e272.member_1.z, _e272.member_1.w, _e272.member_2.x), array<f32, 3>(_e272.member_2.y, _e272.member_2.z, _e272.member_2.w)), array<f32, 3>(_e272.member_3.x, _e272.member_3.y, _e272.member_3.z));
+                    let _e193 = phi_398_;
+                    if _e193 {
+                        if (_e93[0] < _e157) {
+                            let _e273 = oriented.member[(_e174 + _e93[0])];
+                            phi_545_ = type_25(array<f32, 3>(_e273.member.x, _e273.member.y, _e273.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e273.member.w, _e273.member_1.x, _e273.member_1.y), array<f32, 3>(_e273.member_1.z, _e273.member_1.w, _e273.member_2.x), array<f32, 3>(_e273.member_2.y, _e273.member_2.z, _e273.member_2.w)), array<f32, 3>(_e273.member_3.x, _e273.member_3.y, _e273.member_3.z));
                         } else {
-                            let _e195 = a_nodes.member[_e93[0]];
-                            let _e210 = ((_e195.member[0] * 0.5f) + (_e195.member_2[0] * 0.5f));
-                            let _e211 = ((_e195.member[1] * 0.5f) + (_e195.member_2[1] * 0.5f));
-                            let _e212 = ((_e195.member[2] * 0.5f) + (_e195.member_2[2] * 0.5f));
-                            if (_e210 < _e195.member_2[0]) {
-                                phi_440_ = _e210;
+                            let _e196 = a_nodes.member[_e93[0]];
+                            let _e211 = ((_e196.member[0] * 0.5f) + (_e196.member_2[0] * 0.5f));
+                            let _e212 = ((_e196.member[1] * 0.5f) + (_e196.member_2[1] * 0.5f));
+                            let _e213 = ((_e196.member[2] * 0.5f) + (_e196.member_2[2] * 0.5f));
+                            if (_e211 < _e196.member_2[0]) {
+                                phi_471_ = _e211;
                             } else {
-                                phi_440_ = _e195.member_2[0];
+                                phi_471_ = _e196.member_2[0];
                             }
-                            let _e216 = phi_440_;
-                            if (_e211 < _e195.member_2[1]) {
-                                phi_446_ = _e211;
+                            let _e217 = phi_471_;
+                            if (_e212 < _e196.member_2[1]) {
+                                phi_477_ = _e212;
                             } else {
-                                phi_446_ = _e195.member_2[1];
+                                phi_477_ = _e196.member_2[1];
                             }
-                            let _e220 = phi_446_;
-                            if (_e212 < _e195.member_2[2]) {
-                                phi_452_ = _e212;
+                            let _e221 = phi_477_;
+                            if (_e213 < _e196.member_2[2]) {
+                                phi_483_ = _e213;
                             } else {
-                                phi_452_ = _e195.member_2[2];
+                                phi_483_ = _e196.member_2[2];
                             }
-                            let _e224 = phi_452_;
-                            if (_e216 > _e195.member[0]) {
-                                phi_458_ = _e216;
+                            let _e225 = phi_483_;
+                            if (_e217 > _e196.member[0]) {
+                                phi_489_ = _e217;
                             } else {
-                                phi_458_ = _e195.member[0];
+                                phi_489_ = _e196.member[0];
                             }
-                            let _e228 = phi_458_;
-                            if (_e220 > _e195.member[1]) {
-                                phi_464_ = _e220;
+                            let _e229 = phi_489_;
+                            if (_e221 > _e196.member[1]) {
+                                phi_495_ = _e221;
                             } else {
-                                phi_464_ = _e195.member[1];
+                                phi_495_ = _e196.member[1];
                             }
-                            let _e232 = phi_464_;
-                            if (_e224 > _e195.member[2]) {
-                                phi_470_ = _e224;
+                            let _e233 = phi_495_;
+                            if (_e225 > _e196.member[2]) {
+                                phi_501_ = _e225;
                             } else {
-                                phi_470_ = _e195.member[2];
+                                phi_501_ = _e196.member[2];
                             }
-                            let _e236 = phi_470_;
-                            let _e239 = (_e195.member_2[0] - _e228);
-                            let _e241 = (_e195.member_2[1] - _e232);
-                            let _e243 = (_e195.member_2[2] - _e236);
-                            let _e245 = (_e228 - _e195.member[0]);
-                            let _e247 = (_e232 - _e195.member[1]);
-                            let _e249 = (_e236 - _e195.member[2]);
-                            if (_e239 > _e245) {
-                                phi_488_ = _e239;
+                            let _e237 = phi_501_;
+                            let _e240 = (_e196.member_2[0] - _e229);
+                            let _e242 = (_e196.member_2[1] - _e233);
+                            let _e244 = (_e196.member_2[2] - _e237);
+                            let _e246 = (_e229 - _e196.member[0]);
+                            let _e248 = (_e233 - _e196.member[1]);
+                            let _e250 = (_e237 - _e196.member[2]);
+                            if (_e240 > _e246) {
+                                phi_519_ = _e240;
                             } else {
-                                phi_488_ = _e245;
+                                phi_519_ = _e246;
                             }
-                            let _e252 = phi_488_;
-                            if (_e241 > _e247) {
-                                phi_493_ = _e241;
+                            let _e253 = phi_519_;
+                            if (_e242 > _e248) {
+                                phi_524_ = _e242;
                             } else {
-                                phi_493_ = _e247;
+                                phi_524_ = _e248;
                             }
-                            let _e255 = phi_493_;
-                            if (_e243 > _e249) {
-                                phi_498_ = _e243;
+                            let _e256 = phi_524_;
+                            if (_e244 > _e250) {
+                                phi_529_ = _e244;
                             } else {
-                                phi_498_ = _e249;
+                                phi_529_ = _e250;
                             }
-                            let _e258 = phi_498_;
-                            let _e260 = (1f + (0.000000059604645f * 4f));
-                            let _e264 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_514_ = type_25(array<f32, 3>(_e228, _e232, _e236), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e252 * _e260) + _e264), ((_e255 * _e260) + _e264), ((_e258 * _e260) + _e264)));
+                            let _e259 = phi_529_;
+                            let _e261 = (1f + (0.000000059604645f * 4f));
+                            let _e265 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_545_ = type_25(array<f32, 3>(_e229, _e233, _e237), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e253 * _e261) + _e265), ((_e256 * _e261) + _e265), ((_e259 * _e261) + _e265)));
                         }
-                        let _e311 = phi_514_;
-                        if (_e93[1] < _e165) {
-                            let _e391 = oriented.member[(_e181 + _e93[1])];
-                            phi_658_ = type_25(array<f32, 3>(_e391.member.x, _e391.member.y, _e391.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e391.member.w, _e391.member_1.x, _e391.member_1.y), array<f32, 3>(_e391.member_1.z, _e391.member_1.w, _e391.member_2.x), array<f32, 3>(_e391.member_2.y, _e391.member_2.z, _e391.member_2.w)), array<f32, 3>(_e391.member_3.x, _e391.member_3.y, _e391.member_3.z));
+                        let _e312 = phi_545_;
+                        if (_e93[1] < _e162) {
+                            let _e392 = oriented.member[(_e178 + _e93[1])];
+                            phi_689_ = type_25(array<f32, 3>(_e392.member.x, _e392.member.y, _e392.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e392.member.w, _e392.member_1.x, _e392.member_1.y), array<f32, 3>(_e392.member_1.z, _e392.member_1.w, _e392.member_2.x), array<f32, 3>(_e392.member_2.y, _e392.member_2.z, _e392.member_2.w)), array<f32, 3>(_e392.member_3.x, _e392.member_3.y, _e392.member_3.z));
                         } else {
-                            let _e314 = b_nodes.member[_e93[1]];
-                            let _e329 = ((_e314.member[0] * 0.5f) + (_e314.member_2[0] * 0.5f));
-                            let _e330 = ((_e314.member[1] * 0.5f) + (_e314.member_2[1] * 0.5f));
-                            let _e331 = ((_e314.member[2] * 0.5f) + (_e314.member_2[2] * 0.5f));
-                            if (_e329 < _e314.member_2[0]) {
-                                phi_584_ = _e329;
+                            let _e315 = b_nodes.member[_e93[1]];
+                            let _e330 = ((_e315.member[0] * 0.5f) + (_e315.member_2[0] * 0.5f));
+                            let _e331 = ((_e315.member[1] * 0.5f) + (_e315.member_2[1] * 0.5f));
+                            let _e332 = ((_e315.member[2] * 0.5f) + (_e315.member_2[2] * 0.5f));
+                            if (_e330 < _e315.member_2[0]) {
+                                phi_615_ = _e330;
                             } else {
-                                phi_584_ = _e314.member_2[0];
+                                phi_615_ = _e315.member_2[0];
                             }
-                            let _e335 = phi_584_;
-                            if (_e330 < _e314.member_2[1]) {
-                                phi_590_ = _e330;
+                            let _e336 = phi_615_;
+                            if (_e331 < _e315.member_2[1]) {
+                                phi_621_ = _e331;
                             } else {
-                                phi_590_ = _e314.member_2[1];
+                                phi_621_ = _e315.member_2[1];
                             }
-                            let _e339 = phi_590_;
-                            if (_e331 < _e314.member_2[2]) {
-                                phi_596_ = _e331;
+                            let _e340 = phi_621_;
+                            if (_e332 < _e315.member_2[2]) {
+                                phi_627_ = _e332;
                             } else {
-                                phi_596_ = _e314.member_2[2];
+                                phi_627_ = _e315.member_2[2];
                             }
-                            let _e343 = phi_596_;
-                            if (_e335 > _e314.member[0]) {
-                                phi_602_ = _e335;
+                            let _e344 = phi_627_;
+                            if (_e336 > _e315.member[0]) {
+                                phi_633_ = _e336;
                             } else {
-                                phi_602_ = _e314.member[0];
+                                phi_633_ = _e315.member[0];
                             }
-                            let _e347 = phi_602_;
-                            if (_e339 > _e314.member[1]) {
-                                phi_608_ = _e339;
+                            let _e348 = phi_633_;
+                            if (_e340 > _e315.member[1]) {
+                                phi_639_ = _e340;
                             } else {
-                                phi_608_ = _e314.member[1];
+                                phi_639_ = _e315.member[1];
                             }
-                            let _e351 = phi_608_;
-                            if (_e343 > _e314.member[2]) {
-                                phi_614_ = _e343;
+                            let _e352 = phi_639_;
+                            if (_e344 > _e315.member[2]) {
+                                phi_645_ = _e344;
                             } else {
-                                phi_614_ = _e314.member[2];
+                                phi_645_ = _e315.member[2];
                             }
-                            let _e355 = phi_614_;
-                            let _e358 = (_e314.member_2[0] - _e347);
-                            let _e360 = (_e314.member_2[1] - _e351);
-                            let _e362 = (_e314.member_2[2] - _e355);
-                            let _e364 = (_e347 - _e314.member[0]);
-                            let _e366 = (_e351 - _e314.member[1]);
-                            let _e368 = (_e355 - _e314.member[2]);
-                            if (_e358 > _e364) {
-                                phi_632_ = _e358;
+                            let _e356 = phi_645_;
+                            let _e359 = (_e315.member_2[0] - _e348);
+                            let _e361 = (_e315.member_2[1] - _e352);
+                            let _e363 = (_e315.member_2[2] - _e356);
+                            let _e365 = (_e348 - _e315.member[0]);
+                            let _e367 = (_e352 - _e315.member[1]);
+                            let _e369 = (_e356 - _e315.member[2]);
+                            if (_e359 > _e365) {
+                                phi_663_ = _e359;
                             } else {
-                                phi_632_ = _e364;
+                                phi_663_ = _e365;
                             }
-                            let _e371 = phi_632_;
-                            if (_e360 > _e366) {
-                                phi_637_ = _e360;
+                            let _e372 = phi_663_;
+                            if (_e361 > _e367) {
+                                phi_668_ = _e361;
                             } else {
-                                phi_637_ = _e366;
+                                phi_668_ = _e367;
                             }
-                            let _e374 = phi_637_;
-                            if (_e362 > _e368) {
-                                phi_642_ = _e362;
+                            let _e375 = phi_668_;
+                            if (_e363 > _e369) {
+                                phi_673_ = _e363;
                             } else {
-                                phi_642_ = _e368;
+                                phi_673_ = _e369;
                             }
-                            let _e377 = phi_642_;
-                            let _e379 = (1f + (0.000000059604645f * 4f));
-                            let _e383 = (0.000000000000000000000000000000000000011754944f * 8f);
-                            phi_658_ = type_25(array<f32, 3>(_e347, _e351, _e355), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e371 * _e379) + _e383), ((_e374 * _e379) + _e383), ((_e377 * _e379) + _e383)));
+                            let _e378 = phi_673_;
+                            let _e380 = (1f + (0.000000059604645f * 4f));
+                            let _e384 = (0.000000000000000000000000000000000000011754944f * 8f);
+                            phi_689_ = type_25(array<f32, 3>(_e348, _e352, _e356), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e372 * _e380) + _e384), ((_e375 * _e380) + _e384), ((_e378 * _e380) + _e384)));
                         }
-                        let _e430 = phi_658_;
-                        let _e435 = (_e430.member[0] - _e311.member[0]);
-                        let _e438 = (_e430.member[1] - _e311.member[1]);
-                        let _e441 = (_e430.member[2] - _e311.member[2]);
-                        if (_e435 < 0f) {
-                            phi_848_ = -(_e435);
+                        let _e431 = phi_689_;
+                        let _e436 = (_e431.member[0] - _e312.member[0]);
+                        let _e439 = (_e431.member[1] - _e312.member[1]);
+                        let _e442 = (_e431.member[2] - _e312.member[2]);
+                        if (_e436 < 0f) {
+                            phi_879_ = -(_e436);
                         } else {
-                            phi_848_ = _e435;
+                            phi_879_ = _e436;
                         }
-                        let _e630 = phi_848_;
-                        if (_e438 < 0f) {
-                            phi_854_ = -(_e438);
+                        let _e631 = phi_879_;
+                        if (_e439 < 0f) {
+                            phi_885_ = -(_e439);
                         } else {
-                            phi_854_ = _e438;
+                            phi_885_ = _e439;
                         }
-                        let _e634 = phi_854_;
-                        if (_e441 < 0f) {
-                            phi_861_ = -(_e441);
+                        let _e635 = phi_885_;
+                        if (_e442 < 0f) {
+                            phi_892_ = -(_e442);
                         } else {
-                            phi_861_ = _e441;
+                            phi_892_ = _e442;
                         }
-                        let _e639 = phi_861_;
-                        if (_e311.member_2[0] < 0f) {
-                            phi_870_ = -(_e311.member_2[0]);
+                        let _e640 = phi_892_;
+                        if (_e312.member_2[0] < 0f) {
+                            phi_901_ = -(_e312.member_2[0]);
                         } else {
-                            phi_870_ = _e311.member_2[0];
+                            phi_901_ = _e312.member_2[0];
                         }
-                        let _e646 = phi_870_;
-                        if (_e311.member_2[1] < 0f) {
-                            phi_877_ = -(_e311.member_2[1]);
+                        let _e647 = phi_901_;
+                        if (_e312.member_2[1] < 0f) {
+                            phi_908_ = -(_e312.member_2[1]);
                         } else {
-                            phi_877_ = _e311.member_2[1];
+                            phi_908_ = _e312.member_2[1];
                         }
-                        let _e651 = phi_877_;
-                        if (_e311.member_2[2] < 0f) {
-                            phi_885_ = -(_e311.member_2[2]);
+                        let _e652 = phi_908_;
+                        if (_e312.member_2[2] < 0f) {
+                            phi_916_ = -(_e312.member_2[2]);
                         } else {
-                            phi_885_ = _e311.member_2[2];
+                            phi_916_ = _e312.member_2[2];
                         }
-                        let _e657 = phi_885_;
-                        if (_e430.member_2[0] < 0f) {
-                            phi_894_ = -(_e430.member_2[0]);
+                        let _e658 = phi_916_;
+                        if (_e431.member_2[0] < 0f) {
+                            phi_925_ = -(_e431.member_2[0]);
                         } else {
-                            phi_894_ = _e430.member_2[0];
+                            phi_925_ = _e431.member_2[0];
                         }
-                        let _e664 = phi_894_;
-                        if (_e430.member_2[1] < 0f) {
-                            phi_901_ = -(_e430.member_2[1]);
+                        let _e665 = phi_925_;
+                        if (_e431.member_2[1] < 0f) {
+                            phi_932_ = -(_e431.member_2[1]);
                         } else {
-                            phi_901_ = _e430.member_2[1];
+                            phi_932_ = _e431.member_2[1];
                         }
-                        let _e669 = phi_901_;
-                        if (_e430.member_2[2] < 0f) {
-                            phi_909_ = -(_e430.member_2[2]);
+                        let _e670 = phi_932_;
+                        if (_e431.member_2[2] < 0f) {
+                            phi_940_ = -(_e431.member_2[2]);
                         } else {
-                            phi_909_ = _e430.member_2[2];
+                            phi_940_ = _e431.member_2[2];
                         }
-                        let _e675 = phi_909_;
-                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[0][0]) + (_e430.member_1[0][1] * _e311.member_1[0][1])) + (_e430.member_1[0][2] * _e311.member_1[0][2])), (((_e430.member_1[1][0] * _e311.member_1[0][0]) + (_e430.member_1[1][1] * _e311.member_1[0][1])) + (_e430.member_1[1][2] * _e311.member_1[0][2])), (((_e430.member_1[2][0] * _e311.member_1[0][0]) + (_e430.member_1[2][1] * _e311.member_1[0][1])) + (_e430.member_1[2][2] * _e311.member_1[0][2]))), array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[1][0]) + (_e430.member_1[0][1] * _e311.member_1[1][1])) + (_e430.member_1[0][2] * _e311.member_1[1][2])), (((_e430.member_1[1][0] * _e311.member_1[1][0]) + (_e430.member_1[1][1] * _e311.member_1[1][1])) + (_e430.member_1[1][2] * _e311.member_1[1][2])), (((_e430.member_1[2][0] * _e311.member_1[1][0]) + (_e430.member_1[2][1] * _e311.member_1[1][1])) + (_e430.member_1[2][2] * _e311.member_1[1][2]))), array<f32, 3>((((_e430.member_1[0][0] * _e311.member_1[2][0]) + (_e430.member_1[0][1] * _e311.member_1[2][1])) + (_e430.member_1[0][2] * _e311.member_1[2][2])), (((_e430.member_1[1][0] * _e311.member_1[2][0]) + (_e430.member_1[1][1] * _e311.member_1[2][1])) + (_e430.member_1[1][2] * _e311.member_1[2][2])), (((_e430.member_1[2][0] * _e311.member_1[2][0]) + (_e430.member_1[2][1] * _e311.member_1[2][1])) + (_e430.member_1[2][2] * _e311.member_1[2][2])))), array<f32, 3>((((_e311.member_1[0][0] * _e435) + (_e311.member_1[0][1] * _e438)) + (_e311.member_1[0][2] * _e441)), (((_e311.member_1[1][0] * _e435) + (_e311.member_1[1][1] * _e438)) + (_e311.member_1[1][2] * _e441)), (((_e311.member_1[2][0] * _e435) + (_e311.member_1[2][1] * _e438)) + (_e311.member_1[2][2] * _e441))), array<f32, 3>((((_e430.member_1[0][0] * _e435) + (_e430.member_1[0][1] * _e438)) + (_e430.member_1[0][2] * _e441)), (((_e430.member_1[1][0] * _e435) + (_e430.member_1[1][1] * _e438)) + (_e430.member_1[1][2] * _e441)), (((_e430.member_1[2][0] * _e435) + (_e430.member_1[2][1] * _e438)) + (_e430.member_1[2][2] * _e441))), array<f32, 3>(_e311.member_2[0], _e311.member_2[1], _e311.member_2[2]), array<f32, 3>(_e430.member_2[0], _e430.member_2[1], _e430.member_2[2]), ((((((_e630 + _e634) + _e639) + (((_e646 + _e651) + _e657) + ((_e664 + _e669) + _e675))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                        let _e702 = local.member[0u][0u];
-                        let _e706 = local.member[0u][1u];
-                        let _e710 = local.member[0u][2u];
-                        let _e714 = local.member[1u][0u];
-                        let _e718 = local.member[1u][1u];
-                        let _e722 = local.member[1u][2u];
-                        let _e726 = local.member[2u][0u];
-                        let _e730 = local.member[2u][1u];
-                        let _e734 = local.member[2u][2u];
-                        let _e736 = local.member_3;
-                        let _e741 = local.member_4;
-                        let _e747 = local.member_1[0u];
-                        if (_e747 < 0f) {
-                            phi_1002_ = -(_e747);
+                        let _e676 = phi_940_;
+                        local = type_20(array<array<f32, 3>, 3>(array<f32, 3>((((_e431.member_1[0][0] * _e312.member_1[0][0]) + (_e431.member_1[0][1] * _e312.member_1[0][1])) + (_e431.member_1[0][2] * _e312.member_1[0][2])), (((_e431.member_1[1][0] * _e312.member_1[0][0]) + (_e431.member_1[1][1] * _e312.member_1[0][1])) + (_e431.member_1[1][2] * _e312.member_1[0][2])), (((_e431.member_1[2][0] * _e312.member_1[0][0]) + (_e431.member_1[2][1] * _e312.member_1[0][1])) + (_e431.member_1[2][2] * _e312.member_1[0][2]))), array<f32, 3>((((_e431.member_1[0][0] * _e312.member_1[1][0]) + (_e431.member_1[0][1] * _e312.member_1[1][1])) + (_e431.member_1[0][2] * _e312.member_1[1][2])), (((_e431.member_1[1][0] * _e312.member_1[1][0]) + (_e431.member_1[1][1] * _e312.member_1[1][1])) + (_e431.member_1[1][2] * _e312.member_1[1][2])), (((_e431.member_1[2][0] * _e312.member_1[1][0]) + (_e431.member_1[2][1] * _e312.member_1[1][1])) + (_e431.member_1[2][2] * _e312.member_1[1][2]))), array<f32, 3>((((_e431.member_1[0][0] * _e312.member_1[2][0]) + (_e431.member_1[0][1] * _e312.member_1[2][1])) + (_e431.member_1[0][2] * _e312.member_1[2][2])), (((_e431.member_1[1][0] * _e312.member_1[2][0]) + (_e431.member_1[1][1] * _e312.member_1[2][1])) + (_e431.member_1[1][2] * _e312.member_1[2][2])), (((_e431.member_1[2][0] * _e312.member_1[2][0]) + (_e431.member_1[2][1] * _e312.member_1[2][1])) + (_e431.member_1[2][2] * _e312.member_1[2][2])))), array<f32, 3>((((_e312.member_1[0][0] * _e436) + (_e312.member_1[0][1] * _e439)) + (_e312.member_1[0][2] * _e442)), (((_e312.member_1[1][0] * _e436) + (_e312.member_1[1][1] * _e439)) + (_e312.member_1[1][2] * _e442)), (((_e312.member_1[2][0] * _e436) + (_e312.member_1[2][1] * _e439)) + (_e312.member_1[2][2] * _e442))), array<f32, 3>((((_e431.member_1[0][0] * _e436) + (_e431.member_1[0][1] * _e439)) + (_e431.member_1[0][2] * _e442)), (((_e431.member_1[1][0] * _e436) + (_e431.member_1[1][1] * _e439)) + (_e431.member_1[1][2] * _e442)), (((_e431.member_1[2][0] * _e436) + (_e431.member_1[2][1] * _e439)) + (_e431.member_1[2][2] * _e442))), array<f32, 3>(_e312.member_2[0], _e312.member_2[1], _e312.member_2[2]), array<f32, 3>(_e431.member_2[0], _e431.member_2[1], _e431.member_2[2]), ((((((_e631 + _e635) + _e640) + (((_e647 + _e652) + _e658) + ((_e665 + _e670) + _e676))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                        let _e703 = local.member[0u][0u];
+                        let _e707 = local.member[0u][1u];
+                        let _e711 = local.member[0u][2u];
+                        let _e715 = local.member[1u][0u];
+                        let _e719 = local.member[1u][1u];
+                        let _e723 = local.member[1u][2u];
+                        let _e727 = local.member[2u][0u];
+                        let _e731 = local.member[2u][1u];
+                        let _e735 = local.member[2u][2u];
+                        let _e737 = local.member_3;
+                        let _e742 = local.member_4;
+                        let _e748 = local.member_1[0u];
+                        if (_e748 < 0f) {
+                            phi_1033_ = -(_e748);
                         } else {
-                            phi_1002_ = _e747;
+                            phi_1033_ = _e748;
                         }
-                        let _e751 = phi_1002_;
-                        if (_e702 < 0f) {
-                            phi_1009_ = -(_e702);
+                        let _e752 = phi_1033_;
+                        if (_e703 < 0f) {
+                            phi_1040_ = -(_e703);
                         } else {
-                            phi_1009_ = _e702;
+                            phi_1040_ = _e703;
                         }
-                        let _e755 = phi_1009_;
-                        if (_e706 < 0f) {
-                            phi_1015_ = -(_e706);
+                        let _e756 = phi_1040_;
+                        if (_e707 < 0f) {
+                            phi_1046_ = -(_e707);
                         } else {
-                            phi_1015_ = _e706;
+                            phi_1046_ = _e707;
                         }
-                        let _e759 = phi_1015_;
-                        if (_e710 < 0f) {
-                            phi_1021_ = -(_e710);
+                        let _e760 = phi_1046_;
+                        if (_e711 < 0f) {
+                            phi_1052_ = -(_e711);
                         } else {
-                            phi_1021_ = _e710;
+                            phi_1052_ = _e711;
                         }
-                        let _e763 = phi_1021_;
-                        let _e770 = (_e751 - (_e736[0] + (((_e755 * _e741[0]) + (_e759 * _e741[1])) + (_e763 * _e741[2]))));
-                        let _e773 = local.member_1[1u];
-                        if (_e773 < 0f) {
-                            phi_1040_ = -(_e773);
+                        let _e764 = phi_1052_;
+                        let _e771 = (_e752 - (_e737[0] + (((_e756 * _e742[0]) + (_e760 * _e742[1])) + (_e764 * _e742[2]))));
+                        let _e774 = local.member_1[1u];
+                        if (_e774 < 0f) {
+                            phi_1071_ = -(_e774);
                         } else {
-                            phi_1040_ = _e773;
+                            phi_1071_ = _e774;
                         }
-                        let _e777 = phi_1040_;
-                        if (_e714 < 0f) {
-                            phi_1047_ = -(_e714);
+                        let _e778 = phi_1071_;
+                        if (_e715 < 0f) {
+                            phi_1078_ = -(_e715);
                         } else {
-                            phi_1047_ = _e714;
+                            phi_1078_ = _e715;
                         }
-                        let _e781 = phi_1047_;
-                        if (_e718 < 0f) {
-                            phi_1053_ = -(_e718);
+                        let _e782 = phi_1078_;
+                        if (_e719 < 0f) {
+                            phi_1084_ = -(_e719);
                         } else {
-                            phi_1053_ = _e718;
+                            phi_1084_ = _e719;
                         }
-                        let _e785 = phi_1053_;
-                        if (_e722 < 0f) {
-                            phi_1059_ = -(_e722);
+                        let _e786 = phi_1084_;
+                        if (_e723 < 0f) {
+                            phi_1090_ = -(_e723);
                         } else {
-                            phi_1059_ = _e722;
+                            phi_1090_ = _e723;
                         }
-                        let _e789 = phi_1059_;
-                        let _e796 = (_e777 - (_e736[1] + (((_e781 * _e741[0]) + (_e785 * _e741[1])) + (_e789 * _e741[2]))));
-                        let _e799 = local.member_1[2u];
-                        if (_e799 < 0f) {
-                            phi_1078_ = -(_e799);
+                        let _e790 = phi_1090_;
+                        let _e797 = (_e778 - (_e737[1] + (((_e782 * _e742[0]) + (_e786 * _e742[1])) + (_e790 * _e742[2]))));
+                        let _e800 = local.member_1[2u];
+                        if (_e800 < 0f) {
+                            phi_1109_ = -(_e800);
                         } else {
-                            phi_1078_ = _e799;
+                            phi_1109_ = _e800;
                         }
-                        let _e803 = phi_1078_;
-                        if (_e726 < 0f) {
-                            phi_1085_ = -(_e726);
+                        let _e804 = phi_1109_;
+                        if (_e727 < 0f) {
+                            phi_1116_ = -(_e727);
                         } else {
-                            phi_1085_ = _e726;
+                            phi_1116_ = _e727;
                         }
-                        let _e807 = phi_1085_;
-                        if (_e730 < 0f) {
-                            phi_1091_ = -(_e730);
+                        let _e808 = phi_1116_;
+                        if (_e731 < 0f) {
+                            phi_1122_ = -(_e731);
                         } else {
-                            phi_1091_ = _e730;
+                            phi_1122_ = _e731;
                         }
-                        let _e811 = phi_1091_;
-                        if (_e734 < 0f) {
-                            phi_1097_ = -(_e734);
+                        let _e812 = phi_1122_;
+                        if (_e735 < 0f) {
+                            phi_1128_ = -(_e735);
                         } else {
-                            phi_1097_ = _e734;
+                            phi_1128_ = _e735;
                         }
-                        let _e815 = phi_1097_;
-                        let _e822 = (_e803 - (_e736[2] + (((_e807 * _e741[0]) + (_e811 * _e741[1])) + (_e815 * _e741[2]))));
-                        let _e825 = local.member_2[0u];
-                        if (_e825 < 0f) {
-                            phi_1116_ = -(_e825);
+                        let _e816 = phi_1128_;
+                        let _e823 = (_e804 - (_e737[2] + (((_e808 * _e742[0]) + (_e812 * _e742[1])) + (_e816 * _e742[2]))));
+                        let _e826 = local.member_2[0u];
+                        if (_e826 < 0f) {
+                            phi_1147_ = -(_e826);
                         } else {
-                            phi_1116_ = _e825;
+                            phi_1147_ = _e826;
                         }
-                        let _e829 = phi_1116_;
-                        if (_e702 < 0f) {
-                            phi_1123_ = -(_e702);
+                        let _e830 = phi_1147_;
+                        if (_e703 < 0f) {
+                            phi_1154_ = -(_e703);
                         } else {
-                            phi_1123_ = _e702;
+                            phi_1154_ = _e703;
                         }
-                        let _e833 = phi_1123_;
-                        if (_e714 < 0f) {
-                            phi_1129_ = -(_e714);
+                        let _e834 = phi_1154_;
+                        if (_e715 < 0f) {
+                            phi_1160_ = -(_e715);
                         } else {
-                            phi_1129_ = _e714;
+                            phi_1160_ = _e715;
                         }
-                        let _e837 = phi_1129_;
-                        if (_e726 < 0f) {
-                            phi_1135_ = -(_e726);
+                        let _e838 = phi_1160_;
+                        if (_e727 < 0f) {
+                            phi_1166_ = -(_e727);
                         } else {
-                            phi_1135_ = _e726;
+                            phi_1166_ = _e727;
                         }
-                        let _e841 = phi_1135_;
-                        let _e848 = (_e829 - (_e741[0] + (((_e833 * _e736[0]) + (_e837 * _e736[1])) + (_e841 * _e736[2]))));
-                        let _e851 = local.member_2[1u];
-                        if (_e851 < 0f) {
-                            phi_1154_ = -(_e851);
+                        let _e842 = phi_1166_;
+                        let _e849 = (_e830 - (_e742[0] + (((_e834 * _e737[0]) + (_e838 * _e737[1])) + (_e842 * _e737[2]))));
+                        let _e852 = local.member_2[1u];
+                        if (_e852 < 0f) {
+                            phi_1185_ = -(_e852);
                         } else {
-                            phi_1154_ = _e851;
+                            phi_1185_ = _e852;
                         }
-                        let _e855 = phi_1154_;
-                        if (_e706 < 0f) {
-                            phi_1161_ = -(_e706);
+                        let _e856 = phi_1185_;
+                        if (_e707 < 0f) {
+                            phi_1192_ = -(_e707);
                         } else {
-                            phi_1161_ = _e706;
+                            phi_1192_ = _e707;
                         }
-                        let _e859 = phi_1161_;
-                        if (_e718 < 0f) {
-                            phi_1167_ = -(_e718);
+                        let _e860 = phi_1192_;
+                        if (_e719 < 0f) {
+                            phi_1198_ = -(_e719);
                         } else {
-                            phi_1167_ = _e718;
+                            phi_1198_ = _e719;
                         }
-                        let _e863 = phi_1167_;
-                        if (_e730 < 0f) {
-                            phi_1173_ = -(_e730);
+                        let _e864 = phi_1198_;
+                        if (_e731 < 0f) {
+                            phi_1204_ = -(_e731);
                         } else {
-                            phi_1173_ = _e730;
+                            phi_1204_ = _e731;
                         }
-                        let _e867 = phi_1173_;
-                        let _e874 = (_e855 - (_e741[1] + (((_e859 * _e736[0]) + (_e863 * _e736[1])) + (_e867 * _e736[2]))));
-                        let _e877 = local.member_2[2u];
-                        if (_e877 < 0f) {
-                            phi_1192_ = -(_e877);
+                        let _e868 = phi_1204_;
+                        let _e875 = (_e856 - (_e742[1] + (((_e860 * _e737[0]) + (_e864 * _e737[1])) + (_e868 * _e737[2]))));
+                        let _e878 = local.member_2[2u];
+                        if (_e878 < 0f) {
+                            phi_1223_ = -(_e878);
                         } else {
-                            phi_1192_ = _e877;
+                            phi_1223_ = _e878;
                         }
-                        let _e881 = phi_1192_;
-                        if (_e710 < 0f) {
-                            phi_1199_ = -(_e710);
+                        let _e882 = phi_1223_;
+                        if (_e711 < 0f) {
+                            phi_1230_ = -(_e711);
                         } else {
-                            phi_1199_ = _e710;
+                            phi_1230_ = _e711;
                         }
-                        let _e885 = phi_1199_;
-                        if (_e722 < 0f) {
-                            phi_1205_ = -(_e722);
+                        let _e886 = phi_1230_;
+                        if (_e723 < 0f) {
+                            phi_1236_ = -(_e723);
                         } else {
-                            phi_1205_ = _e722;
+                            phi_1236_ = _e723;
                         }
-                        let _e889 = phi_1205_;
-                        if (_e734 < 0f) {
-                            phi_1211_ = -(_e734);
+                        let _e890 = phi_1236_;
+                        if (_e735 < 0f) {
+                            phi_1242_ = -(_e735);
                         } else {
-                            phi_1211_ = _e734;
+                            phi_1242_ = _e735;
                         }
-                        let _e893 = phi_1211_;
-                        let _e900 = (_e881 - (_e741[2] + (((_e885 * _e736[0]) + (_e889 * _e736[1])) + (_e893 * _e736[2]))));
-                        if (_e770 > _e796) {
-                            phi_1226_ = _e770;
+                        let _e894 = phi_1242_;
+                        let _e901 = (_e882 - (_e742[2] + (((_e886 * _e737[0]) + (_e890 * _e737[1])) + (_e894 * _e737[2]))));
+                        if (_e771 > _e797) {
+                            phi_1257_ = _e771;
                         } else {
-                            phi_1226_ = _e796;
+                            phi_1257_ = _e797;
                         }
-                        let _e903 = phi_1226_;
-                        if (_e903 > _e822) {
-                            phi_1231_ = _e903;
+                        let _e904 = phi_1257_;
+                        if (_e904 > _e823) {
+                            phi_1262_ = _e904;
                         } else {
-                            phi_1231_ = _e822;
+                            phi_1262_ = _e823;
                         }
-                        let _e906 = phi_1231_;
-                        if (_e848 > _e874) {
-                            phi_1236_ = _e848;
+                        let _e907 = phi_1262_;
+                        if (_e849 > _e875) {
+                            phi_1267_ = _e849;
                         } else {
-                            phi_1236_ = _e874;
+                            phi_1267_ = _e875;
                         }
-                        let _e909 = phi_1236_;
-                        if (_e909 > _e900) {
-                            phi_1241_ = _e909;
+                        let _e910 = phi_1267_;
+                        if (_e910 > _e901) {
+                            phi_1272_ = _e910;
                         } else {
-                            phi_1241_ = _e900;
+                            phi_1272_ = _e901;
                         }
-                        let _e912 = phi_1241_;
-                        if (_e906 > _e912) {
-                            phi_1246_ = _e906;
+                        let _e913 = phi_1272_;
+                        if (_e907 > _e913) {
+                            phi_1277_ = _e907;
                         } else {
-                            phi_1246_ = _e912;
+                            phi_1277_ = _e913;
                         }
-                        let _e915 = phi_1246_;
-                        let _e917 = local.member_5;
-                        if (_e915 > _e917) {
-                            phi_2559_ = true;
+                        let _e916 = phi_1277_;
+                        let _e918 = local.member_5;
+                        if (_e916 > _e918) {
+                            phi_2590_ = true;
                         } else {
-                            let _e922 = local.member[1u][0u];
-                            let _e925 = local.member_1[2u];
-                            let _e930 = local.member[2u][0u];
-                            let _e933 = local.member_1[1u];
-                            let _e935 = ((_e922 * _e925) - (_e930 * _e933));
-                            let _e939 = local.member[2u][0u];
-                            if (_e939 < 0f) {
-                                phi_1305_ = -(_e939);
+                            let _e923 = local.member[1u][0u];
+                            let _e926 = local.member_1[2u];
+                            let _e931 = local.member[2u][0u];
+                            let _e934 = local.member_1[1u];
+                            let _e936 = ((_e923 * _e926) - (_e931 * _e934));
+                            let _e940 = local.member[2u][0u];
+                            if (_e940 < 0f) {
+                                phi_1336_ = -(_e940);
                             } else {
-                                phi_1305_ = _e939;
+                                phi_1336_ = _e940;
                             }
-                            let _e943 = phi_1305_;
-                            let _e946 = local.member_3[1u];
-                            let _e951 = local.member[1u][0u];
-                            if (_e951 < 0f) {
-                                phi_1328_ = -(_e951);
+                            let _e944 = phi_1336_;
+                            let _e947 = local.member_3[1u];
+                            let _e952 = local.member[1u][0u];
+                            if (_e952 < 0f) {
+                                phi_1359_ = -(_e952);
                             } else {
-                                phi_1328_ = _e951;
+                                phi_1359_ = _e952;
                             }
-                            let _e955 = phi_1328_;
-                            let _e958 = local.member_3[2u];
-                            let _e964 = local.member[0u][2u];
-                            if (_e964 < 0f) {
-                                phi_1351_ = -(_e964);
+                            let _e956 = phi_1359_;
+                            let _e959 = local.member_3[2u];
+                            let _e965 = local.member[0u][2u];
+                            if (_e965 < 0f) {
+                                phi_1382_ = -(_e965);
                             } else {
-                                phi_1351_ = _e964;
+                                phi_1382_ = _e965;
                             }
-                            let _e968 = phi_1351_;
-                            let _e971 = local.member_4[1u];
-                            let _e976 = local.member[0u][1u];
-                            if (_e976 < 0f) {
-                                phi_1373_ = -(_e976);
+                            let _e969 = phi_1382_;
+                            let _e972 = local.member_4[1u];
+                            let _e977 = local.member[0u][1u];
+                            if (_e977 < 0f) {
+                                phi_1404_ = -(_e977);
                             } else {
-                                phi_1373_ = _e976;
+                                phi_1404_ = _e977;
                             }
-                            let _e980 = phi_1373_;
-                            let _e983 = local.member_4[2u];
-                            if (_e935 < 0f) {
-                                phi_1389_ = -(_e935);
+                            let _e981 = phi_1404_;
+                            let _e984 = local.member_4[2u];
+                            if (_e936 < 0f) {
+                                phi_1420_ = -(_e936);
                             } else {
-                                phi_1389_ = _e935;
+                                phi_1420_ = _e936;
                             }
-                            let _e989 = phi_1389_;
-                            let _e991 = (_e989 - (((_e943 * _e946) + (_e955 * _e958)) + ((_e968 * _e971) + (_e980 * _e983))));
-                            let _e995 = local.member[1u][1u];
-                            let _e998 = local.member_1[2u];
-                            let _e1003 = local.member[2u][1u];
-                            let _e1006 = local.member_1[1u];
-                            let _e1008 = ((_e995 * _e998) - (_e1003 * _e1006));
-                            let _e1012 = local.member[2u][1u];
-                            if (_e1012 < 0f) {
-                                phi_1444_ = -(_e1012);
+                            let _e990 = phi_1420_;
+                            let _e992 = (_e990 - (((_e944 * _e947) + (_e956 * _e959)) + ((_e969 * _e972) + (_e981 * _e984))));
+                            let _e996 = local.member[1u][1u];
+                            let _e999 = local.member_1[2u];
+                            let _e1004 = local.member[2u][1u];
+                            let _e1007 = local.member_1[1u];
+                            let _e1009 = ((_e996 * _e999) - (_e1004 * _e1007));
+                            let _e1013 = local.member[2u][1u];
+                            if (_e1013 < 0f) {
+                                phi_1475_ = -(_e1013);
                             } else {
-                                phi_1444_ = _e1012;
+                                phi_1475_ = _e1013;
                             }
-                            let _e1016 = phi_1444_;
-                            let _e1019 = local.member_3[1u];
-                            let _e1024 = local.member[1u][1u];
-                            if (_e1024 < 0f) {
-                                phi_1467_ = -(_e1024);
+                            let _e1017 = phi_1475_;
+                            let _e1020 = local.member_3[1u];
+                            let _e1025 = local.member[1u][1u];
+                            if (_e1025 < 0f) {
+                                phi_1498_ = -(_e1025);
                             } else {
-                                phi_1467_ = _e1024;
+                                phi_1498_ = _e1025;
                             }
-                            let _e1028 = phi_1467_;
-                            let _e1031 = local.member_3[2u];
-                            let _e1037 = local.member[0u][0u];
-                            if (_e1037 < 0f) {
-                                phi_1490_ = -(_e1037);
+                            let _e1029 = phi_1498_;
+                            let _e1032 = local.member_3[2u];
+                            let _e1038 = local.member[0u][0u];
+                            if (_e1038 < 0f) {
+                                phi_1521_ = -(_e1038);
                             } else {
-                                phi_1490_ = _e1037;
+                                phi_1521_ = _e1038;
                             }
-                            let _e1041 = phi_1490_;
-                            let _e1044 = local.member_4[2u];
-                            let _e1049 = local.member[0u][2u];
-                            if (_e1049 < 0f) {
-                                phi_1512_ = -(_e1049);
+                            let _e1042 = phi_1521_;
+                            let _e1045 = local.member_4[2u];
+                            let _e1050 = local.member[0u][2u];
+                            if (_e1050 < 0f) {
+                                phi_1543_ = -(_e1050);
                             } else {
-                                phi_1512_ = _e1049;
+                                phi_1543_ = _e1050;
                             }
-                            let _e1053 = phi_1512_;
-                            let _e1056 = local.member_4[0u];
-                            if (_e1008 < 0f) {
-                                phi_1528_ = -(_e1008);
+                            let _e1054 = phi_1543_;
+                            let _e1057 = local.member_4[0u];
+                            if (_e1009 < 0f) {
+                                phi_1559_ = -(_e1009);
                             } else {
-                                phi_1528_ = _e1008;
+                                phi_1559_ = _e1009;
                             }
-                            let _e1062 = phi_1528_;
-                            let _e1064 = (_e1062 - (((_e1016 * _e1019) + (_e1028 * _e1031)) + ((_e1041 * _e1044) + (_e1053 * _e1056))));
-                            let _e1068 = local.member[1u][2u];
-                            let _e1071 = local.member_1[2u];
-                            let _e1076 = local.member[2u][2u];
-                            let _e1079 = local.member_1[1u];
-                            let _e1081 = ((_e1068 * _e1071) - (_e1076 * _e1079));
-                            let _e1085 = local.member[2u][2u];
-                            if (_e1085 < 0f) {
-                                phi_1583_ = -(_e1085);
+                            let _e1063 = phi_1559_;
+                            let _e1065 = (_e1063 - (((_e1017 * _e1020) + (_e1029 * _e1032)) + ((_e1042 * _e1045) + (_e1054 * _e1057))));
+                            let _e1069 = local.member[1u][2u];
+                            let _e1072 = local.member_1[2u];
+                            let _e1077 = local.member[2u][2u];
+                            let _e1080 = local.member_1[1u];
+                            let _e1082 = ((_e1069 * _e1072) - (_e1077 * _e1080));
+                            let _e1086 = local.member[2u][2u];
+                            if (_e1086 < 0f) {
+                                phi_1614_ = -(_e1086);
                             } else {
-                                phi_1583_ = _e1085;
+                                phi_1614_ = _e1086;
                             }
-                            let _e1089 = phi_1583_;
-                            let _e1092 = local.member_3[1u];
-                            let _e1097 = local.member[1u][2u];
-                            if (_e1097 < 0f) {
-                                phi_1606_ = -(_e1097);
+                            let _e1090 = phi_1614_;
+                            let _e1093 = local.member_3[1u];
+                            let _e1098 = local.member[1u][2u];
+                            if (_e1098 < 0f) {
+                                phi_1637_ = -(_e1098);
                             } else {
-                                phi_1606_ = _e1097;
+                                phi_1637_ = _e1098;
                             }
-                            let _e1101 = phi_1606_;
-                            let _e1104 = local.member_3[2u];
-                            let _e1110 = local.member[0u][1u];
-                            if (_e1110 < 0f) {
-                                phi_1629_ = -(_e1110);
+                            let _e1102 = phi_1637_;
+                            let _e1105 = local.member_3[2u];
+                            let _e1111 = local.member[0u][1u];
+                            if (_e1111 < 0f) {
+                                phi_1660_ = -(_e1111);
                             } else {
-                                phi_1629_ = _e1110;
+                                phi_1660_ = _e1111;
                             }
-                            let _e1114 = phi_1629_;
-                            let _e1117 = local.member_4[0u];
-                            let _e1122 = local.member[0u][0u];
-                            if (_e1122 < 0f) {
-                                phi_1651_ = -(_e1122);
+                            let _e1115 = phi_1660_;
+                            let _e1118 = local.member_4[0u];
+                            let _e1123 = local.member[0u][0u];
+                            if (_e1123 < 0f) {
+                                phi_1682_ = -(_e1123);
                             } else {
-                                phi_1651_ = _e1122;
+                                phi_1682_ = _e1123;
                             }
-                            let _e1126 = phi_1651_;
-                            let _e1129 = local.member_4[1u];
-                            if (_e1081 < 0f) {
-                                phi_1667_ = -(_e1081);
+                            let _e1127 = phi_1682_;
+                            let _e1130 = local.member_4[1u];
+                            if (_e1082 < 0f) {
+                                phi_1698_ = -(_e1082);
                             } else {
-                                phi_1667_ = _e1081;
+                                phi_1698_ = _e1082;
                             }
-                            let _e1135 = phi_1667_;
-                            let _e1137 = (_e1135 - (((_e1089 * _e1092) + (_e1101 * _e1104)) + ((_e1114 * _e1117) + (_e1126 * _e1129))));
-                            let _e1141 = local.member[2u][0u];
-                            let _e1144 = local.member_1[0u];
-                            let _e1149 = local.member[0u][0u];
-                            let _e1152 = local.member_1[2u];
-                            let _e1154 = ((_e1141 * _e1144) - (_e1149 * _e1152));
-                            let _e1158 = local.member[0u][0u];
-                            if (_e1158 < 0f) {
-                                phi_1722_ = -(_e1158);
+                            let _e1136 = phi_1698_;
+                            let _e1138 = (_e1136 - (((_e1090 * _e1093) + (_e1102 * _e1105)) + ((_e1115 * _e1118) + (_e1127 * _e1130))));
+                            let _e1142 = local.member[2u][0u];
+                            let _e1145 = local.member_1[0u];
+                            let _e1150 = local.member[0u][0u];
+                            let _e1153 = local.member_1[2u];
+                            let _e1155 = ((_e1142 * _e1145) - (_e1150 * _e1153));
+                            let _e1159 = local.member[0u][0u];
+                            if (_e1159 < 0f) {
+                                phi_1753_ = -(_e1159);
                             } else {
-                                phi_1722_ = _e1158;
+                                phi_1753_ = _e1159;
                             }
-                            let _e1162 = phi_1722_;
-                            let _e1165 = local.member_3[2u];
-                            let _e1170 = local.member[2u][0u];
-                            if (_e1170 < 0f) {
-                                phi_1745_ = -(_e1170);
+                            let _e1163 = phi_1753_;
+                            let _e1166 = local.member_3[2u];
+                            let _e1171 = local.member[2u][0u];
+                            if (_e1171 < 0f) {
+                                phi_1776_ = -(_e1171);
                             } else {
-                                phi_1745_ = _e1170;
+                                phi_1776_ = _e1171;
                             }
-                            let _e1174 = phi_1745_;
-                            let _e1177 = local.member_3[0u];
-                            let _e1183 = local.member[1u][2u];
-                            if (_e1183 < 0f) {
-                                phi_1769_ = -(_e1183);
+                            let _e1175 = phi_1776_;
+                            let _e1178 = local.member_3[0u];
+                            let _e1184 = local.member[1u][2u];
+                            if (_e1184 < 0f) {
+                                phi_1800_ = -(_e1184);
                             } else {
-                                phi_1769_ = _e1183;
+                                phi_1800_ = _e1184;
                             }
-                            let _e1187 = phi_1769_;
-                            let _e1190 = local.member_4[1u];
-                            let _e1195 = local.member[1u][1u];
-                            if (_e1195 < 0f) {
-                                phi_1792_ = -(_e1195);
+                            let _e1188 = phi_1800_;
+                            let _e1191 = local.member_4[1u];
+                            let _e1196 = local.member[1u][1u];
+                            if (_e1196 < 0f) {
+                                phi_1823_ = -(_e1196);
                             } else {
-                                phi_1792_ = _e1195;
+                                phi_1823_ = _e1196;
                             }
-                            let _e1199 = phi_1792_;
-                            let _e1202 = local.member_4[2u];
-                            if (_e1154 < 0f) {
-                                phi_1808_ = -(_e1154);
+                            let _e1200 = phi_1823_;
+                            let _e1203 = local.member_4[2u];
+                            if (_e1155 < 0f) {
+                                phi_1839_ = -(_e1155);
                             } else {
-                                phi_1808_ = _e1154;
+                                phi_1839_ = _e1155;
                             }
-                            let _e1208 = phi_1808_;
-                            let _e1210 = (_e1208 - (((_e1162 * _e1165) + (_e1174 * _e1177)) + ((_e1187 * _e1190) + (_e1199 * _e1202))));
-                            let _e1214 = local.member[2u][1u];
-                            let _e1217 = local.member_1[0u];
-                            let _e1222 = local.member[0u][1u];
-                            let _e1225 = local.member_1[2u];
-                            let _e1227 = ((_e1214 * _e1217) - (_e1222 * _e1225));
-                            let _e1231 = local.member[0u][1u];
-                            if (_e1231 < 0f) {
-                                phi_1863_ = -(_e1231);
+                            let _e1209 = phi_1839_;
+                            let _e1211 = (_e1209 - (((_e1163 * _e1166) + (_e1175 * _e1178)) + ((_e1188 * _e1191) + (_e1200 * _e1203))));
+                            let _e1215 = local.member[2u][1u];
+                            let _e1218 = local.member_1[0u];
+                            let _e1223 = local.member[0u][1u];
+                            let _e1226 = local.member_1[2u];
+                            let _e1228 = ((_e1215 * _e1218) - (_e1223 * _e1226));
+                            let _e1232 = local.member[0u][1u];
+                            if (_e1232 < 0f) {
+                                phi_1894_ = -(_e1232);
                             } else {
-                                phi_1863_ = _e1231;
+                                phi_1894_ = _e1232;
                             }
-                            let _e1235 = phi_1863_;
-                            let _e1238 = local.member_3[2u];
-                            let _e1243 = local.member[2u][1u];
-                            if (_e1243 < 0f) {
-                                phi_1886_ = -(_e1243);
+                            let _e1236 = phi_1894_;
+                            let _e1239 = local.member_3[2u];
+                            let _e1244 = local.member[2u][1u];
+                            if (_e1244 < 0f) {
+                                phi_1917_ = -(_e1244);
                             } else {
-                                phi_1886_ = _e1243;
+                                phi_1917_ = _e1244;
                             }
-                            let _e1247 = phi_1886_;
-                            let _e1250 = local.member_3[0u];
-                            let _e1256 = local.member[1u][0u];
-                            if (_e1256 < 0f) {
-                                phi_1910_ = -(_e1256);
+                            let _e1248 = phi_1917_;
+                            let _e1251 = local.member_3[0u];
+                            let _e1257 = local.member[1u][0u];
+                            if (_e1257 < 0f) {
+                                phi_1941_ = -(_e1257);
                             } else {
-                                phi_1910_ = _e1256;
+                                phi_1941_ = _e1257;
                             }
-                            let _e1260 = phi_1910_;
-                            let _e1263 = local.member_4[2u];
-                            let _e1268 = local.member[1u][2u];
-                            if (_e1268 < 0f) {
-                                phi_1933_ = -(_e1268);
+                            let _e1261 = phi_1941_;
+                            let _e1264 = local.member_4[2u];
+                            let _e1269 = local.member[1u][2u];
+                            if (_e1269 < 0f) {
+                                phi_1964_ = -(_e1269);
                             } else {
-                                phi_1933_ = _e1268;
+                                phi_1964_ = _e1269;
                             }
-                            let _e1272 = phi_1933_;
-                            let _e1275 = local.member_4[0u];
-                            if (_e1227 < 0f) {
-                                phi_1949_ = -(_e1227);
+                            let _e1273 = phi_1964_;
+                            let _e1276 = local.member_4[0u];
+                            if (_e1228 < 0f) {
+                                phi_1980_ = -(_e1228);
                             } else {
-                                phi_1949_ = _e1227;
+                                phi_1980_ = _e1228;
                             }
-                            let _e1281 = phi_1949_;
-                            let _e1283 = (_e1281 - (((_e1235 * _e1238) + (_e1247 * _e1250)) + ((_e1260 * _e1263) + (_e1272 * _e1275))));
-                            let _e1287 = local.member[2u][2u];
-                            let _e1290 = local.member_1[0u];
-                            let _e1295 = local.member[0u][2u];
-                            let _e1298 = local.member_1[2u];
-                            let _e1300 = ((_e1287 * _e1290) - (_e1295 * _e1298));
-                            let _e1304 = local.member[0u][2u];
-                            if (_e1304 < 0f) {
-                                phi_2004_ = -(_e1304);
+                            let _e1282 = phi_1980_;
+                            let _e1284 = (_e1282 - (((_e1236 * _e1239) + (_e1248 * _e1251)) + ((_e1261 * _e1264) + (_e1273 * _e1276))));
+                            let _e1288 = local.member[2u][2u];
+                            let _e1291 = local.member_1[0u];
+                            let _e1296 = local.member[0u][2u];
+                            let _e1299 = local.member_1[2u];
+                            let _e1301 = ((_e1288 * _e1291) - (_e1296 * _e1299));
+                            let _e1305 = local.member[0u][2u];
+                            if (_e1305 < 0f) {
+                                phi_2035_ = -(_e1305);
                             } else {
-                                phi_2004_ = _e1304;
+                                phi_2035_ = _e1305;
                             }
-                            let _e1308 = phi_2004_;
-                            let _e1311 = local.member_3[2u];
-                            let _e1316 = local.member[2u][2u];
-                            if (_e1316 < 0f) {
-                                phi_2027_ = -(_e1316);
+                            let _e1309 = phi_2035_;
+                            let _e1312 = local.member_3[2u];
+                            let _e1317 = local.member[2u][2u];
+                            if (_e1317 < 0f) {
+                                phi_2058_ = -(_e1317);
                             } else {
-                                phi_2027_ = _e1316;
+                                phi_2058_ = _e1317;
                             }
-                            let _e1320 = phi_2027_;
-                            let _e1323 = local.member_3[0u];
-                            let _e1329 = local.member[1u][1u];
-                            if (_e1329 < 0f) {
-                                phi_2051_ = -(_e1329);
+                            let _e1321 = phi_2058_;
+                            let _e1324 = local.member_3[0u];
+                            let _e1330 = local.member[1u][1u];
+                            if (_e1330 < 0f) {
+                                phi_2082_ = -(_e1330);
                             } else {
-                                phi_2051_ = _e1329;
+                                phi_2082_ = _e1330;
                             }
-                            let _e1333 = phi_2051_;
-                            let _e1336 = local.member_4[0u];
-                            let _e1341 = local.member[1u][0u];
-                            if (_e1341 < 0f) {
-                                phi_2074_ = -(_e1341);
+                            let _e1334 = phi_2082_;
+                            let _e1337 = local.member_4[0u];
+                            let _e1342 = local.member[1u][0u];
+                            if (_e1342 < 0f) {
+                                phi_2105_ = -(_e1342);
                             } else {
-                                phi_2074_ = _e1341;
+                                phi_2105_ = _e1342;
                             }
-                            let _e1345 = phi_2074_;
-                            let _e1348 = local.member_4[1u];
-                            if (_e1300 < 0f) {
-                                phi_2090_ = -(_e1300);
+                            let _e1346 = phi_2105_;
+                            let _e1349 = local.member_4[1u];
+                            if (_e1301 < 0f) {
+                                phi_2121_ = -(_e1301);
                             } else {
-                                phi_2090_ = _e1300;
+                                phi_2121_ = _e1301;
                             }
-                            let _e1354 = phi_2090_;
-                            let _e1356 = (_e1354 - (((_e1308 * _e1311) + (_e1320 * _e1323)) + ((_e1333 * _e1336) + (_e1345 * _e1348))));
-                            let _e1360 = local.member[0u][0u];
-                            let _e1363 = local.member_1[1u];
-                            let _e1368 = local.member[1u][0u];
-                            let _e1371 = local.member_1[0u];
-                            let _e1373 = ((_e1360 * _e1363) - (_e1368 * _e1371));
-                            let _e1377 = local.member[1u][0u];
-                            if (_e1377 < 0f) {
-                                phi_2145_ = -(_e1377);
+                            let _e1355 = phi_2121_;
+                            let _e1357 = (_e1355 - (((_e1309 * _e1312) + (_e1321 * _e1324)) + ((_e1334 * _e1337) + (_e1346 * _e1349))));
+                            let _e1361 = local.member[0u][0u];
+                            let _e1364 = local.member_1[1u];
+                            let _e1369 = local.member[1u][0u];
+                            let _e1372 = local.member_1[0u];
+                            let _e1374 = ((_e1361 * _e1364) - (_e1369 * _e1372));
+                            let _e1378 = local.member[1u][0u];
+                            if (_e1378 < 0f) {
+                                phi_2176_ = -(_e1378);
                             } else {
-                                phi_2145_ = _e1377;
+                                phi_2176_ = _e1378;
                             }
-                            let _e1381 = phi_2145_;
-                            let _e1384 = local.member_3[0u];
-                            let _e1389 = local.member[0u][0u];
-                            if (_e1389 < 0f) {
-                                phi_2168_ = -(_e1389);
+                            let _e1382 = phi_2176_;
+                            let _e1385 = local.member_3[0u];
+                            let _e1390 = local.member[0u][0u];
+                            if (_e1390 < 0f) {
+                                phi_2199_ = -(_e1390);
                             } else {
-                                phi_2168_ = _e1389;
+                                phi_2199_ = _e1390;
                             }
-                            let _e1393 = phi_2168_;
-                            let _e1396 = local.member_3[1u];
-                            let _e1402 = local.member[2u][2u];
-                            if (_e1402 < 0f) {
-                                phi_2192_ = -(_e1402);
+                            let _e1394 = phi_2199_;
+                            let _e1397 = local.member_3[1u];
+                            let _e1403 = local.member[2u][2u];
+                            if (_e1403 < 0f) {
+                                phi_2223_ = -(_e1403);
                             } else {
-                                phi_2192_ = _e1402;
+                                phi_2223_ = _e1403;
                             }
-                            let _e1406 = phi_2192_;
-                            let _e1409 = local.member_4[1u];
-                            let _e1414 = local.member[2u][1u];
-                            if (_e1414 < 0f) {
-                                phi_2215_ = -(_e1414);
+                            let _e1407 = phi_2223_;
+                            let _e1410 = local.member_4[1u];
+                            let _e1415 = local.member[2u][1u];
+                            if (_e1415 < 0f) {
+                                phi_2246_ = -(_e1415);
                             } else {
-                                phi_2215_ = _e1414;
+                                phi_2246_ = _e1415;
                             }
-                            let _e1418 = phi_2215_;
-                            let _e1421 = local.member_4[2u];
-                            if (_e1373 < 0f) {
-                                phi_2231_ = -(_e1373);
+                            let _e1419 = phi_2246_;
+                            let _e1422 = local.member_4[2u];
+                            if (_e1374 < 0f) {
+                                phi_2262_ = -(_e1374);
                             } else {
-                                phi_2231_ = _e1373;
+                                phi_2262_ = _e1374;
                             }
-                            let _e1427 = phi_2231_;
-                            let _e1429 = (_e1427 - (((_e1381 * _e1384) + (_e1393 * _e1396)) + ((_e1406 * _e1409) + (_e1418 * _e1421))));
-                            let _e1433 = local.member[0u][1u];
-                            let _e1436 = local.member_1[1u];
-                            let _e1441 = local.member[1u][1u];
-                            let _e1444 = local.member_1[0u];
-                            let _e1446 = ((_e1433 * _e1436) - (_e1441 * _e1444));
-                            let _e1450 = local.member[1u][1u];
-                            if (_e1450 < 0f) {
-                                phi_2286_ = -(_e1450);
+                            let _e1428 = phi_2262_;
+                            let _e1430 = (_e1428 - (((_e1382 * _e1385) + (_e1394 * _e1397)) + ((_e1407 * _e1410) + (_e1419 * _e1422))));
+                            let _e1434 = local.member[0u][1u];
+                            let _e1437 = local.member_1[1u];
+                            let _e1442 = local.member[1u][1u];
+                            let _e1445 = local.member_1[0u];
+                            let _e1447 = ((_e1434 * _e1437) - (_e1442 * _e1445));
+                            let _e1451 = local.member[1u][1u];
+                            if (_e1451 < 0f) {
+                                phi_2317_ = -(_e1451);
                             } else {
-                                phi_2286_ = _e1450;
+                                phi_2317_ = _e1451;
                             }
-                            let _e1454 = phi_2286_;
-                            let _e1457 = local.member_3[0u];
-                            let _e1462 = local.member[0u][1u];
-                            if (_e1462 < 0f) {
-                                phi_2309_ = -(_e1462);
+                            let _e1455 = phi_2317_;
+                            let _e1458 = local.member_3[0u];
+                            let _e1463 = local.member[0u][1u];
+                            if (_e1463 < 0f) {
+                                phi_2340_ = -(_e1463);
                             } else {
-                                phi_2309_ = _e1462;
+                                phi_2340_ = _e1463;
                             }
-                            let _e1466 = phi_2309_;
-                            let _e1469 = local.member_3[1u];
-                            let _e1475 = local.member[2u][0u];
-                            if (_e1475 < 0f) {
-                                phi_2333_ = -(_e1475);
+                            let _e1467 = phi_2340_;
+                            let _e1470 = local.member_3[1u];
+                            let _e1476 = local.member[2u][0u];
+                            if (_e1476 < 0f) {
+                                phi_2364_ = -(_e1476);
                             } else {
-                                phi_2333_ = _e1475;
+                                phi_2364_ = _e1476;
                             }
-                            let _e1479 = phi_2333_;
-                            let _e1482 = local.member_4[2u];
-                            let _e1487 = local.member[2u][2u];
-                            if (_e1487 < 0f) {
-                                phi_2356_ = -(_e1487);
+                            let _e1480 = phi_2364_;
+                            let _e1483 = local.member_4[2u];
+                            let _e1488 = local.member[2u][2u];
+                            if (_e1488 < 0f) {
+                                phi_2387_ = -(_e1488);
                             } else {
-                                phi_2356_ = _e1487;
+                                phi_2387_ = _e1488;
                             }
-                            let _e1491 = phi_2356_;
-                            let _e1494 = local.member_4[0u];
-                            if (_e1446 < 0f) {
-                                phi_2372_ = -(_e1446);
+                            let _e1492 = phi_2387_;
+                            let _e1495 = local.member_4[0u];
+                            if (_e1447 < 0f) {
+                                phi_2403_ = -(_e1447);
                             } else {
-                                phi_2372_ = _e1446;
+                                phi_2403_ = _e1447;
                             }
-                            let _e1500 = phi_2372_;
-                            let _e1502 = (_e1500 - (((_e1454 * _e1457) + (_e1466 * _e1469)) + ((_e1479 * _e1482) + (_e1491 * _e1494))));
-                            let _e1506 = local.member[0u][2u];
-                            let _e1509 = local.member_1[1u];
-                            let _e1514 = local.member[1u][2u];
-                            let _e1517 = local.member_1[0u];
-                            let _e1519 = ((_e1506 * _e1509) - (_e1514 * _e1517));
-                            let _e1523 = local.member[1u][2u];
-                            if (_e1523 < 0f) {
-                                phi_2427_ = -(_e1523);
+                            let _e1501 = phi_2403_;
+                            let _e1503 = (_e1501 - (((_e1455 * _e1458) + (_e1467 * _e1470)) + ((_e1480 * _e1483) + (_e1492 * _e1495))));
+                            let _e1507 = local.member[0u][2u];
+                            let _e1510 = local.member_1[1u];
+                            let _e1515 = local.member[1u][2u];
+                            let _e1518 = local.member_1[0u];
+                            let _e1520 = ((_e1507 * _e1510) - (_e1515 * _e1518));
+                            let _e1524 = local.member[1u][2u];
+                            if (_e1524 < 0f) {
+                                phi_2458_ = -(_e1524);
                             } else {
-                                phi_2427_ = _e1523;
+                                phi_2458_ = _e1524;
                             }
-                            let _e1527 = phi_2427_;
-                            let _e1530 = local.member_3[0u];
-                            let _e1535 = local.member[0u][2u];
-                            if (_e1535 < 0f) {
-                                phi_2450_ = -(_e1535);
+                            let _e1528 = phi_2458_;
+                            let _e1531 = local.member_3[0u];
+                            let _e1536 = local.member[0u][2u];
+                            if (_e1536 < 0f) {
+                                phi_2481_ = -(_e1536);
                             } else {
-                                phi_2450_ = _e1535;
+                                phi_2481_ = _e1536;
                             }
-                            let _e1539 = phi_2450_;
-                            let _e1542 = local.member_3[1u];
-                            let _e1548 = local.member[2u][1u];
-                            if (_e1548 < 0f) {
-                                phi_2474_ = -(_e1548);
+                            let _e1540 = phi_2481_;
+                            let _e1543 = local.member_3[1u];
+                            let _e1549 = local.member[2u][1u];
+                            if (_e1549 < 0f) {
+                                phi_2505_ = -(_e1549);
                             } else {
-                                phi_2474_ = _e1548;
+                                phi_2505_ = _e1549;
                             }
-                            let _e1552 = phi_2474_;
-                            let _e1555 = local.member_4[0u];
-                            let _e1560 = local.member[2u][0u];
-                            if (_e1560 < 0f) {
-                                phi_2497_ = -(_e1560);
+                            let _e1553 = phi_2505_;
+                            let _e1556 = local.member_4[0u];
+                            let _e1561 = local.member[2u][0u];
+                            if (_e1561 < 0f) {
+                                phi_2528_ = -(_e1561);
                             } else {
-                                phi_2497_ = _e1560;
+                                phi_2528_ = _e1561;
                             }
-                            let _e1564 = phi_2497_;
-                            let _e1567 = local.member_4[1u];
-                            if (_e1519 < 0f) {
-                                phi_2513_ = -(_e1519);
+                            let _e1565 = phi_2528_;
+                            let _e1568 = local.member_4[1u];
+                            if (_e1520 < 0f) {
+                                phi_2544_ = -(_e1520);
                             } else {
-                                phi_2513_ = _e1519;
+                                phi_2544_ = _e1520;
                             }
-                            let _e1573 = phi_2513_;
-                            let _e1575 = (_e1573 - (((_e1527 * _e1530) + (_e1539 * _e1542)) + ((_e1552 * _e1555) + (_e1564 * _e1567))));
-                            if (_e991 > _e1064) {
-                                phi_2520_ = _e991;
+                            let _e1574 = phi_2544_;
+                            let _e1576 = (_e1574 - (((_e1528 * _e1531) + (_e1540 * _e1543)) + ((_e1553 * _e1556) + (_e1565 * _e1568))));
+                            if (_e992 > _e1065) {
+                                phi_2551_ = _e992;
                             } else {
-                                phi_2520_ = _e1064;
+                                phi_2551_ = _e1065;
                             }
-                            let _e1578 = phi_2520_;
-                            if (_e1578 > _e1137) {
-                                phi_2525_ = _e1578;
+                            let _e1579 = phi_2551_;
+                            if (_e1579 > _e1138) {
+                                phi_2556_ = _e1579;
                             } else {
-                                phi_2525_ = _e1137;
+                                phi_2556_ = _e1138;
                             }
-                            let _e1581 = phi_2525_;
-                            if (_e1210 > _e1283) {
-                                phi_2530_ = _e1210;
+                            let _e1582 = phi_2556_;
+                            if (_e1211 > _e1284) {
+                                phi_2561_ = _e1211;
                             } else {
-                                phi_2530_ = _e1283;
+                                phi_2561_ = _e1284;
                             }
-                            let _e1584 = phi_2530_;
-                            if (_e1584 > _e1356) {
-                                phi_2535_ = _e1584;
+                            let _e1585 = phi_2561_;
+                            if (_e1585 > _e1357) {
+                                phi_2566_ = _e1585;
                             } else {
-                                phi_2535_ = _e1356;
+                                phi_2566_ = _e1357;
                             }
-                            let _e1587 = phi_2535_;
-                            if (_e1581 > _e1587) {
-                                phi_2540_ = _e1581;
+                            let _e1588 = phi_2566_;
+                            if (_e1582 > _e1588) {
+                                phi_2571_ = _e1582;
                             } else {
-                                phi_2540_ = _e1587;
+                                phi_2571_ = _e1588;
                             }
-                            let _e1590 = phi_2540_;
-                            if (_e1429 > _e1502) {
-                                phi_2545_ = _e1429;
+                            let _e1591 = phi_2571_;
+                            if (_e1430 > _e1503) {
+                                phi_2576_ = _e1430;
                             } else {
-                                phi_2545_ = _e1502;
+                                phi_2576_ = _e1503;
                             }
-                            let _e1593 = phi_2545_;
-                            if (_e1593 > _e1575) {
-                                phi_2550_ = _e1593;
+                            let _e1594 = phi_2576_;
+                            if (_e1594 > _e1576) {
+                                phi_2581_ = _e1594;
                             } else {
-                                phi_2550_ = _e1575;
+                                phi_2581_ = _e1576;
                             }
-                            let _e1596 = phi_2550_;
-                            if (_e1590 > _e1596) {
-                                phi_2555_ = _e1590;
+                            let _e1597 = phi_2581_;
+                            if (_e1591 > _e1597) {
+                                phi_2586_ = _e1591;
                             } else {
-                                phi_2555_ = _e1596;
+                                phi_2586_ = _e1597;
                             }
-                            let _e1599 = phi_2555_;
-                            let _e1601 = local.member_5;
-                            phi_2559_ = (_e1599 > _e1601);
+                            let _e1600 = phi_2586_;
+                            let _e1602 = local.member_5;
+                            phi_2590_ = (_e1600 > _e1602);
                         }
-                        let _e1604 = phi_2559_;
-                        phi_2561_ = !(_e1604);
-                        phi_2562_ = false;
+                        let _e1605 = phi_2590_;
+                        phi_2592_ = !(_e1605);
+                        phi_2593_ = false;
                     } else {
-                        phi_2561_ = bool();
-                        phi_2562_ = true;
+                        phi_2592_ = bool();
+                        phi_2593_ = true;
                     }
-                    let _e1607 = phi_2561_;
-                    let _e1609 = phi_2562_;
-                    phi_2563_ = _e1607;
-                    phi_2564_ = _e1609;
+                    let _e1608 = phi_2592_;
+                    let _e1610 = phi_2593_;
+                    phi_2594_ = _e1608;
+                    phi_2595_ = _e1610;
                 }
-                let _e1611 = phi_2563_;
-                let _e1613 = phi_2564_;
-                if _e1613 {
-                    phi_2568_ = true;
+                let _e1612 = phi_2594_;
+                let _e1614 = phi_2595_;
+                if _e1614 {
+                    phi_2599_ = true;
                 } else {
-                    phi_2568_ = _e1611;
+                    phi_2599_ = _e1612;
                 }
-                let _e1615 = phi_2568_;
-                phi_2569_ = _e1615;
+                let _e1616 = phi_2599_;
+                if _e1616 {
+                    let _e1618 = atomicAdd((&control.member[0u]), 1u);
+                    let _e1621 = atomicMax((&output.member[0u]), (_e1618 + 1u));
+                    if ((_e1618 + 1u) < _e1618) {
+                        let _e1625 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    let _e1628 = params.member.member_2.member_3;
+                    if (_e1618 < _e1628) {
+                        let _e1632 = (2u * _e1618);
+                        atomicStore((&output.member[(4u + _e1632)]), _e93[0]);
+                        atomicStore((&output.member[(_e1632 + 5u)]), _e93[1]);
+                    }
+                    phi_2634_ = false;
+                } else {
+                    phi_2634_ = true;
+                }
+                let _e1638 = phi_2634_;
+                phi_2635_ = _e1638;
             } else {
-                phi_2569_ = false;
+                phi_2635_ = true;
             }
-            let _e1617 = phi_2569_;
-            if _e1617 {
-                let _e1645 = atomicAdd((&control.member[0u]), 1u);
-                let _e1648 = atomicMax((&output.member[0u]), (_e1645 + 1u));
-                if ((_e1645 + 1u) < _e1645) {
-                    let _e1652 = atomicAdd((&output.member[2u]), 1u);
-                }
-                let _e1655 = params.member.member_2.member_3;
-                if (_e1645 < _e1655) {
-                    let _e1659 = (2u * _e1645);
-                    atomicStore((&output.member[(4u + _e1659)]), _e93[0]);
-                    atomicStore((&output.member[(_e1659 + 5u)]), _e93[1]);
-                }
-            } else {
-                let _e1620 = params.member.member_2.member_4;
-                if (_e1620 > 0u) {
-                    let _e1623 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e1623 + 1u) < _e1623) {
-                        let _e1627 = atomicAdd((&control.member[1538u]), 1u);
+            let _e1640 = phi_2635_;
+            if _e1640 {
+                let _e1643 = params.member.member_2.member_4;
+                if (_e1643 > 0u) {
+                    let _e1646 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e1646 + 1u) < _e1646) {
+                        let _e1650 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e1630 = params.member.member_2.member_4;
-                    if (_e1623 < _e1630) {
-                        let _e1633 = params.member.member_2.member_5;
-                        let _e1635 = params.member.member_2.member_4;
-                        let _e1638 = (2u * ((_e1633 * _e1635) + _e1623));
-                        front.member[_e1638] = _e93[0];
-                        front.member[(_e1638 + 1u)] = _e93[1];
+                    let _e1652 = params.member.member_2.member_4;
+                    if (_e1646 < _e1652) {
+                        let _e1655 = params.member.member_2.member_5;
+                        let _e1657 = params.member.member_2.member_4;
+                        let _e1660 = (2u * ((_e1655 * _e1657) + _e1646));
+                        front.member[_e1660] = _e93[0];
+                        front.member[(_e1660 + 1u)] = _e93[1];
                     }
                 }
             }

@@ -97,14 +97,14 @@ var<storage> params: type_19;
 var<storage> first: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_132_: array<u32, 2>;
-    var phi_234_: u32;
-    var phi_235_: u32;
-    var phi_236_: u32;
-    var phi_253_: array<u32, 2>;
-    var phi_254_: array<u32, 2>;
-    var phi_266_: array<u32, 2>;
-    var phi_267_: array<u32, 2>;
+    var phi_144_: array<u32, 2>;
+    var phi_309_: u32;
+    var phi_310_: u32;
+    var phi_311_: u32;
+    var phi_329_: array<u32, 2>;
+    var phi_330_: array<u32, 2>;
+    var phi_342_: array<u32, 2>;
+    var phi_343_: array<u32, 2>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -122,11 +122,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e55 = first.member[(4u + _e52)];
         let _e58 = first.member[(_e52 + 5u)];
         let _e61 = params.member.member_1.member_1;
-        phi_132_ = array<u32, 2>(((_e61 << bitcast<u32>(27u)) | _e55), _e58);
+        phi_144_ = array<u32, 2>(((_e61 << bitcast<u32>(27u)) | _e55), _e58);
     } else {
-        phi_132_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_144_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e67 = phi_132_;
+    let _e67 = phi_144_;
     let _e70 = params.member.member_2.member;
     if (_e33 == 0u) {
         atomicStore((&shared_[6u]), 0u);
@@ -142,48 +142,48 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e109 = boxes.member[(_e106 + _e67[1])];
         if ((((((_e89.member.x <= _e109.member_1.y) && (_e109.member.x <= _e89.member_1.y)) && (_e89.member.y <= _e109.member_2.x)) && (_e109.member.y <= _e89.member_2.x)) && (_e89.member_1.x <= _e109.member_2.y)) && (_e109.member_1.x <= _e89.member_2.y)) {
             if (_e80 > 1u) {
-                phi_234_ = 1u;
+                phi_309_ = 1u;
             } else {
-                phi_234_ = 2u;
+                phi_309_ = 2u;
             }
-            let _e135 = phi_234_;
-            phi_235_ = _e135;
+            let _e135 = phi_309_;
+            phi_310_ = _e135;
         } else {
-            phi_235_ = 3u;
+            phi_310_ = 3u;
         }
-        let _e137 = phi_235_;
-        phi_236_ = _e137;
+        let _e137 = phi_310_;
+        phi_311_ = _e137;
     } else {
-        phi_236_ = 0u;
+        phi_311_ = 0u;
     }
-    let _e139 = phi_236_;
+    let _e139 = phi_311_;
     if (_e139 == 1u) {
         let _e149 = atomicAdd((&shared_[6u]), 1u);
-        phi_254_ = array<u32, 2>(_e149, 0u);
+        phi_330_ = array<u32, 2>(_e149, 0u);
     } else {
         if (_e139 == 2u) {
             let _e144 = atomicAdd((&shared_[7u]), 1u);
-            phi_253_ = array<u32, 2>(_e144, 0u);
+            phi_329_ = array<u32, 2>(_e144, 0u);
         } else {
-            phi_253_ = array<u32, 2>(0u, 0u);
+            phi_329_ = array<u32, 2>(0u, 0u);
         }
-        let _e147 = phi_253_;
-        phi_254_ = _e147;
+        let _e147 = phi_329_;
+        phi_330_ = _e147;
     }
-    let _e152 = phi_254_;
+    let _e152 = phi_330_;
     if (_e139 >= 2u) {
         if (_e70.member_4 > 0u) {
             let _e156 = atomicAdd((&shared_[8u]), 1u);
-            phi_266_ = array<u32, 2>(_e152[0], _e156);
+            phi_342_ = array<u32, 2>(_e152[0], _e156);
         } else {
-            phi_266_ = _e152;
+            phi_342_ = _e152;
         }
-        let _e160 = phi_266_;
-        phi_267_ = _e160;
+        let _e160 = phi_342_;
+        phi_343_ = _e160;
     } else {
-        phi_267_ = _e152;
+        phi_343_ = _e152;
     }
-    let _e162 = phi_267_;
+    let _e162 = phi_343_;
     workgroupBarrier();
     if (_e33 == 0u) {
         let _e165 = atomicLoad((&shared_[6u]));
@@ -227,11 +227,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     } else {
         if (_e139 == 0u) {
         } else {
-            let _e203 = params.member.member_1.member_3;
             if (_e139 == 2u) {
+                let _e206 = params.member.member_1;
                 let _e209 = atomicLoad((&shared_[12u]));
                 let _e211 = (_e209 + _e162[0]);
-                if (_e211 < _e203) {
+                if (_e211 < _e206.member_3) {
                     let _e213 = (2u * _e211);
                     atomicStore((&pairs.member[(4u + _e213)]), (_e67[0] & 134217727u));
                     atomicStore((&pairs.member[(_e213 + 5u)]), _e67[1]);

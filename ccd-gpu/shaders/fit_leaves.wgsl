@@ -175,158 +175,155 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e84 = boxes.member[_e82];
             let _e103 = params.member.member.member_2[_e58];
             let _e104 = (_e82 - _e103);
-            let _e105 = type_19(array<u32, 3>(0u, 0u, 0u), _e104);
-            let _e111 = type_19(array<u32, 3>(_e104, _e105.member[1], _e105.member[2]), _e105.member_1);
-            let _e120 = type_19(array<u32, 3>(_e104, _e104, _e104), type_19(array<u32, 3>(_e111.member[0], _e104, _e111.member[2]), _e111.member_1).member_1);
-            let _e123 = params.member.member.member_1;
-            if ((_e123 & 1u) != 0u) {
+            let _e108 = type_19(array<u32, 3>(_e104, _e104, _e104), type_19(array<u32, 3>(0u, 0u, 0u), _e104).member_1);
+            let _e111 = params.member.member.member_1;
+            if ((_e111 & 1u) != 0u) {
                 if (_e58 == 1u) {
-                    let _e135 = edges.member[_e104];
-                    let _e144 = type_19(array<u32, 3>(_e135[0], _e120.member[1], _e120.member[2]), _e120.member_1);
-                    phi_261_ = type_19(array<u32, 3>(_e135[0], _e135[1], _e135[1]), type_19(array<u32, 3>(_e144.member[0], _e135[1], _e144.member[2]), _e144.member_1).member_1);
+                    let _e123 = edges.member[_e104];
+                    phi_261_ = type_19(array<u32, 3>(_e123[0], _e123[1], _e123[1]), _e108.member_1);
                 } else {
                     if (_e58 == 2u) {
-                        let _e129 = faces.member[_e104];
-                        phi_260_ = type_19(_e129, _e120.member_1);
+                        let _e117 = faces.member[_e104];
+                        phi_260_ = type_19(_e117, _e108.member_1);
                     } else {
-                        phi_260_ = _e120;
+                        phi_260_ = _e108;
                     }
-                    let _e133 = phi_260_;
-                    phi_261_ = _e133;
+                    let _e121 = phi_260_;
+                    phi_261_ = _e121;
                 }
-                let _e155 = phi_261_;
-                phi_262_ = _e155;
+                let _e131 = phi_261_;
+                phi_262_ = _e131;
             } else {
-                phi_262_ = _e120;
+                phi_262_ = _e108;
             }
-            let _e157 = phi_262_;
-            phi_263_ = _e157;
+            let _e133 = phi_262_;
+            phi_263_ = _e133;
             phi_264_ = type_30(array<f32, 3>(_e84.member.x, _e84.member.y, _e84.member_1.x), array<f32, 3>(_e84.member_1.y, _e84.member_2.x, _e84.member_2.y));
         } else {
             phi_263_ = type_19(array<u32, 3>(0u, 0u, 0u), 4294967295u);
             phi_264_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         }
-        let _e159 = phi_263_;
-        let _e161 = phi_264_;
-        phi_265_ = _e159;
-        phi_266_ = _e161;
+        let _e135 = phi_263_;
+        let _e137 = phi_264_;
+        phi_265_ = _e135;
+        phi_266_ = _e137;
     } else {
         phi_265_ = type_19(array<u32, 3>(0u, 0u, 0u), 4294967295u);
         phi_266_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e163 = phi_265_;
-    let _e165 = phi_266_;
-    shared_[_e31] = type_30(array<f32, 3>(_e165.member[0], _e165.member[1], _e165.member[2]), array<f32, 3>(_e165.member_1[0], _e165.member_1[1], _e165.member_1[2]));
+    let _e139 = phi_265_;
+    let _e141 = phi_266_;
+    shared_[_e31] = type_30(array<f32, 3>(_e141.member[0], _e141.member[1], _e141.member[2]), array<f32, 3>(_e141.member_1[0], _e141.member_1[1], _e141.member_1[2]));
     phi_281_ = type_13(0i, 5i);
-    phi_284_ = _e165;
+    phi_284_ = _e141;
     phi_286_ = 16u;
     loop {
-        let _e179 = phi_281_;
-        let _e181 = phi_284_;
-        let _e183 = phi_286_;
-        local = _e181;
-        local_1 = _e181;
-        local_2 = _e181;
-        local_3 = _e181;
-        local_4 = _e181;
-        local_5 = _e181;
-        if (_e179.member < _e179.member_1) {
-            let _e190 = (_e179.member + 1i);
-            if ((false == (_e190 > _e179.member)) != false) {
+        let _e155 = phi_281_;
+        let _e157 = phi_284_;
+        let _e159 = phi_286_;
+        local = _e157;
+        local_1 = _e157;
+        local_2 = _e157;
+        local_3 = _e157;
+        local_4 = _e157;
+        local_5 = _e157;
+        if (_e155.member < _e155.member_1) {
+            let _e166 = (_e155.member + 1i);
+            if ((false == (_e166 > _e155.member)) != false) {
                 phi_307_ = true;
             } else {
                 phi_307_ = false;
             }
-            let _e195 = phi_307_;
-            if _e195 {
+            let _e171 = phi_307_;
+            if _e171 {
                 phi_313_ = type_14(0u, type_14().member_1);
             } else {
-                phi_313_ = type_14(1u, _e190);
+                phi_313_ = type_14(1u, _e166);
             }
-            let _e200 = phi_313_;
-            phi_282_ = type_13(_e200.member_1, _e179.member_1);
-            phi_327_ = type_14(1u, _e179.member);
+            let _e176 = phi_313_;
+            phi_282_ = type_13(_e176.member_1, _e155.member_1);
+            phi_327_ = type_14(1u, _e155.member);
         } else {
-            phi_282_ = _e179;
+            phi_282_ = _e155;
             phi_327_ = type_14(0u, type_14().member_1);
         }
-        let _e206 = phi_282_;
-        let _e208 = phi_327_;
-        let _e211 = (bitcast<i32>(_e208.member) != 0i);
-        if _e211 {
+        let _e182 = phi_282_;
+        let _e184 = phi_327_;
+        let _e187 = (bitcast<i32>(_e184.member) != 0i);
+        if _e187 {
             workgroupBarrier();
-            if ((_e31 % 32u) < _e183) {
-                let _e216 = shared_[(_e31 + _e183)];
-                if (_e181.member[0] < _e216.member[0]) {
-                    phi_359_ = _e181.member[0];
+            if ((_e31 % 32u) < _e159) {
+                let _e192 = shared_[(_e31 + _e159)];
+                if (_e157.member[0] < _e192.member[0]) {
+                    phi_359_ = _e157.member[0];
                 } else {
-                    phi_359_ = _e216.member[0];
+                    phi_359_ = _e192.member[0];
                 }
-                let _e229 = phi_359_;
-                if (_e181.member[1] < _e216.member[1]) {
-                    phi_366_ = _e181.member[1];
+                let _e205 = phi_359_;
+                if (_e157.member[1] < _e192.member[1]) {
+                    phi_366_ = _e157.member[1];
                 } else {
-                    phi_366_ = _e216.member[1];
+                    phi_366_ = _e192.member[1];
                 }
-                let _e234 = phi_366_;
-                if (_e181.member[2] < _e216.member[2]) {
-                    phi_373_ = _e181.member[2];
+                let _e210 = phi_366_;
+                if (_e157.member[2] < _e192.member[2]) {
+                    phi_373_ = _e157.member[2];
                 } else {
-                    phi_373_ = _e216.member[2];
+                    phi_373_ = _e192.member[2];
                 }
-                let _e239 = phi_373_;
-                if (_e181.member_1[0] > _e216.member_1[0]) {
-                    phi_381_ = _e181.member_1[0];
+                let _e215 = phi_373_;
+                if (_e157.member_1[0] > _e192.member_1[0]) {
+                    phi_381_ = _e157.member_1[0];
                 } else {
-                    phi_381_ = _e216.member_1[0];
+                    phi_381_ = _e192.member_1[0];
                 }
-                let _e245 = phi_381_;
-                if (_e181.member_1[1] > _e216.member_1[1]) {
-                    phi_388_ = _e181.member_1[1];
+                let _e221 = phi_381_;
+                if (_e157.member_1[1] > _e192.member_1[1]) {
+                    phi_388_ = _e157.member_1[1];
                 } else {
-                    phi_388_ = _e216.member_1[1];
+                    phi_388_ = _e192.member_1[1];
                 }
-                let _e250 = phi_388_;
-                if (_e181.member_1[2] > _e216.member_1[2]) {
-                    phi_395_ = _e181.member_1[2];
+                let _e226 = phi_388_;
+                if (_e157.member_1[2] > _e192.member_1[2]) {
+                    phi_395_ = _e157.member_1[2];
                 } else {
-                    phi_395_ = _e216.member_1[2];
+                    phi_395_ = _e192.member_1[2];
                 }
-                let _e255 = phi_395_;
-                shared_[_e31] = type_30(array<f32, 3>(_e229, _e234, _e239), array<f32, 3>(_e245, _e250, _e255));
-                phi_410_ = type_30(array<f32, 3>(_e229, _e234, _e239), array<f32, 3>(_e245, _e250, _e255));
+                let _e231 = phi_395_;
+                shared_[_e31] = type_30(array<f32, 3>(_e205, _e210, _e215), array<f32, 3>(_e221, _e226, _e231));
+                phi_410_ = type_30(array<f32, 3>(_e205, _e210, _e215), array<f32, 3>(_e221, _e226, _e231));
             } else {
-                phi_410_ = _e181;
+                phi_410_ = _e157;
             }
-            let _e263 = phi_410_;
-            phi_285_ = _e263;
-            phi_287_ = (_e183 / 2u);
+            let _e239 = phi_410_;
+            phi_285_ = _e239;
+            phi_287_ = (_e159 / 2u);
         } else {
             phi_285_ = type_30();
             phi_287_ = u32();
         }
-        let _e266 = phi_285_;
-        let _e268 = phi_287_;
+        let _e242 = phi_285_;
+        let _e244 = phi_287_;
         continue;
         continuing {
-            phi_281_ = _e206;
-            phi_284_ = _e266;
-            phi_286_ = _e268;
-            break if !(_e211);
+            phi_281_ = _e182;
+            phi_284_ = _e242;
+            phi_286_ = _e244;
+            break if !(_e187);
         }
     }
     if _e70 {
-        nodes.member[_e45] = type_26(vec2<f32>(_e165.member[0], _e165.member[1]), vec2<f32>(_e165.member[2], _e165.member_1[0]), vec2<f32>(_e165.member_1[1], _e165.member_1[2]));
-        leaves.member[_e45] = vec4<u32>(_e163.member[0], _e163.member[1], _e163.member[2], _e163.member_1);
+        nodes.member[_e45] = type_26(vec2<f32>(_e141.member[0], _e141.member[1]), vec2<f32>(_e141.member[2], _e141.member_1[0]), vec2<f32>(_e141.member_1[1], _e141.member_1[2]));
+        leaves.member[_e45] = vec4<u32>(_e139.member[0], _e139.member[1], _e139.member[2], _e139.member_1);
         if ((_e31 % 32u) == 0u) {
-            let _e303 = params.member.member_2.member[1u][_e58];
-            let _e306 = local;
-            let _e310 = local_1;
-            let _e314 = local_2;
-            let _e318 = local_3;
-            let _e322 = local_4;
-            let _e326 = local_5;
-            nodes.member[(_e303 + (_e64 / 32u))] = type_26(vec2<f32>(_e306.member[0], _e310.member[1]), vec2<f32>(_e314.member[2], _e318.member_1[0]), vec2<f32>(_e322.member_1[1], _e326.member_1[2]));
+            let _e279 = params.member.member_2.member[1u][_e58];
+            let _e282 = local;
+            let _e286 = local_1;
+            let _e290 = local_2;
+            let _e294 = local_3;
+            let _e298 = local_4;
+            let _e302 = local_5;
+            nodes.member[(_e279 + (_e64 / 32u))] = type_26(vec2<f32>(_e282.member[0], _e286.member[1]), vec2<f32>(_e290.member[2], _e294.member_1[0]), vec2<f32>(_e298.member_1[1], _e302.member_1[2]));
         }
     }
     return;

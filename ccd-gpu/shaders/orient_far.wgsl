@@ -1286,147 +1286,139 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1255 = phi_1830_;
                                             if _e1255 {
                                                 if _e924 {
-                                                    let _e1499 = ((_e894.member_1[1] - _e894.member_1[0]) / (_e894.member[0] * 2f));
-                                                    let _e1501 = ((_e1499 * _e1499) + 1f);
-                                                    if (_e1501 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        if (_e1501 > 0f) {
+                                                    let _e1471 = ((_e894.member_1[1] - _e894.member_1[0]) / (_e894.member[0] * 2f));
+                                                    let _e1473 = ((_e1471 * _e1471) + 1f);
+                                                    if (_e1473 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        if (_e1473 > 0f) {
                                                             phi_1855_ = (0.000000000000000000106433627f * 2f);
                                                         } else {
                                                             phi_1855_ = 0f;
                                                         }
-                                                        let _e1554 = phi_1855_;
-                                                        phi_1919_ = _e1554;
+                                                        let _e1526 = phi_1855_;
+                                                        phi_1919_ = _e1526;
                                                     } else {
                                                         phi_1862_ = type_14(0i, 5i);
-                                                        phi_1865_ = bitcast<f32>(((bitcast<u32>(_e1501) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_1865_ = bitcast<f32>(((bitcast<u32>(_e1473) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e1509 = phi_1862_;
-                                                            let _e1511 = phi_1865_;
-                                                            local_6 = _e1511;
-                                                            if (_e1509.member < _e1509.member_1) {
-                                                                let _e1518 = (_e1509.member + 1i);
-                                                                if ((false == (_e1518 > _e1509.member)) != false) {
+                                                            let _e1481 = phi_1862_;
+                                                            let _e1483 = phi_1865_;
+                                                            local_6 = _e1483;
+                                                            if (_e1481.member < _e1481.member_1) {
+                                                                let _e1490 = (_e1481.member + 1i);
+                                                                if ((false == (_e1490 > _e1481.member)) != false) {
                                                                     phi_1886_ = true;
                                                                 } else {
                                                                     phi_1886_ = false;
                                                                 }
-                                                                let _e1523 = phi_1886_;
-                                                                if _e1523 {
+                                                                let _e1495 = phi_1886_;
+                                                                if _e1495 {
                                                                     phi_1892_ = type_15(0u, type_15().member_1);
                                                                 } else {
-                                                                    phi_1892_ = type_15(1u, _e1518);
+                                                                    phi_1892_ = type_15(1u, _e1490);
                                                                 }
-                                                                let _e1528 = phi_1892_;
-                                                                phi_1863_ = type_14(_e1528.member_1, _e1509.member_1);
-                                                                phi_1906_ = type_15(1u, _e1509.member);
+                                                                let _e1500 = phi_1892_;
+                                                                phi_1863_ = type_14(_e1500.member_1, _e1481.member_1);
+                                                                phi_1906_ = type_15(1u, _e1481.member);
                                                             } else {
-                                                                phi_1863_ = _e1509;
+                                                                phi_1863_ = _e1481;
                                                                 phi_1906_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e1534 = phi_1863_;
-                                                            let _e1536 = phi_1906_;
-                                                            let _e1539 = (bitcast<i32>(_e1536.member) != 0i);
-                                                            if _e1539 {
-                                                                phi_1866_ = (0.5f * (_e1511 + (_e1501 / _e1511)));
+                                                            let _e1506 = phi_1863_;
+                                                            let _e1508 = phi_1906_;
+                                                            let _e1511 = (bitcast<i32>(_e1508.member) != 0i);
+                                                            if _e1511 {
+                                                                phi_1866_ = (0.5f * (_e1483 + (_e1473 / _e1483)));
                                                             } else {
                                                                 phi_1866_ = f32();
                                                             }
-                                                            let _e1544 = phi_1866_;
+                                                            let _e1516 = phi_1866_;
                                                             continue;
                                                             continuing {
-                                                                phi_1862_ = _e1534;
-                                                                phi_1865_ = _e1544;
-                                                                break if !(_e1539);
+                                                                phi_1862_ = _e1506;
+                                                                phi_1865_ = _e1516;
+                                                                break if !(_e1511);
                                                             }
                                                         }
-                                                        let _e1549 = local_6;
-                                                        phi_1919_ = (_e1549 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e1521 = local_6;
+                                                        phi_1919_ = (_e1521 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e1556 = phi_1919_;
-                                                    if (_e1499 > 0f) {
-                                                        phi_1926_ = (_e1499 + _e1556);
+                                                    let _e1528 = phi_1919_;
+                                                    if (_e1471 > 0f) {
+                                                        phi_1926_ = (_e1471 + _e1528);
                                                     } else {
-                                                        phi_1926_ = (_e1499 - _e1556);
+                                                        phi_1926_ = (_e1471 - _e1528);
                                                     }
-                                                    let _e1561 = phi_1926_;
-                                                    let _e1564 = (_e894.member_1[1] - (_e894.member_1[0] - (_e894.member[0] / _e1561)));
-                                                    let _e1567 = ((_e1564 * _e1564) + (_e894.member[0] * _e894.member[0]));
-                                                    if (_e1567 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                        if (_e1567 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            if (_e1567 > 0f) {
+                                                    let _e1533 = phi_1926_;
+                                                    let _e1536 = (_e894.member_1[1] - (_e894.member_1[0] - (_e894.member[0] / _e1533)));
+                                                    let _e1539 = ((_e1536 * _e1536) + (_e894.member[0] * _e894.member[0]));
+                                                    if (_e1539 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                        if (_e1539 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            if (_e1539 > 0f) {
                                                                 phi_1953_ = (0.000000000000000000106433627f * 2f);
                                                             } else {
                                                                 phi_1953_ = 0f;
                                                             }
-                                                            let _e1624 = phi_1953_;
-                                                            phi_2017_ = _e1624;
+                                                            let _e1596 = phi_1953_;
+                                                            phi_2017_ = _e1596;
                                                         } else {
                                                             phi_1960_ = type_14(0i, 5i);
-                                                            phi_1963_ = bitcast<f32>(((bitcast<u32>(_e1567) >> bitcast<u32>(1i)) + 532369198u));
+                                                            phi_1963_ = bitcast<f32>(((bitcast<u32>(_e1539) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
-                                                                let _e1579 = phi_1960_;
-                                                                let _e1581 = phi_1963_;
-                                                                local_7 = _e1581;
-                                                                if (_e1579.member < _e1579.member_1) {
-                                                                    let _e1588 = (_e1579.member + 1i);
-                                                                    if ((false == (_e1588 > _e1579.member)) != false) {
+                                                                let _e1551 = phi_1960_;
+                                                                let _e1553 = phi_1963_;
+                                                                local_7 = _e1553;
+                                                                if (_e1551.member < _e1551.member_1) {
+                                                                    let _e1560 = (_e1551.member + 1i);
+                                                                    if ((false == (_e1560 > _e1551.member)) != false) {
                                                                         phi_1984_ = true;
                                                                     } else {
                                                                         phi_1984_ = false;
                                                                     }
-                                                                    let _e1593 = phi_1984_;
-                                                                    if _e1593 {
+                                                                    let _e1565 = phi_1984_;
+                                                                    if _e1565 {
                                                                         phi_1990_ = type_15(0u, type_15().member_1);
                                                                     } else {
-                                                                        phi_1990_ = type_15(1u, _e1588);
+                                                                        phi_1990_ = type_15(1u, _e1560);
                                                                     }
-                                                                    let _e1598 = phi_1990_;
-                                                                    phi_1961_ = type_14(_e1598.member_1, _e1579.member_1);
-                                                                    phi_2004_ = type_15(1u, _e1579.member);
+                                                                    let _e1570 = phi_1990_;
+                                                                    phi_1961_ = type_14(_e1570.member_1, _e1551.member_1);
+                                                                    phi_2004_ = type_15(1u, _e1551.member);
                                                                 } else {
-                                                                    phi_1961_ = _e1579;
+                                                                    phi_1961_ = _e1551;
                                                                     phi_2004_ = type_15(0u, type_15().member_1);
                                                                 }
-                                                                let _e1604 = phi_1961_;
-                                                                let _e1606 = phi_2004_;
-                                                                let _e1609 = (bitcast<i32>(_e1606.member) != 0i);
-                                                                if _e1609 {
-                                                                    phi_1964_ = (0.5f * (_e1581 + (_e1567 / _e1581)));
+                                                                let _e1576 = phi_1961_;
+                                                                let _e1578 = phi_2004_;
+                                                                let _e1581 = (bitcast<i32>(_e1578.member) != 0i);
+                                                                if _e1581 {
+                                                                    phi_1964_ = (0.5f * (_e1553 + (_e1539 / _e1553)));
                                                                 } else {
                                                                     phi_1964_ = f32();
                                                                 }
-                                                                let _e1614 = phi_1964_;
+                                                                let _e1586 = phi_1964_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1960_ = _e1604;
-                                                                    phi_1963_ = _e1614;
-                                                                    break if !(_e1609);
+                                                                    phi_1960_ = _e1576;
+                                                                    phi_1963_ = _e1586;
+                                                                    break if !(_e1581);
                                                                 }
                                                             }
-                                                            let _e1619 = local_7;
-                                                            phi_2017_ = (_e1619 * (1f + (8f * 0.000000059604645f)));
+                                                            let _e1591 = local_7;
+                                                            phi_2017_ = (_e1591 * (1f + (8f * 0.000000059604645f)));
                                                         }
-                                                        let _e1626 = phi_2017_;
-                                                        let _e1627 = (_e1564 / _e1626);
-                                                        let _e1628 = (_e894.member[0] / _e1626);
-                                                        let _e1633 = (1.5f - (((_e1627 * _e1627) + (_e1628 * _e1628)) * 0.5f));
-                                                        phi_2029_ = type_34((_e1627 * _e1633), (_e1628 * _e1633));
+                                                        let _e1598 = phi_2017_;
+                                                        let _e1599 = (_e1536 / _e1598);
+                                                        let _e1600 = (_e894.member[0] / _e1598);
+                                                        let _e1605 = (1.5f - (((_e1599 * _e1599) + (_e1600 * _e1600)) * 0.5f));
+                                                        phi_2029_ = type_34((_e1599 * _e1605), (_e1600 * _e1605));
                                                     } else {
                                                         phi_2029_ = type_34(1f, 0f);
                                                     }
-                                                    let _e1638 = phi_2029_;
-                                                    let _e1655 = (((_e894.member_1[0] - _e894.member_1[1]) * _e1638.member_1) + ((_e1638.member * _e894.member[0]) * 2f));
-                                                    let _e1657 = (_e894.member_1[0] - (_e1638.member_1 * _e1655));
-                                                    let _e1659 = (_e894.member_1[1] + (_e1638.member_1 * _e1655));
-                                                    let _e1668 = type_36(_e894.member, array<f32, 3>(_e1657, _e894.member_1[1], _e894.member_1[2]), _e894.member_2);
-                                                    let _e1675 = type_36(_e1668.member, array<f32, 3>(_e1668.member_1[0], _e1659, _e1668.member_1[2]), _e1668.member_2);
-                                                    let _e1679 = type_36(_e1675.member, array<f32, 3>(_e1657, _e1659, _e894.member_1[2]), _e1675.member_2);
-                                                    let _e1685 = type_36(array<f32, 2>(((_e1638.member * _e1655) - _e894.member[0]), _e1679.member[1]), _e1679.member_1, _e1679.member_2);
-                                                    let _e1701 = array<f32, 3>(((_e894.member_2[0][0] * _e1638.member) - (_e894.member_2[1][0] * _e1638.member_1)), ((_e894.member_2[0][1] * _e1638.member) - (_e894.member_2[1][1] * _e1638.member_1)), ((_e894.member_2[0][2] * _e1638.member) - (_e894.member_2[1][2] * _e1638.member_1)));
-                                                    let _e1717 = array<f32, 3>(((_e894.member_2[0][0] * _e1638.member_1) + (_e894.member_2[1][0] * _e1638.member)), ((_e894.member_2[0][1] * _e1638.member_1) + (_e894.member_2[1][1] * _e1638.member)), ((_e894.member_2[0][2] * _e1638.member_1) + (_e894.member_2[1][2] * _e1638.member)));
-                                                    let _e1724 = type_36(_e1685.member, _e1685.member_1, array<array<f32, 3>, 3>(_e1701, _e1685.member_2[1], _e1685.member_2[2]));
-                                                    let _e1731 = type_36(_e1724.member, _e1724.member_1, array<array<f32, 3>, 3>(_e1724.member_2[0], _e1717, _e1724.member_2[2]));
-                                                    phi_2349_ = type_36(_e1731.member, _e1731.member_1, array<array<f32, 3>, 3>(_e1701, _e1717, _e894.member_2[2]));
+                                                    let _e1610 = phi_2029_;
+                                                    let _e1627 = (((_e894.member_1[0] - _e894.member_1[1]) * _e1610.member_1) + ((_e1610.member * _e894.member[0]) * 2f));
+                                                    let _e1637 = type_36(_e894.member, array<f32, 3>((_e894.member_1[0] - (_e1610.member_1 * _e1627)), (_e894.member_1[1] + (_e1610.member_1 * _e1627)), _e894.member_1[2]), _e894.member_2);
+                                                    let _e1643 = type_36(array<f32, 2>(((_e1610.member * _e1627) - _e894.member[0]), _e1637.member[1]), _e1637.member_1, _e1637.member_2);
+                                                    phi_2349_ = type_36(_e1643.member, _e1643.member_1, array<array<f32, 3>, 3>(array<f32, 3>(((_e894.member_2[0][0] * _e1610.member) - (_e894.member_2[1][0] * _e1610.member_1)), ((_e894.member_2[0][1] * _e1610.member) - (_e894.member_2[1][1] * _e1610.member_1)), ((_e894.member_2[0][2] * _e1610.member) - (_e894.member_2[1][2] * _e1610.member_1))), array<f32, 3>(((_e894.member_2[0][0] * _e1610.member_1) + (_e894.member_2[1][0] * _e1610.member)), ((_e894.member_2[0][1] * _e1610.member_1) + (_e894.member_2[1][1] * _e1610.member)), ((_e894.member_2[0][2] * _e1610.member_1) + (_e894.member_2[1][2] * _e1610.member))), _e894.member_2[2]));
                                                 } else {
                                                     if _e929 {
                                                         let _e1258 = ((_e894.member_1[2] - _e894.member_1[1]) / (_e894.member[1] * 2f));
@@ -1559,1100 +1551,1094 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         }
                                                         let _e1397 = phi_2286_;
                                                         let _e1414 = (((_e894.member_1[1] - _e894.member_1[2]) * _e1397.member_1) + ((_e1397.member * _e894.member[1]) * 2f));
-                                                        let _e1416 = (_e894.member_1[1] - (_e1397.member_1 * _e1414));
-                                                        let _e1427 = type_36(_e894.member, array<f32, 3>(_e894.member_1[0], _e894.member_1[1], _e894.member_1[2]), _e894.member_2);
-                                                        let _e1434 = type_36(_e1427.member, array<f32, 3>(_e1427.member_1[0], _e1416, _e1427.member_1[2]), _e1427.member_2);
-                                                        let _e1438 = type_36(_e1434.member, array<f32, 3>(_e894.member_1[0], _e1416, (_e894.member_1[2] + (_e1397.member_1 * _e1414))), _e1434.member_2);
-                                                        let _e1444 = type_36(array<f32, 2>(_e1438.member[0], ((_e1397.member * _e1414) - _e894.member[1])), _e1438.member_1, _e1438.member_2);
-                                                        let _e1460 = array<f32, 3>(((_e894.member_2[1][0] * _e1397.member) - (_e894.member_2[2][0] * _e1397.member_1)), ((_e894.member_2[1][1] * _e1397.member) - (_e894.member_2[2][1] * _e1397.member_1)), ((_e894.member_2[1][2] * _e1397.member) - (_e894.member_2[2][2] * _e1397.member_1)));
-                                                        let _e1483 = type_36(_e1444.member, _e1444.member_1, array<array<f32, 3>, 3>(_e894.member_2[0], _e1444.member_2[1], _e1444.member_2[2]));
-                                                        let _e1490 = type_36(_e1483.member, _e1483.member_1, array<array<f32, 3>, 3>(_e1483.member_2[0], _e1460, _e1483.member_2[2]));
-                                                        phi_2348_ = type_36(_e1490.member, _e1490.member_1, array<array<f32, 3>, 3>(_e894.member_2[0], _e1460, array<f32, 3>(((_e894.member_2[1][0] * _e1397.member_1) + (_e894.member_2[2][0] * _e1397.member)), ((_e894.member_2[1][1] * _e1397.member_1) + (_e894.member_2[2][1] * _e1397.member)), ((_e894.member_2[1][2] * _e1397.member_1) + (_e894.member_2[2][2] * _e1397.member)))));
+                                                        let _e1424 = type_36(_e894.member, array<f32, 3>(_e894.member_1[0], (_e894.member_1[1] - (_e1397.member_1 * _e1414)), (_e894.member_1[2] + (_e1397.member_1 * _e1414))), _e894.member_2);
+                                                        let _e1430 = type_36(array<f32, 2>(_e1424.member[0], ((_e1397.member * _e1414) - _e894.member[1])), _e1424.member_1, _e1424.member_2);
+                                                        phi_2348_ = type_36(_e1430.member, _e1430.member_1, array<array<f32, 3>, 3>(_e894.member_2[0], array<f32, 3>(((_e894.member_2[1][0] * _e1397.member) - (_e894.member_2[2][0] * _e1397.member_1)), ((_e894.member_2[1][1] * _e1397.member) - (_e894.member_2[2][1] * _e1397.member_1)), ((_e894.member_2[1][2] * _e1397.member) - (_e894.member_2[2][2] * _e1397.member_1))), array<f32, 3>(((_e894.member_2[1][0] * _e1397.member_1) + (_e894.member_2[2][0] * _e1397.member)), ((_e894.member_2[1][1] * _e1397.member_1) + (_e894.member_2[2][1] * _e1397.member)), ((_e894.member_2[1][2] * _e1397.member_1) + (_e894.member_2[2][2] * _e1397.member)))));
                                                     } else {
                                                         phi_2348_ = _e894;
                                                     }
-                                                    let _e1496 = phi_2348_;
-                                                    phi_2349_ = _e1496;
+                                                    let _e1468 = phi_2348_;
+                                                    phi_2349_ = _e1468;
                                                 }
-                                                let _e1737 = phi_2349_;
-                                                phi_2350_ = _e1737;
+                                                let _e1681 = phi_2349_;
+                                                phi_2350_ = _e1681;
                                             } else {
                                                 phi_2350_ = _e1253;
                                             }
-                                            let _e1739 = phi_2350_;
+                                            let _e1683 = phi_2350_;
                                             if _e924 {
                                                 phi_2354_ = true;
                                             } else {
                                                 phi_2354_ = _e929;
                                             }
-                                            let _e1741 = phi_2354_;
-                                            if _e1741 {
+                                            let _e1685 = phi_2354_;
+                                            if _e1685 {
                                                 phi_2358_ = false;
                                             } else {
                                                 phi_2358_ = true;
                                             }
-                                            let _e1743 = phi_2358_;
-                                            phi_1346_ = _e1739;
-                                            phi_2359_ = _e1739;
-                                            phi_2360_ = _e1741;
-                                            phi_2361_ = _e1743;
+                                            let _e1687 = phi_2358_;
+                                            phi_1346_ = _e1683;
+                                            phi_2359_ = _e1683;
+                                            phi_2360_ = _e1685;
+                                            phi_2361_ = _e1687;
                                         } else {
                                             phi_1346_ = type_36();
                                             phi_2359_ = type_36();
                                             phi_2360_ = false;
                                             phi_2361_ = false;
                                         }
-                                        let _e1745 = phi_1346_;
-                                        let _e1747 = phi_2359_;
-                                        let _e1749 = phi_2360_;
-                                        let _e1751 = phi_2361_;
-                                        local_8 = _e1751;
-                                        local_9 = _e1747;
+                                        let _e1689 = phi_1346_;
+                                        let _e1691 = phi_2359_;
+                                        let _e1693 = phi_2360_;
+                                        let _e1695 = phi_2361_;
+                                        local_8 = _e1695;
+                                        local_9 = _e1691;
                                         continue;
                                         continuing {
                                             phi_1342_ = _e906;
-                                            phi_1345_ = _e1745;
-                                            break if !(_e1749);
+                                            phi_1345_ = _e1689;
+                                            break if !(_e1693);
                                         }
                                     }
-                                    let _e1754 = local_8;
-                                    if _e1754 {
-                                        let _e3683 = local_9;
-                                        phi_2365_ = _e3683;
+                                    let _e1698 = local_8;
+                                    if _e1698 {
+                                        let _e3627 = local_9;
+                                        phi_2365_ = _e3627;
                                     } else {
-                                        let _e3685 = local_10;
-                                        phi_2365_ = _e3685;
+                                        let _e3629 = local_10;
+                                        phi_2365_ = _e3629;
                                     }
-                                    let _e1756 = phi_2365_;
-                                    let _e1760 = (2130706432u - (bitcast<u32>(_e775) & 2139095040u));
-                                    if (_e1760 > 8388608u) {
-                                        phi_2377_ = _e1760;
+                                    let _e1700 = phi_2365_;
+                                    let _e1704 = (2130706432u - (bitcast<u32>(_e775) & 2139095040u));
+                                    if (_e1704 > 8388608u) {
+                                        phi_2377_ = _e1704;
                                     } else {
                                         phi_2377_ = 8388608u;
                                     }
-                                    let _e1763 = phi_2377_;
-                                    let _e1764 = bitcast<f32>(_e1763);
-                                    let _e1786 = ((((_e1756.member_2[0][0] * _e1756.member_2[0][0]) + (_e1756.member_2[0][1] * _e1756.member_2[0][1])) + (_e1756.member_2[0][2] * _e1756.member_2[0][2])) - 1f);
-                                    let _e1800 = ((((_e1756.member_2[1][0] * _e1756.member_2[1][0]) + (_e1756.member_2[1][1] * _e1756.member_2[1][1])) + (_e1756.member_2[1][2] * _e1756.member_2[1][2])) - 1f);
-                                    let _e1814 = ((((_e1756.member_2[2][0] * _e1756.member_2[2][0]) + (_e1756.member_2[2][1] * _e1756.member_2[2][1])) + (_e1756.member_2[2][2] * _e1756.member_2[2][2])) - 1f);
-                                    let _e1827 = (((_e1756.member_2[0][0] * _e1756.member_2[1][0]) + (_e1756.member_2[0][1] * _e1756.member_2[1][1])) + (_e1756.member_2[0][2] * _e1756.member_2[1][2]));
-                                    let _e1840 = (((_e1756.member_2[0][0] * _e1756.member_2[2][0]) + (_e1756.member_2[0][1] * _e1756.member_2[2][1])) + (_e1756.member_2[0][2] * _e1756.member_2[2][2]));
-                                    let _e1853 = (((_e1756.member_2[1][0] * _e1756.member_2[2][0]) + (_e1756.member_2[1][1] * _e1756.member_2[2][1])) + (_e1756.member_2[1][2] * _e1756.member_2[2][2]));
-                                    let _e1886 = (_e1756.member_2[0][0] - ((((_e1756.member_2[0][0] * _e1786) + (_e1756.member_2[1][0] * _e1827)) + (_e1756.member_2[2][0] * _e1840)) * 0.5f));
-                                    let _e1888 = (_e1756.member_2[0][1] - ((((_e1756.member_2[0][1] * _e1786) + (_e1756.member_2[1][1] * _e1827)) + (_e1756.member_2[2][1] * _e1840)) * 0.5f));
-                                    let _e1890 = (_e1756.member_2[0][2] - ((((_e1756.member_2[0][2] * _e1786) + (_e1756.member_2[1][2] * _e1827)) + (_e1756.member_2[2][2] * _e1840)) * 0.5f));
-                                    if (_e1886 < 0f) {
-                                        phi_2510_ = -(_e1886);
+                                    let _e1707 = phi_2377_;
+                                    let _e1708 = bitcast<f32>(_e1707);
+                                    let _e1730 = ((((_e1700.member_2[0][0] * _e1700.member_2[0][0]) + (_e1700.member_2[0][1] * _e1700.member_2[0][1])) + (_e1700.member_2[0][2] * _e1700.member_2[0][2])) - 1f);
+                                    let _e1744 = ((((_e1700.member_2[1][0] * _e1700.member_2[1][0]) + (_e1700.member_2[1][1] * _e1700.member_2[1][1])) + (_e1700.member_2[1][2] * _e1700.member_2[1][2])) - 1f);
+                                    let _e1758 = ((((_e1700.member_2[2][0] * _e1700.member_2[2][0]) + (_e1700.member_2[2][1] * _e1700.member_2[2][1])) + (_e1700.member_2[2][2] * _e1700.member_2[2][2])) - 1f);
+                                    let _e1771 = (((_e1700.member_2[0][0] * _e1700.member_2[1][0]) + (_e1700.member_2[0][1] * _e1700.member_2[1][1])) + (_e1700.member_2[0][2] * _e1700.member_2[1][2]));
+                                    let _e1784 = (((_e1700.member_2[0][0] * _e1700.member_2[2][0]) + (_e1700.member_2[0][1] * _e1700.member_2[2][1])) + (_e1700.member_2[0][2] * _e1700.member_2[2][2]));
+                                    let _e1797 = (((_e1700.member_2[1][0] * _e1700.member_2[2][0]) + (_e1700.member_2[1][1] * _e1700.member_2[2][1])) + (_e1700.member_2[1][2] * _e1700.member_2[2][2]));
+                                    let _e1830 = (_e1700.member_2[0][0] - ((((_e1700.member_2[0][0] * _e1730) + (_e1700.member_2[1][0] * _e1771)) + (_e1700.member_2[2][0] * _e1784)) * 0.5f));
+                                    let _e1832 = (_e1700.member_2[0][1] - ((((_e1700.member_2[0][1] * _e1730) + (_e1700.member_2[1][1] * _e1771)) + (_e1700.member_2[2][1] * _e1784)) * 0.5f));
+                                    let _e1834 = (_e1700.member_2[0][2] - ((((_e1700.member_2[0][2] * _e1730) + (_e1700.member_2[1][2] * _e1771)) + (_e1700.member_2[2][2] * _e1784)) * 0.5f));
+                                    if (_e1830 < 0f) {
+                                        phi_2510_ = -(_e1830);
                                     } else {
-                                        phi_2510_ = _e1886;
+                                        phi_2510_ = _e1830;
                                     }
-                                    let _e1894 = phi_2510_;
-                                    if (_e1894 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2516_ = _e1886;
+                                    let _e1838 = phi_2510_;
+                                    if (_e1838 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2516_ = _e1830;
                                     } else {
                                         phi_2516_ = 0f;
                                     }
-                                    let _e1898 = phi_2516_;
-                                    if (_e1888 < 0f) {
-                                        phi_2522_ = -(_e1888);
+                                    let _e1842 = phi_2516_;
+                                    if (_e1832 < 0f) {
+                                        phi_2522_ = -(_e1832);
                                     } else {
-                                        phi_2522_ = _e1888;
+                                        phi_2522_ = _e1832;
                                     }
-                                    let _e1902 = phi_2522_;
-                                    if (_e1902 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2528_ = _e1888;
+                                    let _e1846 = phi_2522_;
+                                    if (_e1846 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2528_ = _e1832;
                                     } else {
                                         phi_2528_ = 0f;
                                     }
-                                    let _e1906 = phi_2528_;
-                                    if (_e1890 < 0f) {
-                                        phi_2534_ = -(_e1890);
+                                    let _e1850 = phi_2528_;
+                                    if (_e1834 < 0f) {
+                                        phi_2534_ = -(_e1834);
                                     } else {
-                                        phi_2534_ = _e1890;
+                                        phi_2534_ = _e1834;
                                     }
-                                    let _e1910 = phi_2534_;
-                                    if (_e1910 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2540_ = _e1890;
+                                    let _e1854 = phi_2534_;
+                                    if (_e1854 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2540_ = _e1834;
                                     } else {
                                         phi_2540_ = 0f;
                                     }
-                                    let _e1914 = phi_2540_;
-                                    let _e1948 = (_e1756.member_2[1][0] - ((((_e1756.member_2[0][0] * _e1827) + (_e1756.member_2[1][0] * _e1800)) + (_e1756.member_2[2][0] * _e1853)) * 0.5f));
-                                    let _e1950 = (_e1756.member_2[1][1] - ((((_e1756.member_2[0][1] * _e1827) + (_e1756.member_2[1][1] * _e1800)) + (_e1756.member_2[2][1] * _e1853)) * 0.5f));
-                                    let _e1952 = (_e1756.member_2[1][2] - ((((_e1756.member_2[0][2] * _e1827) + (_e1756.member_2[1][2] * _e1800)) + (_e1756.member_2[2][2] * _e1853)) * 0.5f));
-                                    if (_e1948 < 0f) {
-                                        phi_2584_ = -(_e1948);
+                                    let _e1858 = phi_2540_;
+                                    let _e1892 = (_e1700.member_2[1][0] - ((((_e1700.member_2[0][0] * _e1771) + (_e1700.member_2[1][0] * _e1744)) + (_e1700.member_2[2][0] * _e1797)) * 0.5f));
+                                    let _e1894 = (_e1700.member_2[1][1] - ((((_e1700.member_2[0][1] * _e1771) + (_e1700.member_2[1][1] * _e1744)) + (_e1700.member_2[2][1] * _e1797)) * 0.5f));
+                                    let _e1896 = (_e1700.member_2[1][2] - ((((_e1700.member_2[0][2] * _e1771) + (_e1700.member_2[1][2] * _e1744)) + (_e1700.member_2[2][2] * _e1797)) * 0.5f));
+                                    if (_e1892 < 0f) {
+                                        phi_2584_ = -(_e1892);
                                     } else {
-                                        phi_2584_ = _e1948;
+                                        phi_2584_ = _e1892;
                                     }
-                                    let _e1956 = phi_2584_;
-                                    if (_e1956 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2590_ = _e1948;
+                                    let _e1900 = phi_2584_;
+                                    if (_e1900 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2590_ = _e1892;
                                     } else {
                                         phi_2590_ = 0f;
                                     }
-                                    let _e1960 = phi_2590_;
-                                    if (_e1950 < 0f) {
-                                        phi_2596_ = -(_e1950);
+                                    let _e1904 = phi_2590_;
+                                    if (_e1894 < 0f) {
+                                        phi_2596_ = -(_e1894);
                                     } else {
-                                        phi_2596_ = _e1950;
+                                        phi_2596_ = _e1894;
                                     }
-                                    let _e1964 = phi_2596_;
-                                    if (_e1964 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2602_ = _e1950;
+                                    let _e1908 = phi_2596_;
+                                    if (_e1908 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2602_ = _e1894;
                                     } else {
                                         phi_2602_ = 0f;
                                     }
-                                    let _e1968 = phi_2602_;
-                                    if (_e1952 < 0f) {
-                                        phi_2608_ = -(_e1952);
+                                    let _e1912 = phi_2602_;
+                                    if (_e1896 < 0f) {
+                                        phi_2608_ = -(_e1896);
                                     } else {
-                                        phi_2608_ = _e1952;
+                                        phi_2608_ = _e1896;
                                     }
-                                    let _e1972 = phi_2608_;
-                                    if (_e1972 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2614_ = _e1952;
+                                    let _e1916 = phi_2608_;
+                                    if (_e1916 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2614_ = _e1896;
                                     } else {
                                         phi_2614_ = 0f;
                                     }
-                                    let _e1976 = phi_2614_;
-                                    let _e2010 = (_e1756.member_2[2][0] - ((((_e1756.member_2[0][0] * _e1840) + (_e1756.member_2[1][0] * _e1853)) + (_e1756.member_2[2][0] * _e1814)) * 0.5f));
-                                    let _e2012 = (_e1756.member_2[2][1] - ((((_e1756.member_2[0][1] * _e1840) + (_e1756.member_2[1][1] * _e1853)) + (_e1756.member_2[2][1] * _e1814)) * 0.5f));
-                                    let _e2014 = (_e1756.member_2[2][2] - ((((_e1756.member_2[0][2] * _e1840) + (_e1756.member_2[1][2] * _e1853)) + (_e1756.member_2[2][2] * _e1814)) * 0.5f));
-                                    if (_e2010 < 0f) {
-                                        phi_2658_ = -(_e2010);
+                                    let _e1920 = phi_2614_;
+                                    let _e1954 = (_e1700.member_2[2][0] - ((((_e1700.member_2[0][0] * _e1784) + (_e1700.member_2[1][0] * _e1797)) + (_e1700.member_2[2][0] * _e1758)) * 0.5f));
+                                    let _e1956 = (_e1700.member_2[2][1] - ((((_e1700.member_2[0][1] * _e1784) + (_e1700.member_2[1][1] * _e1797)) + (_e1700.member_2[2][1] * _e1758)) * 0.5f));
+                                    let _e1958 = (_e1700.member_2[2][2] - ((((_e1700.member_2[0][2] * _e1784) + (_e1700.member_2[1][2] * _e1797)) + (_e1700.member_2[2][2] * _e1758)) * 0.5f));
+                                    if (_e1954 < 0f) {
+                                        phi_2658_ = -(_e1954);
                                     } else {
-                                        phi_2658_ = _e2010;
+                                        phi_2658_ = _e1954;
                                     }
-                                    let _e2018 = phi_2658_;
-                                    if (_e2018 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2664_ = _e2010;
+                                    let _e1962 = phi_2658_;
+                                    if (_e1962 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2664_ = _e1954;
                                     } else {
                                         phi_2664_ = 0f;
                                     }
-                                    let _e2022 = phi_2664_;
-                                    if (_e2012 < 0f) {
-                                        phi_2670_ = -(_e2012);
+                                    let _e1966 = phi_2664_;
+                                    if (_e1956 < 0f) {
+                                        phi_2670_ = -(_e1956);
                                     } else {
-                                        phi_2670_ = _e2012;
+                                        phi_2670_ = _e1956;
                                     }
-                                    let _e2026 = phi_2670_;
-                                    if (_e2026 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2676_ = _e2012;
+                                    let _e1970 = phi_2670_;
+                                    if (_e1970 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2676_ = _e1956;
                                     } else {
                                         phi_2676_ = 0f;
                                     }
-                                    let _e2030 = phi_2676_;
-                                    if (_e2014 < 0f) {
-                                        phi_2682_ = -(_e2014);
+                                    let _e1974 = phi_2676_;
+                                    if (_e1958 < 0f) {
+                                        phi_2682_ = -(_e1958);
                                     } else {
-                                        phi_2682_ = _e2014;
+                                        phi_2682_ = _e1958;
                                     }
-                                    let _e2034 = phi_2682_;
-                                    if (_e2034 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2688_ = _e2014;
+                                    let _e1978 = phi_2682_;
+                                    if (_e1978 > (0.000000059604645f * 0.000000059604645f)) {
+                                        phi_2688_ = _e1958;
                                     } else {
                                         phi_2688_ = 0f;
                                     }
-                                    let _e2038 = phi_2688_;
-                                    let _e2046 = ((((_e1898 * _e1898) + (_e1906 * _e1906)) + (_e1914 * _e1914)) - 1f);
-                                    let _e2052 = ((((_e1960 * _e1960) + (_e1968 * _e1968)) + (_e1976 * _e1976)) - 1f);
-                                    let _e2058 = ((((_e2022 * _e2022) + (_e2030 * _e2030)) + (_e2038 * _e2038)) - 1f);
-                                    let _e2063 = (((_e1898 * _e1960) + (_e1906 * _e1968)) + (_e1914 * _e1976));
-                                    let _e2068 = (((_e1898 * _e2022) + (_e1906 * _e2030)) + (_e1914 * _e2038));
-                                    let _e2073 = (((_e1960 * _e2022) + (_e1968 * _e2030)) + (_e1976 * _e2038));
-                                    if (_e2046 < 0f) {
-                                        phi_2729_ = -(_e2046);
+                                    let _e1982 = phi_2688_;
+                                    let _e1990 = ((((_e1842 * _e1842) + (_e1850 * _e1850)) + (_e1858 * _e1858)) - 1f);
+                                    let _e1996 = ((((_e1904 * _e1904) + (_e1912 * _e1912)) + (_e1920 * _e1920)) - 1f);
+                                    let _e2002 = ((((_e1966 * _e1966) + (_e1974 * _e1974)) + (_e1982 * _e1982)) - 1f);
+                                    let _e2007 = (((_e1842 * _e1904) + (_e1850 * _e1912)) + (_e1858 * _e1920));
+                                    let _e2012 = (((_e1842 * _e1966) + (_e1850 * _e1974)) + (_e1858 * _e1982));
+                                    let _e2017 = (((_e1904 * _e1966) + (_e1912 * _e1974)) + (_e1920 * _e1982));
+                                    if (_e1990 < 0f) {
+                                        phi_2729_ = -(_e1990);
                                     } else {
-                                        phi_2729_ = _e2046;
+                                        phi_2729_ = _e1990;
                                     }
-                                    let _e2077 = phi_2729_;
-                                    if (_e2052 < 0f) {
-                                        phi_2735_ = -(_e2052);
+                                    let _e2021 = phi_2729_;
+                                    if (_e1996 < 0f) {
+                                        phi_2735_ = -(_e1996);
                                     } else {
-                                        phi_2735_ = _e2052;
+                                        phi_2735_ = _e1996;
                                     }
-                                    let _e2081 = phi_2735_;
-                                    if (_e2077 > _e2081) {
-                                        phi_2740_ = _e2077;
+                                    let _e2025 = phi_2735_;
+                                    if (_e2021 > _e2025) {
+                                        phi_2740_ = _e2021;
                                     } else {
-                                        phi_2740_ = _e2081;
+                                        phi_2740_ = _e2025;
                                     }
-                                    let _e2084 = phi_2740_;
-                                    if (_e2058 < 0f) {
-                                        phi_2746_ = -(_e2058);
+                                    let _e2028 = phi_2740_;
+                                    if (_e2002 < 0f) {
+                                        phi_2746_ = -(_e2002);
                                     } else {
-                                        phi_2746_ = _e2058;
+                                        phi_2746_ = _e2002;
                                     }
-                                    let _e2088 = phi_2746_;
-                                    if (_e2084 > _e2088) {
-                                        phi_2751_ = _e2084;
+                                    let _e2032 = phi_2746_;
+                                    if (_e2028 > _e2032) {
+                                        phi_2751_ = _e2028;
                                     } else {
-                                        phi_2751_ = _e2088;
+                                        phi_2751_ = _e2032;
                                     }
-                                    let _e2091 = phi_2751_;
-                                    if (_e2063 < 0f) {
-                                        phi_2757_ = -(_e2063);
+                                    let _e2035 = phi_2751_;
+                                    if (_e2007 < 0f) {
+                                        phi_2757_ = -(_e2007);
                                     } else {
-                                        phi_2757_ = _e2063;
+                                        phi_2757_ = _e2007;
                                     }
-                                    let _e2095 = phi_2757_;
-                                    if (_e2068 < 0f) {
-                                        phi_2763_ = -(_e2068);
+                                    let _e2039 = phi_2757_;
+                                    if (_e2012 < 0f) {
+                                        phi_2763_ = -(_e2012);
                                     } else {
-                                        phi_2763_ = _e2068;
+                                        phi_2763_ = _e2012;
                                     }
-                                    let _e2099 = phi_2763_;
-                                    if (_e2095 > _e2099) {
-                                        phi_2768_ = _e2095;
+                                    let _e2043 = phi_2763_;
+                                    if (_e2039 > _e2043) {
+                                        phi_2768_ = _e2039;
                                     } else {
-                                        phi_2768_ = _e2099;
+                                        phi_2768_ = _e2043;
                                     }
-                                    let _e2102 = phi_2768_;
-                                    if (_e2073 < 0f) {
-                                        phi_2774_ = -(_e2073);
+                                    let _e2046 = phi_2768_;
+                                    if (_e2017 < 0f) {
+                                        phi_2774_ = -(_e2017);
                                     } else {
-                                        phi_2774_ = _e2073;
+                                        phi_2774_ = _e2017;
                                     }
-                                    let _e2106 = phi_2774_;
-                                    if (_e2102 > _e2106) {
-                                        phi_2779_ = _e2102;
+                                    let _e2050 = phi_2774_;
+                                    if (_e2046 > _e2050) {
+                                        phi_2779_ = _e2046;
                                     } else {
-                                        phi_2779_ = _e2106;
+                                        phi_2779_ = _e2050;
                                     }
-                                    let _e2109 = phi_2779_;
-                                    if (_e2091 > _e2109) {
-                                        phi_2784_ = _e2091;
+                                    let _e2053 = phi_2779_;
+                                    if (_e2035 > _e2053) {
+                                        phi_2784_ = _e2035;
                                     } else {
-                                        phi_2784_ = _e2109;
+                                        phi_2784_ = _e2053;
                                     }
-                                    let _e2112 = phi_2784_;
-                                    if (_e2112 <= (0.000000059604645f * (16f - 6f))) {
-                                        phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1898, _e1906, _e1914), array<f32, 3>(_e1960, _e1968, _e1976), array<f32, 3>(_e2022, _e2030, _e2038));
+                                    let _e2056 = phi_2784_;
+                                    if (_e2056 <= (0.000000059604645f * (16f - 6f))) {
+                                        phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1842, _e1850, _e1858), array<f32, 3>(_e1904, _e1912, _e1920), array<f32, 3>(_e1966, _e1974, _e1982));
                                     } else {
                                         phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f));
                                     }
-                                    let _e2117 = phi_2795_;
-                                    phi_2797_ = type_37(array<f32, 3>((_e1756.member_1[0] * _e1764), (_e1756.member_1[1] * _e1764), (_e1756.member_1[2] * _e1764)), _e2117);
+                                    let _e2061 = phi_2795_;
+                                    phi_2797_ = type_37(array<f32, 3>((_e1700.member_1[0] * _e1708), (_e1700.member_1[1] * _e1708), (_e1700.member_1[2] * _e1708)), _e2061);
                                     phi_2798_ = false;
                                 } else {
                                     phi_2797_ = type_37();
                                     phi_2798_ = true;
                                 }
-                                let _e2120 = phi_2797_;
-                                let _e2122 = phi_2798_;
-                                phi_2799_ = _e2120;
-                                phi_2800_ = _e2122;
+                                let _e2064 = phi_2797_;
+                                let _e2066 = phi_2798_;
+                                phi_2799_ = _e2064;
+                                phi_2800_ = _e2066;
                             } else {
                                 phi_2799_ = type_37();
                                 phi_2800_ = true;
                             }
-                            let _e2124 = phi_2799_;
-                            let _e2126 = phi_2800_;
-                            if _e2126 {
+                            let _e2068 = phi_2799_;
+                            let _e2070 = phi_2800_;
+                            if _e2070 {
                                 phi_2813_ = type_37(array<f32, 3>(_e717, _e721, _e725), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
                             } else {
-                                phi_2813_ = _e2124;
+                                phi_2813_ = _e2068;
                             }
-                            let _e2130 = phi_2813_;
-                            let _e2145 = (((_e313.member_1[0][0] * _e2130.member_1[0][0]) + (_e313.member_1[0][1] * _e2130.member_1[0][1])) + (_e313.member_1[0][2] * _e2130.member_1[0][2]));
-                            let _e2158 = (((_e313.member_1[1][0] * _e2130.member_1[0][0]) + (_e313.member_1[1][1] * _e2130.member_1[0][1])) + (_e313.member_1[1][2] * _e2130.member_1[0][2]));
-                            let _e2171 = (((_e313.member_1[2][0] * _e2130.member_1[0][0]) + (_e313.member_1[2][1] * _e2130.member_1[0][1])) + (_e313.member_1[2][2] * _e2130.member_1[0][2]));
-                            if (_e2145 < 0f) {
-                                phi_2858_ = -(_e2145);
+                            let _e2074 = phi_2813_;
+                            let _e2089 = (((_e313.member_1[0][0] * _e2074.member_1[0][0]) + (_e313.member_1[0][1] * _e2074.member_1[0][1])) + (_e313.member_1[0][2] * _e2074.member_1[0][2]));
+                            let _e2102 = (((_e313.member_1[1][0] * _e2074.member_1[0][0]) + (_e313.member_1[1][1] * _e2074.member_1[0][1])) + (_e313.member_1[1][2] * _e2074.member_1[0][2]));
+                            let _e2115 = (((_e313.member_1[2][0] * _e2074.member_1[0][0]) + (_e313.member_1[2][1] * _e2074.member_1[0][1])) + (_e313.member_1[2][2] * _e2074.member_1[0][2]));
+                            if (_e2089 < 0f) {
+                                phi_2858_ = -(_e2089);
                             } else {
-                                phi_2858_ = _e2145;
+                                phi_2858_ = _e2089;
                             }
-                            let _e2176 = phi_2858_;
-                            if (_e2158 < 0f) {
-                                phi_2864_ = -(_e2158);
+                            let _e2120 = phi_2858_;
+                            if (_e2102 < 0f) {
+                                phi_2864_ = -(_e2102);
                             } else {
-                                phi_2864_ = _e2158;
+                                phi_2864_ = _e2102;
                             }
-                            let _e2180 = phi_2864_;
-                            if (_e2171 < 0f) {
-                                phi_2870_ = -(_e2171);
+                            let _e2124 = phi_2864_;
+                            if (_e2115 < 0f) {
+                                phi_2870_ = -(_e2115);
                             } else {
-                                phi_2870_ = _e2171;
+                                phi_2870_ = _e2115;
                             }
-                            let _e2184 = phi_2870_;
-                            let _e2192 = (((_e2176 * _e313.member_2[0]) + (_e2180 * _e313.member_2[1])) + (_e2184 * _e313.member_2[2]));
-                            let _e2206 = (((_e313.member_1[0][0] * _e2130.member_1[1][0]) + (_e313.member_1[0][1] * _e2130.member_1[1][1])) + (_e313.member_1[0][2] * _e2130.member_1[1][2]));
-                            let _e2219 = (((_e313.member_1[1][0] * _e2130.member_1[1][0]) + (_e313.member_1[1][1] * _e2130.member_1[1][1])) + (_e313.member_1[1][2] * _e2130.member_1[1][2]));
-                            let _e2232 = (((_e313.member_1[2][0] * _e2130.member_1[1][0]) + (_e313.member_1[2][1] * _e2130.member_1[1][1])) + (_e313.member_1[2][2] * _e2130.member_1[1][2]));
-                            if (_e2206 < 0f) {
-                                phi_2922_ = -(_e2206);
+                            let _e2128 = phi_2870_;
+                            let _e2136 = (((_e2120 * _e313.member_2[0]) + (_e2124 * _e313.member_2[1])) + (_e2128 * _e313.member_2[2]));
+                            let _e2150 = (((_e313.member_1[0][0] * _e2074.member_1[1][0]) + (_e313.member_1[0][1] * _e2074.member_1[1][1])) + (_e313.member_1[0][2] * _e2074.member_1[1][2]));
+                            let _e2163 = (((_e313.member_1[1][0] * _e2074.member_1[1][0]) + (_e313.member_1[1][1] * _e2074.member_1[1][1])) + (_e313.member_1[1][2] * _e2074.member_1[1][2]));
+                            let _e2176 = (((_e313.member_1[2][0] * _e2074.member_1[1][0]) + (_e313.member_1[2][1] * _e2074.member_1[1][1])) + (_e313.member_1[2][2] * _e2074.member_1[1][2]));
+                            if (_e2150 < 0f) {
+                                phi_2922_ = -(_e2150);
                             } else {
-                                phi_2922_ = _e2206;
+                                phi_2922_ = _e2150;
                             }
-                            let _e2237 = phi_2922_;
-                            if (_e2219 < 0f) {
-                                phi_2928_ = -(_e2219);
+                            let _e2181 = phi_2922_;
+                            if (_e2163 < 0f) {
+                                phi_2928_ = -(_e2163);
                             } else {
-                                phi_2928_ = _e2219;
+                                phi_2928_ = _e2163;
                             }
-                            let _e2241 = phi_2928_;
-                            if (_e2232 < 0f) {
-                                phi_2934_ = -(_e2232);
+                            let _e2185 = phi_2928_;
+                            if (_e2176 < 0f) {
+                                phi_2934_ = -(_e2176);
                             } else {
-                                phi_2934_ = _e2232;
+                                phi_2934_ = _e2176;
                             }
-                            let _e2245 = phi_2934_;
-                            let _e2253 = (((_e2237 * _e313.member_2[0]) + (_e2241 * _e313.member_2[1])) + (_e2245 * _e313.member_2[2]));
-                            let _e2267 = (((_e313.member_1[0][0] * _e2130.member_1[2][0]) + (_e313.member_1[0][1] * _e2130.member_1[2][1])) + (_e313.member_1[0][2] * _e2130.member_1[2][2]));
-                            let _e2280 = (((_e313.member_1[1][0] * _e2130.member_1[2][0]) + (_e313.member_1[1][1] * _e2130.member_1[2][1])) + (_e313.member_1[1][2] * _e2130.member_1[2][2]));
-                            let _e2293 = (((_e313.member_1[2][0] * _e2130.member_1[2][0]) + (_e313.member_1[2][1] * _e2130.member_1[2][1])) + (_e313.member_1[2][2] * _e2130.member_1[2][2]));
-                            if (_e2267 < 0f) {
-                                phi_2986_ = -(_e2267);
+                            let _e2189 = phi_2934_;
+                            let _e2197 = (((_e2181 * _e313.member_2[0]) + (_e2185 * _e313.member_2[1])) + (_e2189 * _e313.member_2[2]));
+                            let _e2211 = (((_e313.member_1[0][0] * _e2074.member_1[2][0]) + (_e313.member_1[0][1] * _e2074.member_1[2][1])) + (_e313.member_1[0][2] * _e2074.member_1[2][2]));
+                            let _e2224 = (((_e313.member_1[1][0] * _e2074.member_1[2][0]) + (_e313.member_1[1][1] * _e2074.member_1[2][1])) + (_e313.member_1[1][2] * _e2074.member_1[2][2]));
+                            let _e2237 = (((_e313.member_1[2][0] * _e2074.member_1[2][0]) + (_e313.member_1[2][1] * _e2074.member_1[2][1])) + (_e313.member_1[2][2] * _e2074.member_1[2][2]));
+                            if (_e2211 < 0f) {
+                                phi_2986_ = -(_e2211);
                             } else {
-                                phi_2986_ = _e2267;
+                                phi_2986_ = _e2211;
                             }
-                            let _e2298 = phi_2986_;
-                            if (_e2280 < 0f) {
-                                phi_2992_ = -(_e2280);
+                            let _e2242 = phi_2986_;
+                            if (_e2224 < 0f) {
+                                phi_2992_ = -(_e2224);
                             } else {
-                                phi_2992_ = _e2280;
+                                phi_2992_ = _e2224;
                             }
-                            let _e2302 = phi_2992_;
-                            if (_e2293 < 0f) {
-                                phi_2998_ = -(_e2293);
+                            let _e2246 = phi_2992_;
+                            if (_e2237 < 0f) {
+                                phi_2998_ = -(_e2237);
                             } else {
-                                phi_2998_ = _e2293;
+                                phi_2998_ = _e2237;
                             }
-                            let _e2306 = phi_2998_;
-                            let _e2314 = (((_e2298 * _e313.member_2[0]) + (_e2302 * _e313.member_2[1])) + (_e2306 * _e313.member_2[2]));
-                            let _e2328 = (((_e451.member_1[0][0] * _e2130.member_1[0][0]) + (_e451.member_1[0][1] * _e2130.member_1[0][1])) + (_e451.member_1[0][2] * _e2130.member_1[0][2]));
-                            let _e2341 = (((_e451.member_1[1][0] * _e2130.member_1[0][0]) + (_e451.member_1[1][1] * _e2130.member_1[0][1])) + (_e451.member_1[1][2] * _e2130.member_1[0][2]));
-                            let _e2354 = (((_e451.member_1[2][0] * _e2130.member_1[0][0]) + (_e451.member_1[2][1] * _e2130.member_1[0][1])) + (_e451.member_1[2][2] * _e2130.member_1[0][2]));
-                            if (_e2328 < 0f) {
-                                phi_3050_ = -(_e2328);
+                            let _e2250 = phi_2998_;
+                            let _e2258 = (((_e2242 * _e313.member_2[0]) + (_e2246 * _e313.member_2[1])) + (_e2250 * _e313.member_2[2]));
+                            let _e2272 = (((_e451.member_1[0][0] * _e2074.member_1[0][0]) + (_e451.member_1[0][1] * _e2074.member_1[0][1])) + (_e451.member_1[0][2] * _e2074.member_1[0][2]));
+                            let _e2285 = (((_e451.member_1[1][0] * _e2074.member_1[0][0]) + (_e451.member_1[1][1] * _e2074.member_1[0][1])) + (_e451.member_1[1][2] * _e2074.member_1[0][2]));
+                            let _e2298 = (((_e451.member_1[2][0] * _e2074.member_1[0][0]) + (_e451.member_1[2][1] * _e2074.member_1[0][1])) + (_e451.member_1[2][2] * _e2074.member_1[0][2]));
+                            if (_e2272 < 0f) {
+                                phi_3050_ = -(_e2272);
                             } else {
-                                phi_3050_ = _e2328;
+                                phi_3050_ = _e2272;
                             }
-                            let _e2359 = phi_3050_;
-                            if (_e2341 < 0f) {
-                                phi_3056_ = -(_e2341);
+                            let _e2303 = phi_3050_;
+                            if (_e2285 < 0f) {
+                                phi_3056_ = -(_e2285);
                             } else {
-                                phi_3056_ = _e2341;
+                                phi_3056_ = _e2285;
                             }
-                            let _e2363 = phi_3056_;
-                            if (_e2354 < 0f) {
-                                phi_3062_ = -(_e2354);
+                            let _e2307 = phi_3056_;
+                            if (_e2298 < 0f) {
+                                phi_3062_ = -(_e2298);
                             } else {
-                                phi_3062_ = _e2354;
+                                phi_3062_ = _e2298;
                             }
-                            let _e2367 = phi_3062_;
-                            let _e2375 = (((_e2359 * _e451.member_2[0]) + (_e2363 * _e451.member_2[1])) + (_e2367 * _e451.member_2[2]));
-                            let _e2389 = (((_e451.member_1[0][0] * _e2130.member_1[1][0]) + (_e451.member_1[0][1] * _e2130.member_1[1][1])) + (_e451.member_1[0][2] * _e2130.member_1[1][2]));
-                            let _e2402 = (((_e451.member_1[1][0] * _e2130.member_1[1][0]) + (_e451.member_1[1][1] * _e2130.member_1[1][1])) + (_e451.member_1[1][2] * _e2130.member_1[1][2]));
-                            let _e2415 = (((_e451.member_1[2][0] * _e2130.member_1[1][0]) + (_e451.member_1[2][1] * _e2130.member_1[1][1])) + (_e451.member_1[2][2] * _e2130.member_1[1][2]));
-                            if (_e2389 < 0f) {
-                                phi_3114_ = -(_e2389);
+                            let _e2311 = phi_3062_;
+                            let _e2319 = (((_e2303 * _e451.member_2[0]) + (_e2307 * _e451.member_2[1])) + (_e2311 * _e451.member_2[2]));
+                            let _e2333 = (((_e451.member_1[0][0] * _e2074.member_1[1][0]) + (_e451.member_1[0][1] * _e2074.member_1[1][1])) + (_e451.member_1[0][2] * _e2074.member_1[1][2]));
+                            let _e2346 = (((_e451.member_1[1][0] * _e2074.member_1[1][0]) + (_e451.member_1[1][1] * _e2074.member_1[1][1])) + (_e451.member_1[1][2] * _e2074.member_1[1][2]));
+                            let _e2359 = (((_e451.member_1[2][0] * _e2074.member_1[1][0]) + (_e451.member_1[2][1] * _e2074.member_1[1][1])) + (_e451.member_1[2][2] * _e2074.member_1[1][2]));
+                            if (_e2333 < 0f) {
+                                phi_3114_ = -(_e2333);
                             } else {
-                                phi_3114_ = _e2389;
+                                phi_3114_ = _e2333;
                             }
-                            let _e2420 = phi_3114_;
-                            if (_e2402 < 0f) {
-                                phi_3120_ = -(_e2402);
+                            let _e2364 = phi_3114_;
+                            if (_e2346 < 0f) {
+                                phi_3120_ = -(_e2346);
                             } else {
-                                phi_3120_ = _e2402;
+                                phi_3120_ = _e2346;
                             }
-                            let _e2424 = phi_3120_;
-                            if (_e2415 < 0f) {
-                                phi_3126_ = -(_e2415);
+                            let _e2368 = phi_3120_;
+                            if (_e2359 < 0f) {
+                                phi_3126_ = -(_e2359);
                             } else {
-                                phi_3126_ = _e2415;
+                                phi_3126_ = _e2359;
                             }
-                            let _e2428 = phi_3126_;
-                            let _e2436 = (((_e2420 * _e451.member_2[0]) + (_e2424 * _e451.member_2[1])) + (_e2428 * _e451.member_2[2]));
-                            let _e2450 = (((_e451.member_1[0][0] * _e2130.member_1[2][0]) + (_e451.member_1[0][1] * _e2130.member_1[2][1])) + (_e451.member_1[0][2] * _e2130.member_1[2][2]));
-                            let _e2463 = (((_e451.member_1[1][0] * _e2130.member_1[2][0]) + (_e451.member_1[1][1] * _e2130.member_1[2][1])) + (_e451.member_1[1][2] * _e2130.member_1[2][2]));
-                            let _e2476 = (((_e451.member_1[2][0] * _e2130.member_1[2][0]) + (_e451.member_1[2][1] * _e2130.member_1[2][1])) + (_e451.member_1[2][2] * _e2130.member_1[2][2]));
-                            if (_e2450 < 0f) {
-                                phi_3178_ = -(_e2450);
+                            let _e2372 = phi_3126_;
+                            let _e2380 = (((_e2364 * _e451.member_2[0]) + (_e2368 * _e451.member_2[1])) + (_e2372 * _e451.member_2[2]));
+                            let _e2394 = (((_e451.member_1[0][0] * _e2074.member_1[2][0]) + (_e451.member_1[0][1] * _e2074.member_1[2][1])) + (_e451.member_1[0][2] * _e2074.member_1[2][2]));
+                            let _e2407 = (((_e451.member_1[1][0] * _e2074.member_1[2][0]) + (_e451.member_1[1][1] * _e2074.member_1[2][1])) + (_e451.member_1[1][2] * _e2074.member_1[2][2]));
+                            let _e2420 = (((_e451.member_1[2][0] * _e2074.member_1[2][0]) + (_e451.member_1[2][1] * _e2074.member_1[2][1])) + (_e451.member_1[2][2] * _e2074.member_1[2][2]));
+                            if (_e2394 < 0f) {
+                                phi_3178_ = -(_e2394);
                             } else {
-                                phi_3178_ = _e2450;
+                                phi_3178_ = _e2394;
                             }
-                            let _e2481 = phi_3178_;
-                            if (_e2463 < 0f) {
-                                phi_3184_ = -(_e2463);
+                            let _e2425 = phi_3178_;
+                            if (_e2407 < 0f) {
+                                phi_3184_ = -(_e2407);
                             } else {
-                                phi_3184_ = _e2463;
+                                phi_3184_ = _e2407;
                             }
-                            let _e2485 = phi_3184_;
-                            if (_e2476 < 0f) {
-                                phi_3190_ = -(_e2476);
+                            let _e2429 = phi_3184_;
+                            if (_e2420 < 0f) {
+                                phi_3190_ = -(_e2420);
                             } else {
-                                phi_3190_ = _e2476;
+                                phi_3190_ = _e2420;
                             }
-                            let _e2489 = phi_3190_;
-                            let _e2497 = (((_e2481 * _e451.member_2[0]) + (_e2485 * _e451.member_2[1])) + (_e2489 * _e451.member_2[2]));
-                            let _e2506 = (((_e2130.member_1[0][0] * _e456) + (_e2130.member_1[0][1] * _e459)) + (_e2130.member_1[0][2] * _e462));
-                            let _e2515 = (((_e2130.member_1[1][0] * _e456) + (_e2130.member_1[1][1] * _e459)) + (_e2130.member_1[1][2] * _e462));
-                            let _e2524 = (((_e2130.member_1[2][0] * _e456) + (_e2130.member_1[2][1] * _e459)) + (_e2130.member_1[2][2] * _e462));
-                            let _e2525 = (_e2192 * -1f);
-                            let _e2526 = (_e2253 * -1f);
-                            let _e2527 = (_e2314 * -1f);
-                            let _e2528 = (_e2506 - _e2375);
-                            let _e2529 = (_e2515 - _e2436);
-                            let _e2530 = (_e2524 - _e2497);
-                            if (_e2525 < _e2528) {
-                                phi_3236_ = _e2525;
+                            let _e2433 = phi_3190_;
+                            let _e2441 = (((_e2425 * _e451.member_2[0]) + (_e2429 * _e451.member_2[1])) + (_e2433 * _e451.member_2[2]));
+                            let _e2450 = (((_e2074.member_1[0][0] * _e456) + (_e2074.member_1[0][1] * _e459)) + (_e2074.member_1[0][2] * _e462));
+                            let _e2459 = (((_e2074.member_1[1][0] * _e456) + (_e2074.member_1[1][1] * _e459)) + (_e2074.member_1[1][2] * _e462));
+                            let _e2468 = (((_e2074.member_1[2][0] * _e456) + (_e2074.member_1[2][1] * _e459)) + (_e2074.member_1[2][2] * _e462));
+                            let _e2469 = (_e2136 * -1f);
+                            let _e2470 = (_e2197 * -1f);
+                            let _e2471 = (_e2258 * -1f);
+                            let _e2472 = (_e2450 - _e2319);
+                            let _e2473 = (_e2459 - _e2380);
+                            let _e2474 = (_e2468 - _e2441);
+                            if (_e2469 < _e2472) {
+                                phi_3236_ = _e2469;
                             } else {
-                                phi_3236_ = _e2528;
+                                phi_3236_ = _e2472;
                             }
-                            let _e2533 = phi_3236_;
-                            if (_e2526 < _e2529) {
-                                phi_3241_ = _e2526;
+                            let _e2477 = phi_3236_;
+                            if (_e2470 < _e2473) {
+                                phi_3241_ = _e2470;
                             } else {
-                                phi_3241_ = _e2529;
+                                phi_3241_ = _e2473;
                             }
-                            let _e2536 = phi_3241_;
-                            if (_e2527 < _e2530) {
-                                phi_3246_ = _e2527;
+                            let _e2480 = phi_3241_;
+                            if (_e2471 < _e2474) {
+                                phi_3246_ = _e2471;
                             } else {
-                                phi_3246_ = _e2530;
+                                phi_3246_ = _e2474;
                             }
-                            let _e2539 = phi_3246_;
-                            let _e2540 = (_e2506 + _e2375);
-                            let _e2541 = (_e2515 + _e2436);
-                            let _e2542 = (_e2524 + _e2497);
-                            if (_e2192 > _e2540) {
-                                phi_3254_ = _e2192;
+                            let _e2483 = phi_3246_;
+                            let _e2484 = (_e2450 + _e2319);
+                            let _e2485 = (_e2459 + _e2380);
+                            let _e2486 = (_e2468 + _e2441);
+                            if (_e2136 > _e2484) {
+                                phi_3254_ = _e2136;
                             } else {
-                                phi_3254_ = _e2540;
+                                phi_3254_ = _e2484;
                             }
-                            let _e2545 = phi_3254_;
-                            if (_e2253 > _e2541) {
-                                phi_3259_ = _e2253;
+                            let _e2489 = phi_3254_;
+                            if (_e2197 > _e2485) {
+                                phi_3259_ = _e2197;
                             } else {
-                                phi_3259_ = _e2541;
+                                phi_3259_ = _e2485;
                             }
-                            let _e2548 = phi_3259_;
-                            if (_e2314 > _e2542) {
-                                phi_3264_ = _e2314;
+                            let _e2492 = phi_3259_;
+                            if (_e2258 > _e2486) {
+                                phi_3264_ = _e2258;
                             } else {
-                                phi_3264_ = _e2542;
+                                phi_3264_ = _e2486;
                             }
-                            let _e2551 = phi_3264_;
-                            let _e2556 = ((_e2533 + _e2545) * 0.5f);
-                            let _e2557 = ((_e2536 + _e2548) * 0.5f);
-                            let _e2558 = ((_e2539 + _e2551) * 0.5f);
-                            let _e2587 = (_e313.member[0] + (((_e2130.member_1[0][0] * _e2556) + (_e2130.member_1[1][0] * _e2557)) + (_e2130.member_1[2][0] * _e2558)));
-                            let _e2589 = (_e313.member[1] + (((_e2130.member_1[0][1] * _e2556) + (_e2130.member_1[1][1] * _e2557)) + (_e2130.member_1[2][1] * _e2558)));
-                            let _e2591 = (_e313.member[2] + (((_e2130.member_1[0][2] * _e2556) + (_e2130.member_1[1][2] * _e2557)) + (_e2130.member_1[2][2] * _e2558)));
+                            let _e2495 = phi_3264_;
+                            let _e2500 = ((_e2477 + _e2489) * 0.5f);
+                            let _e2501 = ((_e2480 + _e2492) * 0.5f);
+                            let _e2502 = ((_e2483 + _e2495) * 0.5f);
+                            let _e2531 = (_e313.member[0] + (((_e2074.member_1[0][0] * _e2500) + (_e2074.member_1[1][0] * _e2501)) + (_e2074.member_1[2][0] * _e2502)));
+                            let _e2533 = (_e313.member[1] + (((_e2074.member_1[0][1] * _e2500) + (_e2074.member_1[1][1] * _e2501)) + (_e2074.member_1[2][1] * _e2502)));
+                            let _e2535 = (_e313.member[2] + (((_e2074.member_1[0][2] * _e2500) + (_e2074.member_1[1][2] * _e2501)) + (_e2074.member_1[2][2] * _e2502)));
                             if (_e313.member[0] < 0f) {
                                 phi_3313_ = -(_e313.member[0]);
                             } else {
                                 phi_3313_ = _e313.member[0];
                             }
-                            let _e2598 = phi_3313_;
+                            let _e2542 = phi_3313_;
                             if (_e313.member[1] < 0f) {
                                 phi_3320_ = -(_e313.member[1]);
                             } else {
                                 phi_3320_ = _e313.member[1];
                             }
-                            let _e2603 = phi_3320_;
+                            let _e2547 = phi_3320_;
                             if (_e313.member[2] < 0f) {
                                 phi_3327_ = -(_e313.member[2]);
                             } else {
                                 phi_3327_ = _e313.member[2];
                             }
-                            let _e2608 = phi_3327_;
+                            let _e2552 = phi_3327_;
                             if (_e451.member[0] < 0f) {
                                 phi_3335_ = -(_e451.member[0]);
                             } else {
                                 phi_3335_ = _e451.member[0];
                             }
-                            let _e2614 = phi_3335_;
+                            let _e2558 = phi_3335_;
                             if (_e451.member[1] < 0f) {
                                 phi_3342_ = -(_e451.member[1]);
                             } else {
                                 phi_3342_ = _e451.member[1];
                             }
-                            let _e2619 = phi_3342_;
+                            let _e2563 = phi_3342_;
                             if (_e451.member[2] < 0f) {
                                 phi_3349_ = -(_e451.member[2]);
                             } else {
                                 phi_3349_ = _e451.member[2];
                             }
-                            let _e2624 = phi_3349_;
-                            if (_e2598 > _e2614) {
-                                phi_3354_ = _e2598;
+                            let _e2568 = phi_3349_;
+                            if (_e2542 > _e2558) {
+                                phi_3354_ = _e2542;
                             } else {
-                                phi_3354_ = _e2614;
+                                phi_3354_ = _e2558;
                             }
-                            let _e2627 = phi_3354_;
-                            if (_e2603 > _e2619) {
-                                phi_3359_ = _e2603;
+                            let _e2571 = phi_3354_;
+                            if (_e2547 > _e2563) {
+                                phi_3359_ = _e2547;
                             } else {
-                                phi_3359_ = _e2619;
+                                phi_3359_ = _e2563;
                             }
-                            let _e2630 = phi_3359_;
-                            if (_e2608 > _e2624) {
-                                phi_3364_ = _e2608;
+                            let _e2574 = phi_3359_;
+                            if (_e2552 > _e2568) {
+                                phi_3364_ = _e2552;
                             } else {
-                                phi_3364_ = _e2624;
+                                phi_3364_ = _e2568;
                             }
-                            let _e2633 = phi_3364_;
-                            let _e2636 = (_e313.member[0] - _e2587);
-                            let _e2638 = (_e313.member[1] - _e2589);
-                            let _e2640 = (_e313.member[2] - _e2591);
-                            if (_e2636 < 0f) {
-                                phi_3377_ = -(_e2636);
+                            let _e2577 = phi_3364_;
+                            let _e2580 = (_e313.member[0] - _e2531);
+                            let _e2582 = (_e313.member[1] - _e2533);
+                            let _e2584 = (_e313.member[2] - _e2535);
+                            if (_e2580 < 0f) {
+                                phi_3377_ = -(_e2580);
                             } else {
-                                phi_3377_ = _e2636;
+                                phi_3377_ = _e2580;
                             }
-                            let _e2644 = phi_3377_;
-                            if (_e2638 < 0f) {
-                                phi_3383_ = -(_e2638);
+                            let _e2588 = phi_3377_;
+                            if (_e2582 < 0f) {
+                                phi_3383_ = -(_e2582);
                             } else {
-                                phi_3383_ = _e2638;
+                                phi_3383_ = _e2582;
                             }
-                            let _e2648 = phi_3383_;
-                            if (_e2640 < 0f) {
-                                phi_3390_ = -(_e2640);
+                            let _e2592 = phi_3383_;
+                            if (_e2584 < 0f) {
+                                phi_3390_ = -(_e2584);
                             } else {
-                                phi_3390_ = _e2640;
+                                phi_3390_ = _e2584;
                             }
-                            let _e2653 = phi_3390_;
-                            let _e2656 = (((_e2644 + _e2648) + _e2653) * (0.000000059604645f * 16f));
-                            if (_e2130.member_1[0][0] < 0f) {
-                                phi_3401_ = -(_e2130.member_1[0][0]);
+                            let _e2597 = phi_3390_;
+                            let _e2600 = (((_e2588 + _e2592) + _e2597) * (0.000000059604645f * 16f));
+                            if (_e2074.member_1[0][0] < 0f) {
+                                phi_3401_ = -(_e2074.member_1[0][0]);
                             } else {
-                                phi_3401_ = _e2130.member_1[0][0];
+                                phi_3401_ = _e2074.member_1[0][0];
                             }
-                            let _e2662 = phi_3401_;
-                            if (_e2130.member_1[0][1] < 0f) {
-                                phi_3408_ = -(_e2130.member_1[0][1]);
+                            let _e2606 = phi_3401_;
+                            if (_e2074.member_1[0][1] < 0f) {
+                                phi_3408_ = -(_e2074.member_1[0][1]);
                             } else {
-                                phi_3408_ = _e2130.member_1[0][1];
+                                phi_3408_ = _e2074.member_1[0][1];
                             }
-                            let _e2667 = phi_3408_;
-                            if (_e2130.member_1[0][2] < 0f) {
-                                phi_3415_ = -(_e2130.member_1[0][2]);
+                            let _e2611 = phi_3408_;
+                            if (_e2074.member_1[0][2] < 0f) {
+                                phi_3415_ = -(_e2074.member_1[0][2]);
                             } else {
-                                phi_3415_ = _e2130.member_1[0][2];
+                                phi_3415_ = _e2074.member_1[0][2];
                             }
-                            let _e2672 = phi_3415_;
-                            if (_e2130.member_1[1][0] < 0f) {
-                                phi_3428_ = -(_e2130.member_1[1][0]);
+                            let _e2616 = phi_3415_;
+                            if (_e2074.member_1[1][0] < 0f) {
+                                phi_3428_ = -(_e2074.member_1[1][0]);
                             } else {
-                                phi_3428_ = _e2130.member_1[1][0];
+                                phi_3428_ = _e2074.member_1[1][0];
                             }
-                            let _e2683 = phi_3428_;
-                            if (_e2130.member_1[1][1] < 0f) {
-                                phi_3435_ = -(_e2130.member_1[1][1]);
+                            let _e2627 = phi_3428_;
+                            if (_e2074.member_1[1][1] < 0f) {
+                                phi_3435_ = -(_e2074.member_1[1][1]);
                             } else {
-                                phi_3435_ = _e2130.member_1[1][1];
+                                phi_3435_ = _e2074.member_1[1][1];
                             }
-                            let _e2688 = phi_3435_;
-                            if (_e2130.member_1[1][2] < 0f) {
-                                phi_3442_ = -(_e2130.member_1[1][2]);
+                            let _e2632 = phi_3435_;
+                            if (_e2074.member_1[1][2] < 0f) {
+                                phi_3442_ = -(_e2074.member_1[1][2]);
                             } else {
-                                phi_3442_ = _e2130.member_1[1][2];
+                                phi_3442_ = _e2074.member_1[1][2];
                             }
-                            let _e2693 = phi_3442_;
-                            if (_e2130.member_1[2][0] < 0f) {
-                                phi_3455_ = -(_e2130.member_1[2][0]);
+                            let _e2637 = phi_3442_;
+                            if (_e2074.member_1[2][0] < 0f) {
+                                phi_3455_ = -(_e2074.member_1[2][0]);
                             } else {
-                                phi_3455_ = _e2130.member_1[2][0];
+                                phi_3455_ = _e2074.member_1[2][0];
                             }
-                            let _e2704 = phi_3455_;
-                            if (_e2130.member_1[2][1] < 0f) {
-                                phi_3462_ = -(_e2130.member_1[2][1]);
+                            let _e2648 = phi_3455_;
+                            if (_e2074.member_1[2][1] < 0f) {
+                                phi_3462_ = -(_e2074.member_1[2][1]);
                             } else {
-                                phi_3462_ = _e2130.member_1[2][1];
+                                phi_3462_ = _e2074.member_1[2][1];
                             }
-                            let _e2709 = phi_3462_;
-                            if (_e2130.member_1[2][2] < 0f) {
-                                phi_3469_ = -(_e2130.member_1[2][2]);
+                            let _e2653 = phi_3462_;
+                            if (_e2074.member_1[2][2] < 0f) {
+                                phi_3469_ = -(_e2074.member_1[2][2]);
                             } else {
-                                phi_3469_ = _e2130.member_1[2][2];
+                                phi_3469_ = _e2074.member_1[2][2];
                             }
-                            let _e2714 = phi_3469_;
-                            let _e2720 = (0.000000059604645f * 12f);
-                            let _e2724 = (((((_e2662 * _e2627) + (_e2667 * _e2630)) + (_e2672 * _e2633)) * _e2720) + _e2656);
-                            let _e2725 = (((((_e2683 * _e2627) + (_e2688 * _e2630)) + (_e2693 * _e2633)) * _e2720) + _e2656);
-                            let _e2726 = (((((_e2704 * _e2627) + (_e2709 * _e2630)) + (_e2714 * _e2633)) * _e2720) + _e2656);
-                            let _e2729 = (_e313.member[0] - _e2587);
-                            let _e2731 = (_e313.member[1] - _e2589);
-                            let _e2733 = (_e313.member[2] - _e2591);
+                            let _e2658 = phi_3469_;
+                            let _e2664 = (0.000000059604645f * 12f);
+                            let _e2668 = (((((_e2606 * _e2571) + (_e2611 * _e2574)) + (_e2616 * _e2577)) * _e2664) + _e2600);
+                            let _e2669 = (((((_e2627 * _e2571) + (_e2632 * _e2574)) + (_e2637 * _e2577)) * _e2664) + _e2600);
+                            let _e2670 = (((((_e2648 * _e2571) + (_e2653 * _e2574)) + (_e2658 * _e2577)) * _e2664) + _e2600);
+                            let _e2673 = (_e313.member[0] - _e2531);
+                            let _e2675 = (_e313.member[1] - _e2533);
+                            let _e2677 = (_e313.member[2] - _e2535);
                             if (_e313.member_2[0] < 0f) {
                                 phi_3496_ = -(_e313.member_2[0]);
                             } else {
                                 phi_3496_ = _e313.member_2[0];
                             }
-                            let _e2739 = phi_3496_;
+                            let _e2683 = phi_3496_;
                             if (_e313.member_2[1] < 0f) {
                                 phi_3503_ = -(_e313.member_2[1]);
                             } else {
                                 phi_3503_ = _e313.member_2[1];
                             }
-                            let _e2744 = phi_3503_;
+                            let _e2688 = phi_3503_;
                             if (_e313.member_2[2] < 0f) {
                                 phi_3511_ = -(_e313.member_2[2]);
                             } else {
                                 phi_3511_ = _e313.member_2[2];
                             }
-                            let _e2750 = phi_3511_;
-                            if (_e2729 < 0f) {
-                                phi_3520_ = -(_e2729);
+                            let _e2694 = phi_3511_;
+                            if (_e2673 < 0f) {
+                                phi_3520_ = -(_e2673);
                             } else {
-                                phi_3520_ = _e2729;
+                                phi_3520_ = _e2673;
                             }
-                            let _e2757 = phi_3520_;
-                            if (_e2731 < 0f) {
-                                phi_3526_ = -(_e2731);
+                            let _e2701 = phi_3520_;
+                            if (_e2675 < 0f) {
+                                phi_3526_ = -(_e2675);
                             } else {
-                                phi_3526_ = _e2731;
+                                phi_3526_ = _e2675;
                             }
-                            let _e2761 = phi_3526_;
-                            if (_e2733 < 0f) {
-                                phi_3532_ = -(_e2733);
+                            let _e2705 = phi_3526_;
+                            if (_e2677 < 0f) {
+                                phi_3532_ = -(_e2677);
                             } else {
-                                phi_3532_ = _e2733;
+                                phi_3532_ = _e2677;
                             }
-                            let _e2765 = phi_3532_;
-                            if (_e2130.member_1[0][0] < 0f) {
-                                phi_3540_ = -(_e2130.member_1[0][0]);
+                            let _e2709 = phi_3532_;
+                            if (_e2074.member_1[0][0] < 0f) {
+                                phi_3540_ = -(_e2074.member_1[0][0]);
                             } else {
-                                phi_3540_ = _e2130.member_1[0][0];
+                                phi_3540_ = _e2074.member_1[0][0];
                             }
-                            let _e2771 = phi_3540_;
-                            if (_e2130.member_1[0][1] < 0f) {
-                                phi_3547_ = -(_e2130.member_1[0][1]);
+                            let _e2715 = phi_3540_;
+                            if (_e2074.member_1[0][1] < 0f) {
+                                phi_3547_ = -(_e2074.member_1[0][1]);
                             } else {
-                                phi_3547_ = _e2130.member_1[0][1];
+                                phi_3547_ = _e2074.member_1[0][1];
                             }
-                            let _e2776 = phi_3547_;
-                            if (_e2130.member_1[0][2] < 0f) {
-                                phi_3554_ = -(_e2130.member_1[0][2]);
+                            let _e2720 = phi_3547_;
+                            if (_e2074.member_1[0][2] < 0f) {
+                                phi_3554_ = -(_e2074.member_1[0][2]);
                             } else {
-                                phi_3554_ = _e2130.member_1[0][2];
+                                phi_3554_ = _e2074.member_1[0][2];
                             }
-                            let _e2781 = phi_3554_;
-                            if (_e2130.member_1[1][0] < 0f) {
-                                phi_3567_ = -(_e2130.member_1[1][0]);
+                            let _e2725 = phi_3554_;
+                            if (_e2074.member_1[1][0] < 0f) {
+                                phi_3567_ = -(_e2074.member_1[1][0]);
                             } else {
-                                phi_3567_ = _e2130.member_1[1][0];
+                                phi_3567_ = _e2074.member_1[1][0];
                             }
-                            let _e2792 = phi_3567_;
-                            if (_e2130.member_1[1][1] < 0f) {
-                                phi_3574_ = -(_e2130.member_1[1][1]);
+                            let _e2736 = phi_3567_;
+                            if (_e2074.member_1[1][1] < 0f) {
+                                phi_3574_ = -(_e2074.member_1[1][1]);
                             } else {
-                                phi_3574_ = _e2130.member_1[1][1];
+                                phi_3574_ = _e2074.member_1[1][1];
                             }
-                            let _e2797 = phi_3574_;
-                            if (_e2130.member_1[1][2] < 0f) {
-                                phi_3581_ = -(_e2130.member_1[1][2]);
+                            let _e2741 = phi_3574_;
+                            if (_e2074.member_1[1][2] < 0f) {
+                                phi_3581_ = -(_e2074.member_1[1][2]);
                             } else {
-                                phi_3581_ = _e2130.member_1[1][2];
+                                phi_3581_ = _e2074.member_1[1][2];
                             }
-                            let _e2802 = phi_3581_;
-                            if (_e2130.member_1[2][0] < 0f) {
-                                phi_3594_ = -(_e2130.member_1[2][0]);
+                            let _e2746 = phi_3581_;
+                            if (_e2074.member_1[2][0] < 0f) {
+                                phi_3594_ = -(_e2074.member_1[2][0]);
                             } else {
-                                phi_3594_ = _e2130.member_1[2][0];
+                                phi_3594_ = _e2074.member_1[2][0];
                             }
-                            let _e2813 = phi_3594_;
-                            if (_e2130.member_1[2][1] < 0f) {
-                                phi_3601_ = -(_e2130.member_1[2][1]);
+                            let _e2757 = phi_3594_;
+                            if (_e2074.member_1[2][1] < 0f) {
+                                phi_3601_ = -(_e2074.member_1[2][1]);
                             } else {
-                                phi_3601_ = _e2130.member_1[2][1];
+                                phi_3601_ = _e2074.member_1[2][1];
                             }
-                            let _e2818 = phi_3601_;
-                            if (_e2130.member_1[2][2] < 0f) {
-                                phi_3608_ = -(_e2130.member_1[2][2]);
+                            let _e2762 = phi_3601_;
+                            if (_e2074.member_1[2][2] < 0f) {
+                                phi_3608_ = -(_e2074.member_1[2][2]);
                             } else {
-                                phi_3608_ = _e2130.member_1[2][2];
+                                phi_3608_ = _e2074.member_1[2][2];
                             }
-                            let _e2823 = phi_3608_;
-                            let _e2829 = (0.000000059604645f * 8f);
-                            let _e2834 = ((((_e2739 + _e2744) + _e2750) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                            let _e2846 = (((_e2130.member_1[0][0] * _e2729) + (_e2130.member_1[0][1] * _e2731)) + (_e2130.member_1[0][2] * _e2733));
-                            let _e2855 = (((_e2130.member_1[1][0] * _e2729) + (_e2130.member_1[1][1] * _e2731)) + (_e2130.member_1[1][2] * _e2733));
-                            let _e2864 = (((_e2130.member_1[2][0] * _e2729) + (_e2130.member_1[2][1] * _e2731)) + (_e2130.member_1[2][2] * _e2733));
-                            if (_e2846 < 0f) {
-                                phi_3655_ = -(_e2846);
+                            let _e2767 = phi_3608_;
+                            let _e2773 = (0.000000059604645f * 8f);
+                            let _e2778 = ((((_e2683 + _e2688) + _e2694) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                            let _e2790 = (((_e2074.member_1[0][0] * _e2673) + (_e2074.member_1[0][1] * _e2675)) + (_e2074.member_1[0][2] * _e2677));
+                            let _e2799 = (((_e2074.member_1[1][0] * _e2673) + (_e2074.member_1[1][1] * _e2675)) + (_e2074.member_1[1][2] * _e2677));
+                            let _e2808 = (((_e2074.member_1[2][0] * _e2673) + (_e2074.member_1[2][1] * _e2675)) + (_e2074.member_1[2][2] * _e2677));
+                            if (_e2790 < 0f) {
+                                phi_3655_ = -(_e2790);
                             } else {
-                                phi_3655_ = _e2846;
+                                phi_3655_ = _e2790;
                             }
-                            let _e2868 = phi_3655_;
-                            if (_e2855 < 0f) {
-                                phi_3661_ = -(_e2855);
+                            let _e2812 = phi_3655_;
+                            if (_e2799 < 0f) {
+                                phi_3661_ = -(_e2799);
                             } else {
-                                phi_3661_ = _e2855;
+                                phi_3661_ = _e2799;
                             }
-                            let _e2872 = phi_3661_;
-                            if (_e2864 < 0f) {
-                                phi_3667_ = -(_e2864);
+                            let _e2816 = phi_3661_;
+                            if (_e2808 < 0f) {
+                                phi_3667_ = -(_e2808);
                             } else {
-                                phi_3667_ = _e2864;
+                                phi_3667_ = _e2808;
                             }
-                            let _e2876 = phi_3667_;
-                            let _e2890 = (((_e313.member_1[0][0] * _e2130.member_1[0][0]) + (_e313.member_1[0][1] * _e2130.member_1[0][1])) + (_e313.member_1[0][2] * _e2130.member_1[0][2]));
-                            let _e2903 = (((_e313.member_1[1][0] * _e2130.member_1[0][0]) + (_e313.member_1[1][1] * _e2130.member_1[0][1])) + (_e313.member_1[1][2] * _e2130.member_1[0][2]));
-                            let _e2916 = (((_e313.member_1[2][0] * _e2130.member_1[0][0]) + (_e313.member_1[2][1] * _e2130.member_1[0][1])) + (_e313.member_1[2][2] * _e2130.member_1[0][2]));
-                            if (_e2890 < 0f) {
-                                phi_3711_ = -(_e2890);
+                            let _e2820 = phi_3667_;
+                            let _e2834 = (((_e313.member_1[0][0] * _e2074.member_1[0][0]) + (_e313.member_1[0][1] * _e2074.member_1[0][1])) + (_e313.member_1[0][2] * _e2074.member_1[0][2]));
+                            let _e2847 = (((_e313.member_1[1][0] * _e2074.member_1[0][0]) + (_e313.member_1[1][1] * _e2074.member_1[0][1])) + (_e313.member_1[1][2] * _e2074.member_1[0][2]));
+                            let _e2860 = (((_e313.member_1[2][0] * _e2074.member_1[0][0]) + (_e313.member_1[2][1] * _e2074.member_1[0][1])) + (_e313.member_1[2][2] * _e2074.member_1[0][2]));
+                            if (_e2834 < 0f) {
+                                phi_3711_ = -(_e2834);
                             } else {
-                                phi_3711_ = _e2890;
+                                phi_3711_ = _e2834;
                             }
-                            let _e2921 = phi_3711_;
-                            if (_e2903 < 0f) {
-                                phi_3717_ = -(_e2903);
+                            let _e2865 = phi_3711_;
+                            if (_e2847 < 0f) {
+                                phi_3717_ = -(_e2847);
                             } else {
-                                phi_3717_ = _e2903;
+                                phi_3717_ = _e2847;
                             }
-                            let _e2925 = phi_3717_;
-                            if (_e2916 < 0f) {
-                                phi_3723_ = -(_e2916);
+                            let _e2869 = phi_3717_;
+                            if (_e2860 < 0f) {
+                                phi_3723_ = -(_e2860);
                             } else {
-                                phi_3723_ = _e2916;
+                                phi_3723_ = _e2860;
                             }
-                            let _e2929 = phi_3723_;
-                            let _e2951 = (((_e313.member_1[0][0] * _e2130.member_1[1][0]) + (_e313.member_1[0][1] * _e2130.member_1[1][1])) + (_e313.member_1[0][2] * _e2130.member_1[1][2]));
-                            let _e2964 = (((_e313.member_1[1][0] * _e2130.member_1[1][0]) + (_e313.member_1[1][1] * _e2130.member_1[1][1])) + (_e313.member_1[1][2] * _e2130.member_1[1][2]));
-                            let _e2977 = (((_e313.member_1[2][0] * _e2130.member_1[1][0]) + (_e313.member_1[2][1] * _e2130.member_1[1][1])) + (_e313.member_1[2][2] * _e2130.member_1[1][2]));
-                            if (_e2951 < 0f) {
-                                phi_3775_ = -(_e2951);
+                            let _e2873 = phi_3723_;
+                            let _e2895 = (((_e313.member_1[0][0] * _e2074.member_1[1][0]) + (_e313.member_1[0][1] * _e2074.member_1[1][1])) + (_e313.member_1[0][2] * _e2074.member_1[1][2]));
+                            let _e2908 = (((_e313.member_1[1][0] * _e2074.member_1[1][0]) + (_e313.member_1[1][1] * _e2074.member_1[1][1])) + (_e313.member_1[1][2] * _e2074.member_1[1][2]));
+                            let _e2921 = (((_e313.member_1[2][0] * _e2074.member_1[1][0]) + (_e313.member_1[2][1] * _e2074.member_1[1][1])) + (_e313.member_1[2][2] * _e2074.member_1[1][2]));
+                            if (_e2895 < 0f) {
+                                phi_3775_ = -(_e2895);
                             } else {
-                                phi_3775_ = _e2951;
+                                phi_3775_ = _e2895;
                             }
-                            let _e2982 = phi_3775_;
-                            if (_e2964 < 0f) {
-                                phi_3781_ = -(_e2964);
+                            let _e2926 = phi_3775_;
+                            if (_e2908 < 0f) {
+                                phi_3781_ = -(_e2908);
                             } else {
-                                phi_3781_ = _e2964;
+                                phi_3781_ = _e2908;
                             }
-                            let _e2986 = phi_3781_;
-                            if (_e2977 < 0f) {
-                                phi_3787_ = -(_e2977);
+                            let _e2930 = phi_3781_;
+                            if (_e2921 < 0f) {
+                                phi_3787_ = -(_e2921);
                             } else {
-                                phi_3787_ = _e2977;
+                                phi_3787_ = _e2921;
                             }
-                            let _e2990 = phi_3787_;
-                            let _e3012 = (((_e313.member_1[0][0] * _e2130.member_1[2][0]) + (_e313.member_1[0][1] * _e2130.member_1[2][1])) + (_e313.member_1[0][2] * _e2130.member_1[2][2]));
-                            let _e3025 = (((_e313.member_1[1][0] * _e2130.member_1[2][0]) + (_e313.member_1[1][1] * _e2130.member_1[2][1])) + (_e313.member_1[1][2] * _e2130.member_1[2][2]));
-                            let _e3038 = (((_e313.member_1[2][0] * _e2130.member_1[2][0]) + (_e313.member_1[2][1] * _e2130.member_1[2][1])) + (_e313.member_1[2][2] * _e2130.member_1[2][2]));
-                            if (_e3012 < 0f) {
-                                phi_3839_ = -(_e3012);
+                            let _e2934 = phi_3787_;
+                            let _e2956 = (((_e313.member_1[0][0] * _e2074.member_1[2][0]) + (_e313.member_1[0][1] * _e2074.member_1[2][1])) + (_e313.member_1[0][2] * _e2074.member_1[2][2]));
+                            let _e2969 = (((_e313.member_1[1][0] * _e2074.member_1[2][0]) + (_e313.member_1[1][1] * _e2074.member_1[2][1])) + (_e313.member_1[1][2] * _e2074.member_1[2][2]));
+                            let _e2982 = (((_e313.member_1[2][0] * _e2074.member_1[2][0]) + (_e313.member_1[2][1] * _e2074.member_1[2][1])) + (_e313.member_1[2][2] * _e2074.member_1[2][2]));
+                            if (_e2956 < 0f) {
+                                phi_3839_ = -(_e2956);
                             } else {
-                                phi_3839_ = _e3012;
+                                phi_3839_ = _e2956;
                             }
-                            let _e3043 = phi_3839_;
-                            if (_e3025 < 0f) {
-                                phi_3845_ = -(_e3025);
+                            let _e2987 = phi_3839_;
+                            if (_e2969 < 0f) {
+                                phi_3845_ = -(_e2969);
                             } else {
-                                phi_3845_ = _e3025;
+                                phi_3845_ = _e2969;
                             }
-                            let _e3047 = phi_3845_;
-                            if (_e3038 < 0f) {
-                                phi_3851_ = -(_e3038);
+                            let _e2991 = phi_3845_;
+                            if (_e2982 < 0f) {
+                                phi_3851_ = -(_e2982);
                             } else {
-                                phi_3851_ = _e3038;
+                                phi_3851_ = _e2982;
                             }
-                            let _e3051 = phi_3851_;
-                            let _e3068 = (_e451.member[0] - _e2587);
-                            let _e3070 = (_e451.member[1] - _e2589);
-                            let _e3072 = (_e451.member[2] - _e2591);
+                            let _e2995 = phi_3851_;
+                            let _e3012 = (_e451.member[0] - _e2531);
+                            let _e3014 = (_e451.member[1] - _e2533);
+                            let _e3016 = (_e451.member[2] - _e2535);
                             if (_e451.member_2[0] < 0f) {
                                 phi_3880_ = -(_e451.member_2[0]);
                             } else {
                                 phi_3880_ = _e451.member_2[0];
                             }
-                            let _e3078 = phi_3880_;
+                            let _e3022 = phi_3880_;
                             if (_e451.member_2[1] < 0f) {
                                 phi_3887_ = -(_e451.member_2[1]);
                             } else {
                                 phi_3887_ = _e451.member_2[1];
                             }
-                            let _e3083 = phi_3887_;
+                            let _e3027 = phi_3887_;
                             if (_e451.member_2[2] < 0f) {
                                 phi_3895_ = -(_e451.member_2[2]);
                             } else {
                                 phi_3895_ = _e451.member_2[2];
                             }
-                            let _e3089 = phi_3895_;
-                            if (_e3068 < 0f) {
-                                phi_3904_ = -(_e3068);
+                            let _e3033 = phi_3895_;
+                            if (_e3012 < 0f) {
+                                phi_3904_ = -(_e3012);
                             } else {
-                                phi_3904_ = _e3068;
+                                phi_3904_ = _e3012;
                             }
-                            let _e3096 = phi_3904_;
-                            if (_e3070 < 0f) {
-                                phi_3910_ = -(_e3070);
+                            let _e3040 = phi_3904_;
+                            if (_e3014 < 0f) {
+                                phi_3910_ = -(_e3014);
                             } else {
-                                phi_3910_ = _e3070;
+                                phi_3910_ = _e3014;
                             }
-                            let _e3100 = phi_3910_;
-                            if (_e3072 < 0f) {
-                                phi_3916_ = -(_e3072);
+                            let _e3044 = phi_3910_;
+                            if (_e3016 < 0f) {
+                                phi_3916_ = -(_e3016);
                             } else {
-                                phi_3916_ = _e3072;
+                                phi_3916_ = _e3016;
                             }
-                            let _e3104 = phi_3916_;
-                            if (_e2130.member_1[0][0] < 0f) {
-                                phi_3924_ = -(_e2130.member_1[0][0]);
+                            let _e3048 = phi_3916_;
+                            if (_e2074.member_1[0][0] < 0f) {
+                                phi_3924_ = -(_e2074.member_1[0][0]);
                             } else {
-                                phi_3924_ = _e2130.member_1[0][0];
+                                phi_3924_ = _e2074.member_1[0][0];
                             }
-                            let _e3110 = phi_3924_;
-                            if (_e2130.member_1[0][1] < 0f) {
-                                phi_3931_ = -(_e2130.member_1[0][1]);
+                            let _e3054 = phi_3924_;
+                            if (_e2074.member_1[0][1] < 0f) {
+                                phi_3931_ = -(_e2074.member_1[0][1]);
                             } else {
-                                phi_3931_ = _e2130.member_1[0][1];
+                                phi_3931_ = _e2074.member_1[0][1];
                             }
-                            let _e3115 = phi_3931_;
-                            if (_e2130.member_1[0][2] < 0f) {
-                                phi_3938_ = -(_e2130.member_1[0][2]);
+                            let _e3059 = phi_3931_;
+                            if (_e2074.member_1[0][2] < 0f) {
+                                phi_3938_ = -(_e2074.member_1[0][2]);
                             } else {
-                                phi_3938_ = _e2130.member_1[0][2];
+                                phi_3938_ = _e2074.member_1[0][2];
                             }
-                            let _e3120 = phi_3938_;
-                            if (_e2130.member_1[1][0] < 0f) {
-                                phi_3951_ = -(_e2130.member_1[1][0]);
+                            let _e3064 = phi_3938_;
+                            if (_e2074.member_1[1][0] < 0f) {
+                                phi_3951_ = -(_e2074.member_1[1][0]);
                             } else {
-                                phi_3951_ = _e2130.member_1[1][0];
+                                phi_3951_ = _e2074.member_1[1][0];
                             }
-                            let _e3131 = phi_3951_;
-                            if (_e2130.member_1[1][1] < 0f) {
-                                phi_3958_ = -(_e2130.member_1[1][1]);
+                            let _e3075 = phi_3951_;
+                            if (_e2074.member_1[1][1] < 0f) {
+                                phi_3958_ = -(_e2074.member_1[1][1]);
                             } else {
-                                phi_3958_ = _e2130.member_1[1][1];
+                                phi_3958_ = _e2074.member_1[1][1];
                             }
-                            let _e3136 = phi_3958_;
-                            if (_e2130.member_1[1][2] < 0f) {
-                                phi_3965_ = -(_e2130.member_1[1][2]);
+                            let _e3080 = phi_3958_;
+                            if (_e2074.member_1[1][2] < 0f) {
+                                phi_3965_ = -(_e2074.member_1[1][2]);
                             } else {
-                                phi_3965_ = _e2130.member_1[1][2];
+                                phi_3965_ = _e2074.member_1[1][2];
                             }
-                            let _e3141 = phi_3965_;
-                            if (_e2130.member_1[2][0] < 0f) {
-                                phi_3978_ = -(_e2130.member_1[2][0]);
+                            let _e3085 = phi_3965_;
+                            if (_e2074.member_1[2][0] < 0f) {
+                                phi_3978_ = -(_e2074.member_1[2][0]);
                             } else {
-                                phi_3978_ = _e2130.member_1[2][0];
+                                phi_3978_ = _e2074.member_1[2][0];
                             }
-                            let _e3152 = phi_3978_;
-                            if (_e2130.member_1[2][1] < 0f) {
-                                phi_3985_ = -(_e2130.member_1[2][1]);
+                            let _e3096 = phi_3978_;
+                            if (_e2074.member_1[2][1] < 0f) {
+                                phi_3985_ = -(_e2074.member_1[2][1]);
                             } else {
-                                phi_3985_ = _e2130.member_1[2][1];
+                                phi_3985_ = _e2074.member_1[2][1];
                             }
-                            let _e3157 = phi_3985_;
-                            if (_e2130.member_1[2][2] < 0f) {
-                                phi_3992_ = -(_e2130.member_1[2][2]);
+                            let _e3101 = phi_3985_;
+                            if (_e2074.member_1[2][2] < 0f) {
+                                phi_3992_ = -(_e2074.member_1[2][2]);
                             } else {
-                                phi_3992_ = _e2130.member_1[2][2];
+                                phi_3992_ = _e2074.member_1[2][2];
                             }
-                            let _e3162 = phi_3992_;
-                            let _e3168 = (0.000000059604645f * 8f);
-                            let _e3173 = ((((_e3078 + _e3083) + _e3089) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                            let _e3185 = (((_e2130.member_1[0][0] * _e3068) + (_e2130.member_1[0][1] * _e3070)) + (_e2130.member_1[0][2] * _e3072));
-                            let _e3194 = (((_e2130.member_1[1][0] * _e3068) + (_e2130.member_1[1][1] * _e3070)) + (_e2130.member_1[1][2] * _e3072));
-                            let _e3203 = (((_e2130.member_1[2][0] * _e3068) + (_e2130.member_1[2][1] * _e3070)) + (_e2130.member_1[2][2] * _e3072));
-                            if (_e3185 < 0f) {
-                                phi_4039_ = -(_e3185);
+                            let _e3106 = phi_3992_;
+                            let _e3112 = (0.000000059604645f * 8f);
+                            let _e3117 = ((((_e3022 + _e3027) + _e3033) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                            let _e3129 = (((_e2074.member_1[0][0] * _e3012) + (_e2074.member_1[0][1] * _e3014)) + (_e2074.member_1[0][2] * _e3016));
+                            let _e3138 = (((_e2074.member_1[1][0] * _e3012) + (_e2074.member_1[1][1] * _e3014)) + (_e2074.member_1[1][2] * _e3016));
+                            let _e3147 = (((_e2074.member_1[2][0] * _e3012) + (_e2074.member_1[2][1] * _e3014)) + (_e2074.member_1[2][2] * _e3016));
+                            if (_e3129 < 0f) {
+                                phi_4039_ = -(_e3129);
                             } else {
-                                phi_4039_ = _e3185;
+                                phi_4039_ = _e3129;
                             }
-                            let _e3207 = phi_4039_;
-                            if (_e3194 < 0f) {
-                                phi_4045_ = -(_e3194);
+                            let _e3151 = phi_4039_;
+                            if (_e3138 < 0f) {
+                                phi_4045_ = -(_e3138);
                             } else {
-                                phi_4045_ = _e3194;
+                                phi_4045_ = _e3138;
                             }
-                            let _e3211 = phi_4045_;
-                            if (_e3203 < 0f) {
-                                phi_4051_ = -(_e3203);
+                            let _e3155 = phi_4045_;
+                            if (_e3147 < 0f) {
+                                phi_4051_ = -(_e3147);
                             } else {
-                                phi_4051_ = _e3203;
+                                phi_4051_ = _e3147;
                             }
-                            let _e3215 = phi_4051_;
-                            let _e3229 = (((_e451.member_1[0][0] * _e2130.member_1[0][0]) + (_e451.member_1[0][1] * _e2130.member_1[0][1])) + (_e451.member_1[0][2] * _e2130.member_1[0][2]));
-                            let _e3242 = (((_e451.member_1[1][0] * _e2130.member_1[0][0]) + (_e451.member_1[1][1] * _e2130.member_1[0][1])) + (_e451.member_1[1][2] * _e2130.member_1[0][2]));
-                            let _e3255 = (((_e451.member_1[2][0] * _e2130.member_1[0][0]) + (_e451.member_1[2][1] * _e2130.member_1[0][1])) + (_e451.member_1[2][2] * _e2130.member_1[0][2]));
-                            if (_e3229 < 0f) {
-                                phi_4095_ = -(_e3229);
+                            let _e3159 = phi_4051_;
+                            let _e3173 = (((_e451.member_1[0][0] * _e2074.member_1[0][0]) + (_e451.member_1[0][1] * _e2074.member_1[0][1])) + (_e451.member_1[0][2] * _e2074.member_1[0][2]));
+                            let _e3186 = (((_e451.member_1[1][0] * _e2074.member_1[0][0]) + (_e451.member_1[1][1] * _e2074.member_1[0][1])) + (_e451.member_1[1][2] * _e2074.member_1[0][2]));
+                            let _e3199 = (((_e451.member_1[2][0] * _e2074.member_1[0][0]) + (_e451.member_1[2][1] * _e2074.member_1[0][1])) + (_e451.member_1[2][2] * _e2074.member_1[0][2]));
+                            if (_e3173 < 0f) {
+                                phi_4095_ = -(_e3173);
                             } else {
-                                phi_4095_ = _e3229;
+                                phi_4095_ = _e3173;
                             }
-                            let _e3260 = phi_4095_;
-                            if (_e3242 < 0f) {
-                                phi_4101_ = -(_e3242);
+                            let _e3204 = phi_4095_;
+                            if (_e3186 < 0f) {
+                                phi_4101_ = -(_e3186);
                             } else {
-                                phi_4101_ = _e3242;
+                                phi_4101_ = _e3186;
                             }
-                            let _e3264 = phi_4101_;
-                            if (_e3255 < 0f) {
-                                phi_4107_ = -(_e3255);
+                            let _e3208 = phi_4101_;
+                            if (_e3199 < 0f) {
+                                phi_4107_ = -(_e3199);
                             } else {
-                                phi_4107_ = _e3255;
+                                phi_4107_ = _e3199;
                             }
-                            let _e3268 = phi_4107_;
-                            let _e3290 = (((_e451.member_1[0][0] * _e2130.member_1[1][0]) + (_e451.member_1[0][1] * _e2130.member_1[1][1])) + (_e451.member_1[0][2] * _e2130.member_1[1][2]));
-                            let _e3303 = (((_e451.member_1[1][0] * _e2130.member_1[1][0]) + (_e451.member_1[1][1] * _e2130.member_1[1][1])) + (_e451.member_1[1][2] * _e2130.member_1[1][2]));
-                            let _e3316 = (((_e451.member_1[2][0] * _e2130.member_1[1][0]) + (_e451.member_1[2][1] * _e2130.member_1[1][1])) + (_e451.member_1[2][2] * _e2130.member_1[1][2]));
-                            if (_e3290 < 0f) {
-                                phi_4159_ = -(_e3290);
+                            let _e3212 = phi_4107_;
+                            let _e3234 = (((_e451.member_1[0][0] * _e2074.member_1[1][0]) + (_e451.member_1[0][1] * _e2074.member_1[1][1])) + (_e451.member_1[0][2] * _e2074.member_1[1][2]));
+                            let _e3247 = (((_e451.member_1[1][0] * _e2074.member_1[1][0]) + (_e451.member_1[1][1] * _e2074.member_1[1][1])) + (_e451.member_1[1][2] * _e2074.member_1[1][2]));
+                            let _e3260 = (((_e451.member_1[2][0] * _e2074.member_1[1][0]) + (_e451.member_1[2][1] * _e2074.member_1[1][1])) + (_e451.member_1[2][2] * _e2074.member_1[1][2]));
+                            if (_e3234 < 0f) {
+                                phi_4159_ = -(_e3234);
                             } else {
-                                phi_4159_ = _e3290;
+                                phi_4159_ = _e3234;
                             }
-                            let _e3321 = phi_4159_;
-                            if (_e3303 < 0f) {
-                                phi_4165_ = -(_e3303);
+                            let _e3265 = phi_4159_;
+                            if (_e3247 < 0f) {
+                                phi_4165_ = -(_e3247);
                             } else {
-                                phi_4165_ = _e3303;
+                                phi_4165_ = _e3247;
                             }
-                            let _e3325 = phi_4165_;
-                            if (_e3316 < 0f) {
-                                phi_4171_ = -(_e3316);
+                            let _e3269 = phi_4165_;
+                            if (_e3260 < 0f) {
+                                phi_4171_ = -(_e3260);
                             } else {
-                                phi_4171_ = _e3316;
+                                phi_4171_ = _e3260;
                             }
-                            let _e3329 = phi_4171_;
-                            let _e3351 = (((_e451.member_1[0][0] * _e2130.member_1[2][0]) + (_e451.member_1[0][1] * _e2130.member_1[2][1])) + (_e451.member_1[0][2] * _e2130.member_1[2][2]));
-                            let _e3364 = (((_e451.member_1[1][0] * _e2130.member_1[2][0]) + (_e451.member_1[1][1] * _e2130.member_1[2][1])) + (_e451.member_1[1][2] * _e2130.member_1[2][2]));
-                            let _e3377 = (((_e451.member_1[2][0] * _e2130.member_1[2][0]) + (_e451.member_1[2][1] * _e2130.member_1[2][1])) + (_e451.member_1[2][2] * _e2130.member_1[2][2]));
-                            if (_e3351 < 0f) {
-                                phi_4223_ = -(_e3351);
+                            let _e3273 = phi_4171_;
+                            let _e3295 = (((_e451.member_1[0][0] * _e2074.member_1[2][0]) + (_e451.member_1[0][1] * _e2074.member_1[2][1])) + (_e451.member_1[0][2] * _e2074.member_1[2][2]));
+                            let _e3308 = (((_e451.member_1[1][0] * _e2074.member_1[2][0]) + (_e451.member_1[1][1] * _e2074.member_1[2][1])) + (_e451.member_1[1][2] * _e2074.member_1[2][2]));
+                            let _e3321 = (((_e451.member_1[2][0] * _e2074.member_1[2][0]) + (_e451.member_1[2][1] * _e2074.member_1[2][1])) + (_e451.member_1[2][2] * _e2074.member_1[2][2]));
+                            if (_e3295 < 0f) {
+                                phi_4223_ = -(_e3295);
                             } else {
-                                phi_4223_ = _e3351;
+                                phi_4223_ = _e3295;
                             }
-                            let _e3382 = phi_4223_;
-                            if (_e3364 < 0f) {
-                                phi_4229_ = -(_e3364);
+                            let _e3326 = phi_4223_;
+                            if (_e3308 < 0f) {
+                                phi_4229_ = -(_e3308);
                             } else {
-                                phi_4229_ = _e3364;
+                                phi_4229_ = _e3308;
                             }
-                            let _e3386 = phi_4229_;
-                            if (_e3377 < 0f) {
-                                phi_4235_ = -(_e3377);
+                            let _e3330 = phi_4229_;
+                            if (_e3321 < 0f) {
+                                phi_4235_ = -(_e3321);
                             } else {
-                                phi_4235_ = _e3377;
+                                phi_4235_ = _e3321;
                             }
-                            let _e3390 = phi_4235_;
-                            let _e3405 = (((_e2868 + (((_e2921 * _e313.member_2[0]) + (_e2925 * _e313.member_2[1])) + (_e2929 * _e313.member_2[2]))) + (((((_e2771 * _e2757) + (_e2776 * _e2761)) + (_e2781 * _e2765)) * _e2829) + _e2834)) + _e2724);
-                            let _e3406 = (((_e2872 + (((_e2982 * _e313.member_2[0]) + (_e2986 * _e313.member_2[1])) + (_e2990 * _e313.member_2[2]))) + (((((_e2792 * _e2757) + (_e2797 * _e2761)) + (_e2802 * _e2765)) * _e2829) + _e2834)) + _e2725);
-                            let _e3407 = (((_e2876 + (((_e3043 * _e313.member_2[0]) + (_e3047 * _e313.member_2[1])) + (_e3051 * _e313.member_2[2]))) + (((((_e2813 * _e2757) + (_e2818 * _e2761)) + (_e2823 * _e2765)) * _e2829) + _e2834)) + _e2726);
-                            let _e3408 = (((_e3207 + (((_e3260 * _e451.member_2[0]) + (_e3264 * _e451.member_2[1])) + (_e3268 * _e451.member_2[2]))) + (((((_e3110 * _e3096) + (_e3115 * _e3100)) + (_e3120 * _e3104)) * _e3168) + _e3173)) + _e2724);
-                            let _e3409 = (((_e3211 + (((_e3321 * _e451.member_2[0]) + (_e3325 * _e451.member_2[1])) + (_e3329 * _e451.member_2[2]))) + (((((_e3131 * _e3096) + (_e3136 * _e3100)) + (_e3141 * _e3104)) * _e3168) + _e3173)) + _e2725);
-                            let _e3410 = (((_e3215 + (((_e3382 * _e451.member_2[0]) + (_e3386 * _e451.member_2[1])) + (_e3390 * _e451.member_2[2]))) + (((((_e3152 * _e3096) + (_e3157 * _e3100)) + (_e3162 * _e3104)) * _e3168) + _e3173)) + _e2726);
-                            if ((bitcast<u32>(_e3405) & 2139095040u) != 2139095040u) {
-                                if ((bitcast<u32>(_e3406) & 2139095040u) != 2139095040u) {
-                                    phi_4271_ = ((bitcast<u32>(_e3407) & 2139095040u) != 2139095040u);
+                            let _e3334 = phi_4235_;
+                            let _e3349 = (((_e2812 + (((_e2865 * _e313.member_2[0]) + (_e2869 * _e313.member_2[1])) + (_e2873 * _e313.member_2[2]))) + (((((_e2715 * _e2701) + (_e2720 * _e2705)) + (_e2725 * _e2709)) * _e2773) + _e2778)) + _e2668);
+                            let _e3350 = (((_e2816 + (((_e2926 * _e313.member_2[0]) + (_e2930 * _e313.member_2[1])) + (_e2934 * _e313.member_2[2]))) + (((((_e2736 * _e2701) + (_e2741 * _e2705)) + (_e2746 * _e2709)) * _e2773) + _e2778)) + _e2669);
+                            let _e3351 = (((_e2820 + (((_e2987 * _e313.member_2[0]) + (_e2991 * _e313.member_2[1])) + (_e2995 * _e313.member_2[2]))) + (((((_e2757 * _e2701) + (_e2762 * _e2705)) + (_e2767 * _e2709)) * _e2773) + _e2778)) + _e2670);
+                            let _e3352 = (((_e3151 + (((_e3204 * _e451.member_2[0]) + (_e3208 * _e451.member_2[1])) + (_e3212 * _e451.member_2[2]))) + (((((_e3054 * _e3040) + (_e3059 * _e3044)) + (_e3064 * _e3048)) * _e3112) + _e3117)) + _e2668);
+                            let _e3353 = (((_e3155 + (((_e3265 * _e451.member_2[0]) + (_e3269 * _e451.member_2[1])) + (_e3273 * _e451.member_2[2]))) + (((((_e3075 * _e3040) + (_e3080 * _e3044)) + (_e3085 * _e3048)) * _e3112) + _e3117)) + _e2669);
+                            let _e3354 = (((_e3159 + (((_e3326 * _e451.member_2[0]) + (_e3330 * _e451.member_2[1])) + (_e3334 * _e451.member_2[2]))) + (((((_e3096 * _e3040) + (_e3101 * _e3044)) + (_e3106 * _e3048)) * _e3112) + _e3117)) + _e2670);
+                            if ((bitcast<u32>(_e3349) & 2139095040u) != 2139095040u) {
+                                if ((bitcast<u32>(_e3350) & 2139095040u) != 2139095040u) {
+                                    phi_4271_ = ((bitcast<u32>(_e3351) & 2139095040u) != 2139095040u);
                                     phi_4272_ = false;
                                 } else {
                                     phi_4271_ = bool();
                                     phi_4272_ = true;
                                 }
-                                let _e3421 = phi_4271_;
-                                let _e3423 = phi_4272_;
-                                phi_4273_ = _e3421;
-                                phi_4274_ = _e3423;
+                                let _e3365 = phi_4271_;
+                                let _e3367 = phi_4272_;
+                                phi_4273_ = _e3365;
+                                phi_4274_ = _e3367;
                             } else {
                                 phi_4273_ = bool();
                                 phi_4274_ = true;
                             }
-                            let _e3425 = phi_4273_;
-                            let _e3427 = phi_4274_;
-                            if _e3427 {
+                            let _e3369 = phi_4273_;
+                            let _e3371 = phi_4274_;
+                            if _e3371 {
                                 phi_4278_ = false;
                             } else {
-                                phi_4278_ = _e3425;
+                                phi_4278_ = _e3369;
                             }
-                            let _e3429 = phi_4278_;
-                            if _e3429 {
-                                if ((bitcast<u32>(_e3408) & 2139095040u) != 2139095040u) {
-                                    if ((bitcast<u32>(_e3409) & 2139095040u) != 2139095040u) {
-                                        phi_4297_ = ((bitcast<u32>(_e3410) & 2139095040u) != 2139095040u);
+                            let _e3373 = phi_4278_;
+                            if _e3373 {
+                                if ((bitcast<u32>(_e3352) & 2139095040u) != 2139095040u) {
+                                    if ((bitcast<u32>(_e3353) & 2139095040u) != 2139095040u) {
+                                        phi_4297_ = ((bitcast<u32>(_e3354) & 2139095040u) != 2139095040u);
                                         phi_4298_ = false;
                                     } else {
                                         phi_4297_ = bool();
                                         phi_4298_ = true;
                                     }
-                                    let _e3440 = phi_4297_;
-                                    let _e3442 = phi_4298_;
-                                    phi_4299_ = _e3440;
-                                    phi_4300_ = _e3442;
+                                    let _e3384 = phi_4297_;
+                                    let _e3386 = phi_4298_;
+                                    phi_4299_ = _e3384;
+                                    phi_4300_ = _e3386;
                                 } else {
                                     phi_4299_ = bool();
                                     phi_4300_ = true;
                                 }
-                                let _e3444 = phi_4299_;
-                                let _e3446 = phi_4300_;
-                                if _e3446 {
+                                let _e3388 = phi_4299_;
+                                let _e3390 = phi_4300_;
+                                if _e3390 {
                                     phi_4304_ = false;
                                 } else {
-                                    phi_4304_ = _e3444;
+                                    phi_4304_ = _e3388;
                                 }
-                                let _e3448 = phi_4304_;
-                                if _e3448 {
-                                    if (_e3405 > _e3408) {
-                                        phi_4312_ = _e3405;
+                                let _e3392 = phi_4304_;
+                                if _e3392 {
+                                    if (_e3349 > _e3352) {
+                                        phi_4312_ = _e3349;
                                     } else {
-                                        phi_4312_ = _e3408;
+                                        phi_4312_ = _e3352;
                                     }
-                                    let _e3451 = phi_4312_;
-                                    if (_e3406 > _e3409) {
-                                        phi_4317_ = _e3406;
+                                    let _e3395 = phi_4312_;
+                                    if (_e3350 > _e3353) {
+                                        phi_4317_ = _e3350;
                                     } else {
-                                        phi_4317_ = _e3409;
+                                        phi_4317_ = _e3353;
                                     }
-                                    let _e3454 = phi_4317_;
-                                    if (_e3407 > _e3410) {
-                                        phi_4322_ = _e3407;
+                                    let _e3398 = phi_4317_;
+                                    if (_e3351 > _e3354) {
+                                        phi_4322_ = _e3351;
                                     } else {
-                                        phi_4322_ = _e3410;
+                                        phi_4322_ = _e3354;
                                     }
-                                    let _e3457 = phi_4322_;
-                                    phi_4325_ = type_33(array<f32, 3>(_e2587, _e2589, _e2591), _e2130.member_1, array<f32, 3>(_e3451, _e3454, _e3457));
+                                    let _e3401 = phi_4322_;
+                                    phi_4325_ = type_33(array<f32, 3>(_e2531, _e2533, _e2535), _e2074.member_1, array<f32, 3>(_e3395, _e3398, _e3401));
                                     phi_4326_ = false;
                                 } else {
                                     phi_4325_ = type_33();
                                     phi_4326_ = true;
                                 }
-                                let _e3461 = phi_4325_;
-                                let _e3463 = phi_4326_;
-                                phi_4327_ = _e3461;
-                                phi_4328_ = _e3463;
+                                let _e3405 = phi_4325_;
+                                let _e3407 = phi_4326_;
+                                phi_4327_ = _e3405;
+                                phi_4328_ = _e3407;
                             } else {
                                 phi_4327_ = type_33();
                                 phi_4328_ = true;
                             }
-                            let _e3465 = phi_4327_;
-                            let _e3467 = phi_4328_;
-                            if _e3467 {
+                            let _e3409 = phi_4327_;
+                            let _e3411 = phi_4328_;
+                            if _e3411 {
                                 if true {
                                     phi_4342_ = 2122317824u;
                                 } else {
                                     phi_4342_ = 8388608u;
                                 }
-                                let _e3469 = phi_4342_;
-                                let _e3471 = (bitcast<f32>(_e3469) * 3.9999998f);
-                                phi_4352_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3471, _e3471, _e3471));
+                                let _e3413 = phi_4342_;
+                                let _e3415 = (bitcast<f32>(_e3413) * 3.9999998f);
+                                phi_4352_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3415, _e3415, _e3415));
                             } else {
-                                phi_4352_ = _e3465;
+                                phi_4352_ = _e3409;
                             }
-                            let _e3475 = phi_4352_;
-                            oriented.member[_e118] = type_29(vec4<f32>(_e3475.member[0], _e3475.member[1], _e3475.member[2], _e3475.member_1[0][0]), vec4<f32>(_e3475.member_1[0][1], _e3475.member_1[0][2], _e3475.member_1[1][0], _e3475.member_1[1][1]), vec4<f32>(_e3475.member_1[1][2], _e3475.member_1[2][0], _e3475.member_1[2][1], _e3475.member_1[2][2]), vec4<f32>(_e3475.member_2[0], _e3475.member_2[1], _e3475.member_2[2], 0f));
-                            let _e3504 = atomicMax((&stamps.member[_e118]), _e81);
+                            let _e3419 = phi_4352_;
+                            oriented.member[_e118] = type_29(vec4<f32>(_e3419.member[0], _e3419.member[1], _e3419.member[2], _e3419.member_1[0][0]), vec4<f32>(_e3419.member_1[0][1], _e3419.member_1[0][2], _e3419.member_1[1][0], _e3419.member_1[1][1]), vec4<f32>(_e3419.member_1[1][2], _e3419.member_1[2][0], _e3419.member_1[2][1], _e3419.member_1[2][2]), vec4<f32>(_e3419.member_2[0], _e3419.member_2[1], _e3419.member_2[2], 0f));
+                            let _e3448 = atomicMax((&stamps.member[_e118]), _e81);
                         }
                     }
                 }
                 phi_4384_ = true;
             }
-            let _e3506 = phi_4384_;
-            phi_4385_ = _e3506;
+            let _e3450 = phi_4384_;
+            phi_4385_ = _e3450;
         } else {
             phi_4385_ = false;
         }
-        let _e3508 = phi_4385_;
+        let _e3452 = phi_4385_;
         continue;
         continuing {
             phi_177_ = _e105;
-            break if !(_e3508);
+            break if !(_e3452);
         }
     }
     return;

@@ -1300,147 +1300,139 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1219 = phi_1740_;
                                 if _e1219 {
                                     if _e888 {
-                                        let _e1463 = ((_e858.member_1[1] - _e858.member_1[0]) / (_e858.member[0] * 2f));
-                                        let _e1465 = ((_e1463 * _e1463) + 1f);
-                                        if (_e1465 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e1465 > 0f) {
+                                        let _e1435 = ((_e858.member_1[1] - _e858.member_1[0]) / (_e858.member[0] * 2f));
+                                        let _e1437 = ((_e1435 * _e1435) + 1f);
+                                        if (_e1437 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e1437 > 0f) {
                                                 phi_1765_ = (0.000000000000000000106433627f * 2f);
                                             } else {
                                                 phi_1765_ = 0f;
                                             }
-                                            let _e1518 = phi_1765_;
-                                            phi_1829_ = _e1518;
+                                            let _e1490 = phi_1765_;
+                                            phi_1829_ = _e1490;
                                         } else {
                                             phi_1772_ = type_14(0i, 5i);
-                                            phi_1775_ = bitcast<f32>(((bitcast<u32>(_e1465) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_1775_ = bitcast<f32>(((bitcast<u32>(_e1437) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e1473 = phi_1772_;
-                                                let _e1475 = phi_1775_;
-                                                local_6 = _e1475;
-                                                if (_e1473.member < _e1473.member_1) {
-                                                    let _e1482 = (_e1473.member + 1i);
-                                                    if ((false == (_e1482 > _e1473.member)) != false) {
+                                                let _e1445 = phi_1772_;
+                                                let _e1447 = phi_1775_;
+                                                local_6 = _e1447;
+                                                if (_e1445.member < _e1445.member_1) {
+                                                    let _e1454 = (_e1445.member + 1i);
+                                                    if ((false == (_e1454 > _e1445.member)) != false) {
                                                         phi_1796_ = true;
                                                     } else {
                                                         phi_1796_ = false;
                                                     }
-                                                    let _e1487 = phi_1796_;
-                                                    if _e1487 {
+                                                    let _e1459 = phi_1796_;
+                                                    if _e1459 {
                                                         phi_1802_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_1802_ = type_15(1u, _e1482);
+                                                        phi_1802_ = type_15(1u, _e1454);
                                                     }
-                                                    let _e1492 = phi_1802_;
-                                                    phi_1773_ = type_14(_e1492.member_1, _e1473.member_1);
-                                                    phi_1816_ = type_15(1u, _e1473.member);
+                                                    let _e1464 = phi_1802_;
+                                                    phi_1773_ = type_14(_e1464.member_1, _e1445.member_1);
+                                                    phi_1816_ = type_15(1u, _e1445.member);
                                                 } else {
-                                                    phi_1773_ = _e1473;
+                                                    phi_1773_ = _e1445;
                                                     phi_1816_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e1498 = phi_1773_;
-                                                let _e1500 = phi_1816_;
-                                                let _e1503 = (bitcast<i32>(_e1500.member) != 0i);
-                                                if _e1503 {
-                                                    phi_1776_ = (0.5f * (_e1475 + (_e1465 / _e1475)));
+                                                let _e1470 = phi_1773_;
+                                                let _e1472 = phi_1816_;
+                                                let _e1475 = (bitcast<i32>(_e1472.member) != 0i);
+                                                if _e1475 {
+                                                    phi_1776_ = (0.5f * (_e1447 + (_e1437 / _e1447)));
                                                 } else {
                                                     phi_1776_ = f32();
                                                 }
-                                                let _e1508 = phi_1776_;
+                                                let _e1480 = phi_1776_;
                                                 continue;
                                                 continuing {
-                                                    phi_1772_ = _e1498;
-                                                    phi_1775_ = _e1508;
-                                                    break if !(_e1503);
+                                                    phi_1772_ = _e1470;
+                                                    phi_1775_ = _e1480;
+                                                    break if !(_e1475);
                                                 }
                                             }
-                                            let _e1513 = local_6;
-                                            phi_1829_ = (_e1513 * (1f + (8f * 0.000000059604645f)));
+                                            let _e1485 = local_6;
+                                            phi_1829_ = (_e1485 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e1520 = phi_1829_;
-                                        if (_e1463 > 0f) {
-                                            phi_1836_ = (_e1463 + _e1520);
+                                        let _e1492 = phi_1829_;
+                                        if (_e1435 > 0f) {
+                                            phi_1836_ = (_e1435 + _e1492);
                                         } else {
-                                            phi_1836_ = (_e1463 - _e1520);
+                                            phi_1836_ = (_e1435 - _e1492);
                                         }
-                                        let _e1525 = phi_1836_;
-                                        let _e1528 = (_e858.member_1[1] - (_e858.member_1[0] - (_e858.member[0] / _e1525)));
-                                        let _e1531 = ((_e1528 * _e1528) + (_e858.member[0] * _e858.member[0]));
-                                        if (_e1531 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                            if (_e1531 <= 0.000000000000000000000000000000000000011754944f) {
-                                                if (_e1531 > 0f) {
+                                        let _e1497 = phi_1836_;
+                                        let _e1500 = (_e858.member_1[1] - (_e858.member_1[0] - (_e858.member[0] / _e1497)));
+                                        let _e1503 = ((_e1500 * _e1500) + (_e858.member[0] * _e858.member[0]));
+                                        if (_e1503 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                            if (_e1503 <= 0.000000000000000000000000000000000000011754944f) {
+                                                if (_e1503 > 0f) {
                                                     phi_1863_ = (0.000000000000000000106433627f * 2f);
                                                 } else {
                                                     phi_1863_ = 0f;
                                                 }
-                                                let _e1588 = phi_1863_;
-                                                phi_1927_ = _e1588;
+                                                let _e1560 = phi_1863_;
+                                                phi_1927_ = _e1560;
                                             } else {
                                                 phi_1870_ = type_14(0i, 5i);
-                                                phi_1873_ = bitcast<f32>(((bitcast<u32>(_e1531) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_1873_ = bitcast<f32>(((bitcast<u32>(_e1503) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e1543 = phi_1870_;
-                                                    let _e1545 = phi_1873_;
-                                                    local_7 = _e1545;
-                                                    if (_e1543.member < _e1543.member_1) {
-                                                        let _e1552 = (_e1543.member + 1i);
-                                                        if ((false == (_e1552 > _e1543.member)) != false) {
+                                                    let _e1515 = phi_1870_;
+                                                    let _e1517 = phi_1873_;
+                                                    local_7 = _e1517;
+                                                    if (_e1515.member < _e1515.member_1) {
+                                                        let _e1524 = (_e1515.member + 1i);
+                                                        if ((false == (_e1524 > _e1515.member)) != false) {
                                                             phi_1894_ = true;
                                                         } else {
                                                             phi_1894_ = false;
                                                         }
-                                                        let _e1557 = phi_1894_;
-                                                        if _e1557 {
+                                                        let _e1529 = phi_1894_;
+                                                        if _e1529 {
                                                             phi_1900_ = type_15(0u, type_15().member_1);
                                                         } else {
-                                                            phi_1900_ = type_15(1u, _e1552);
+                                                            phi_1900_ = type_15(1u, _e1524);
                                                         }
-                                                        let _e1562 = phi_1900_;
-                                                        phi_1871_ = type_14(_e1562.member_1, _e1543.member_1);
-                                                        phi_1914_ = type_15(1u, _e1543.member);
+                                                        let _e1534 = phi_1900_;
+                                                        phi_1871_ = type_14(_e1534.member_1, _e1515.member_1);
+                                                        phi_1914_ = type_15(1u, _e1515.member);
                                                     } else {
-                                                        phi_1871_ = _e1543;
+                                                        phi_1871_ = _e1515;
                                                         phi_1914_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e1568 = phi_1871_;
-                                                    let _e1570 = phi_1914_;
-                                                    let _e1573 = (bitcast<i32>(_e1570.member) != 0i);
-                                                    if _e1573 {
-                                                        phi_1874_ = (0.5f * (_e1545 + (_e1531 / _e1545)));
+                                                    let _e1540 = phi_1871_;
+                                                    let _e1542 = phi_1914_;
+                                                    let _e1545 = (bitcast<i32>(_e1542.member) != 0i);
+                                                    if _e1545 {
+                                                        phi_1874_ = (0.5f * (_e1517 + (_e1503 / _e1517)));
                                                     } else {
                                                         phi_1874_ = f32();
                                                     }
-                                                    let _e1578 = phi_1874_;
+                                                    let _e1550 = phi_1874_;
                                                     continue;
                                                     continuing {
-                                                        phi_1870_ = _e1568;
-                                                        phi_1873_ = _e1578;
-                                                        break if !(_e1573);
+                                                        phi_1870_ = _e1540;
+                                                        phi_1873_ = _e1550;
+                                                        break if !(_e1545);
                                                     }
                                                 }
-                                                let _e1583 = local_7;
-                                                phi_1927_ = (_e1583 * (1f + (8f * 0.000000059604645f)));
+                                                let _e1555 = local_7;
+                                                phi_1927_ = (_e1555 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e1590 = phi_1927_;
-                                            let _e1591 = (_e1528 / _e1590);
-                                            let _e1592 = (_e858.member[0] / _e1590);
-                                            let _e1597 = (1.5f - (((_e1591 * _e1591) + (_e1592 * _e1592)) * 0.5f));
-                                            phi_1939_ = type_34((_e1591 * _e1597), (_e1592 * _e1597));
+                                            let _e1562 = phi_1927_;
+                                            let _e1563 = (_e1500 / _e1562);
+                                            let _e1564 = (_e858.member[0] / _e1562);
+                                            let _e1569 = (1.5f - (((_e1563 * _e1563) + (_e1564 * _e1564)) * 0.5f));
+                                            phi_1939_ = type_34((_e1563 * _e1569), (_e1564 * _e1569));
                                         } else {
                                             phi_1939_ = type_34(1f, 0f);
                                         }
-                                        let _e1602 = phi_1939_;
-                                        let _e1619 = (((_e858.member_1[0] - _e858.member_1[1]) * _e1602.member_1) + ((_e1602.member * _e858.member[0]) * 2f));
-                                        let _e1621 = (_e858.member_1[0] - (_e1602.member_1 * _e1619));
-                                        let _e1623 = (_e858.member_1[1] + (_e1602.member_1 * _e1619));
-                                        let _e1632 = type_36(_e858.member, array<f32, 3>(_e1621, _e858.member_1[1], _e858.member_1[2]), _e858.member_2);
-                                        let _e1639 = type_36(_e1632.member, array<f32, 3>(_e1632.member_1[0], _e1623, _e1632.member_1[2]), _e1632.member_2);
-                                        let _e1643 = type_36(_e1639.member, array<f32, 3>(_e1621, _e1623, _e858.member_1[2]), _e1639.member_2);
-                                        let _e1649 = type_36(array<f32, 2>(((_e1602.member * _e1619) - _e858.member[0]), _e1643.member[1]), _e1643.member_1, _e1643.member_2);
-                                        let _e1665 = array<f32, 3>(((_e858.member_2[0][0] * _e1602.member) - (_e858.member_2[1][0] * _e1602.member_1)), ((_e858.member_2[0][1] * _e1602.member) - (_e858.member_2[1][1] * _e1602.member_1)), ((_e858.member_2[0][2] * _e1602.member) - (_e858.member_2[1][2] * _e1602.member_1)));
-                                        let _e1681 = array<f32, 3>(((_e858.member_2[0][0] * _e1602.member_1) + (_e858.member_2[1][0] * _e1602.member)), ((_e858.member_2[0][1] * _e1602.member_1) + (_e858.member_2[1][1] * _e1602.member)), ((_e858.member_2[0][2] * _e1602.member_1) + (_e858.member_2[1][2] * _e1602.member)));
-                                        let _e1688 = type_36(_e1649.member, _e1649.member_1, array<array<f32, 3>, 3>(_e1665, _e1649.member_2[1], _e1649.member_2[2]));
-                                        let _e1695 = type_36(_e1688.member, _e1688.member_1, array<array<f32, 3>, 3>(_e1688.member_2[0], _e1681, _e1688.member_2[2]));
-                                        phi_2259_ = type_36(_e1695.member, _e1695.member_1, array<array<f32, 3>, 3>(_e1665, _e1681, _e858.member_2[2]));
+                                        let _e1574 = phi_1939_;
+                                        let _e1591 = (((_e858.member_1[0] - _e858.member_1[1]) * _e1574.member_1) + ((_e1574.member * _e858.member[0]) * 2f));
+                                        let _e1601 = type_36(_e858.member, array<f32, 3>((_e858.member_1[0] - (_e1574.member_1 * _e1591)), (_e858.member_1[1] + (_e1574.member_1 * _e1591)), _e858.member_1[2]), _e858.member_2);
+                                        let _e1607 = type_36(array<f32, 2>(((_e1574.member * _e1591) - _e858.member[0]), _e1601.member[1]), _e1601.member_1, _e1601.member_2);
+                                        phi_2259_ = type_36(_e1607.member, _e1607.member_1, array<array<f32, 3>, 3>(array<f32, 3>(((_e858.member_2[0][0] * _e1574.member) - (_e858.member_2[1][0] * _e1574.member_1)), ((_e858.member_2[0][1] * _e1574.member) - (_e858.member_2[1][1] * _e1574.member_1)), ((_e858.member_2[0][2] * _e1574.member) - (_e858.member_2[1][2] * _e1574.member_1))), array<f32, 3>(((_e858.member_2[0][0] * _e1574.member_1) + (_e858.member_2[1][0] * _e1574.member)), ((_e858.member_2[0][1] * _e1574.member_1) + (_e858.member_2[1][1] * _e1574.member)), ((_e858.member_2[0][2] * _e1574.member_1) + (_e858.member_2[1][2] * _e1574.member))), _e858.member_2[2]));
                                     } else {
                                         if _e893 {
                                             let _e1222 = ((_e858.member_1[2] - _e858.member_1[1]) / (_e858.member[1] * 2f));
@@ -1573,1146 +1565,1140 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             }
                                             let _e1361 = phi_2196_;
                                             let _e1378 = (((_e858.member_1[1] - _e858.member_1[2]) * _e1361.member_1) + ((_e1361.member * _e858.member[1]) * 2f));
-                                            let _e1380 = (_e858.member_1[1] - (_e1361.member_1 * _e1378));
-                                            let _e1391 = type_36(_e858.member, array<f32, 3>(_e858.member_1[0], _e858.member_1[1], _e858.member_1[2]), _e858.member_2);
-                                            let _e1398 = type_36(_e1391.member, array<f32, 3>(_e1391.member_1[0], _e1380, _e1391.member_1[2]), _e1391.member_2);
-                                            let _e1402 = type_36(_e1398.member, array<f32, 3>(_e858.member_1[0], _e1380, (_e858.member_1[2] + (_e1361.member_1 * _e1378))), _e1398.member_2);
-                                            let _e1408 = type_36(array<f32, 2>(_e1402.member[0], ((_e1361.member * _e1378) - _e858.member[1])), _e1402.member_1, _e1402.member_2);
-                                            let _e1424 = array<f32, 3>(((_e858.member_2[1][0] * _e1361.member) - (_e858.member_2[2][0] * _e1361.member_1)), ((_e858.member_2[1][1] * _e1361.member) - (_e858.member_2[2][1] * _e1361.member_1)), ((_e858.member_2[1][2] * _e1361.member) - (_e858.member_2[2][2] * _e1361.member_1)));
-                                            let _e1447 = type_36(_e1408.member, _e1408.member_1, array<array<f32, 3>, 3>(_e858.member_2[0], _e1408.member_2[1], _e1408.member_2[2]));
-                                            let _e1454 = type_36(_e1447.member, _e1447.member_1, array<array<f32, 3>, 3>(_e1447.member_2[0], _e1424, _e1447.member_2[2]));
-                                            phi_2258_ = type_36(_e1454.member, _e1454.member_1, array<array<f32, 3>, 3>(_e858.member_2[0], _e1424, array<f32, 3>(((_e858.member_2[1][0] * _e1361.member_1) + (_e858.member_2[2][0] * _e1361.member)), ((_e858.member_2[1][1] * _e1361.member_1) + (_e858.member_2[2][1] * _e1361.member)), ((_e858.member_2[1][2] * _e1361.member_1) + (_e858.member_2[2][2] * _e1361.member)))));
+                                            let _e1388 = type_36(_e858.member, array<f32, 3>(_e858.member_1[0], (_e858.member_1[1] - (_e1361.member_1 * _e1378)), (_e858.member_1[2] + (_e1361.member_1 * _e1378))), _e858.member_2);
+                                            let _e1394 = type_36(array<f32, 2>(_e1388.member[0], ((_e1361.member * _e1378) - _e858.member[1])), _e1388.member_1, _e1388.member_2);
+                                            phi_2258_ = type_36(_e1394.member, _e1394.member_1, array<array<f32, 3>, 3>(_e858.member_2[0], array<f32, 3>(((_e858.member_2[1][0] * _e1361.member) - (_e858.member_2[2][0] * _e1361.member_1)), ((_e858.member_2[1][1] * _e1361.member) - (_e858.member_2[2][1] * _e1361.member_1)), ((_e858.member_2[1][2] * _e1361.member) - (_e858.member_2[2][2] * _e1361.member_1))), array<f32, 3>(((_e858.member_2[1][0] * _e1361.member_1) + (_e858.member_2[2][0] * _e1361.member)), ((_e858.member_2[1][1] * _e1361.member_1) + (_e858.member_2[2][1] * _e1361.member)), ((_e858.member_2[1][2] * _e1361.member_1) + (_e858.member_2[2][2] * _e1361.member)))));
                                         } else {
                                             phi_2258_ = _e858;
                                         }
-                                        let _e1460 = phi_2258_;
-                                        phi_2259_ = _e1460;
+                                        let _e1432 = phi_2258_;
+                                        phi_2259_ = _e1432;
                                     }
-                                    let _e1701 = phi_2259_;
-                                    phi_2260_ = _e1701;
+                                    let _e1645 = phi_2259_;
+                                    phi_2260_ = _e1645;
                                 } else {
                                     phi_2260_ = _e1217;
                                 }
-                                let _e1703 = phi_2260_;
+                                let _e1647 = phi_2260_;
                                 if _e888 {
                                     phi_2264_ = true;
                                 } else {
                                     phi_2264_ = _e893;
                                 }
-                                let _e1705 = phi_2264_;
-                                if _e1705 {
+                                let _e1649 = phi_2264_;
+                                if _e1649 {
                                     phi_2268_ = false;
                                 } else {
                                     phi_2268_ = true;
                                 }
-                                let _e1707 = phi_2268_;
-                                phi_1256_ = _e1703;
-                                phi_2269_ = _e1703;
-                                phi_2270_ = _e1705;
-                                phi_2271_ = _e1707;
+                                let _e1651 = phi_2268_;
+                                phi_1256_ = _e1647;
+                                phi_2269_ = _e1647;
+                                phi_2270_ = _e1649;
+                                phi_2271_ = _e1651;
                             } else {
                                 phi_1256_ = type_36();
                                 phi_2269_ = type_36();
                                 phi_2270_ = false;
                                 phi_2271_ = false;
                             }
-                            let _e1709 = phi_1256_;
-                            let _e1711 = phi_2269_;
-                            let _e1713 = phi_2270_;
-                            let _e1715 = phi_2271_;
-                            local_8 = _e1715;
-                            local_13 = _e1711;
+                            let _e1653 = phi_1256_;
+                            let _e1655 = phi_2269_;
+                            let _e1657 = phi_2270_;
+                            let _e1659 = phi_2271_;
+                            local_8 = _e1659;
+                            local_13 = _e1655;
                             continue;
                             continuing {
                                 phi_1252_ = _e870;
-                                phi_1255_ = _e1709;
-                                break if !(_e1713);
+                                phi_1255_ = _e1653;
+                                break if !(_e1657);
                             }
                         }
-                        let _e1718 = local_8;
-                        if _e1718 {
-                            let _e3730 = local_13;
-                            phi_2275_ = _e3730;
+                        let _e1662 = local_8;
+                        if _e1662 {
+                            let _e3674 = local_13;
+                            phi_2275_ = _e3674;
                         } else {
-                            let _e3732 = local_14;
-                            phi_2275_ = _e3732;
+                            let _e3676 = local_14;
+                            phi_2275_ = _e3676;
                         }
-                        let _e1720 = phi_2275_;
-                        let _e1724 = (2130706432u - (bitcast<u32>(_e739) & 2139095040u));
-                        if (_e1724 > 8388608u) {
-                            phi_2287_ = _e1724;
+                        let _e1664 = phi_2275_;
+                        let _e1668 = (2130706432u - (bitcast<u32>(_e739) & 2139095040u));
+                        if (_e1668 > 8388608u) {
+                            phi_2287_ = _e1668;
                         } else {
                             phi_2287_ = 8388608u;
                         }
-                        let _e1727 = phi_2287_;
-                        let _e1728 = bitcast<f32>(_e1727);
-                        let _e1750 = ((((_e1720.member_2[0][0] * _e1720.member_2[0][0]) + (_e1720.member_2[0][1] * _e1720.member_2[0][1])) + (_e1720.member_2[0][2] * _e1720.member_2[0][2])) - 1f);
-                        let _e1764 = ((((_e1720.member_2[1][0] * _e1720.member_2[1][0]) + (_e1720.member_2[1][1] * _e1720.member_2[1][1])) + (_e1720.member_2[1][2] * _e1720.member_2[1][2])) - 1f);
-                        let _e1778 = ((((_e1720.member_2[2][0] * _e1720.member_2[2][0]) + (_e1720.member_2[2][1] * _e1720.member_2[2][1])) + (_e1720.member_2[2][2] * _e1720.member_2[2][2])) - 1f);
-                        let _e1791 = (((_e1720.member_2[0][0] * _e1720.member_2[1][0]) + (_e1720.member_2[0][1] * _e1720.member_2[1][1])) + (_e1720.member_2[0][2] * _e1720.member_2[1][2]));
-                        let _e1804 = (((_e1720.member_2[0][0] * _e1720.member_2[2][0]) + (_e1720.member_2[0][1] * _e1720.member_2[2][1])) + (_e1720.member_2[0][2] * _e1720.member_2[2][2]));
-                        let _e1817 = (((_e1720.member_2[1][0] * _e1720.member_2[2][0]) + (_e1720.member_2[1][1] * _e1720.member_2[2][1])) + (_e1720.member_2[1][2] * _e1720.member_2[2][2]));
-                        let _e1850 = (_e1720.member_2[0][0] - ((((_e1720.member_2[0][0] * _e1750) + (_e1720.member_2[1][0] * _e1791)) + (_e1720.member_2[2][0] * _e1804)) * 0.5f));
-                        let _e1852 = (_e1720.member_2[0][1] - ((((_e1720.member_2[0][1] * _e1750) + (_e1720.member_2[1][1] * _e1791)) + (_e1720.member_2[2][1] * _e1804)) * 0.5f));
-                        let _e1854 = (_e1720.member_2[0][2] - ((((_e1720.member_2[0][2] * _e1750) + (_e1720.member_2[1][2] * _e1791)) + (_e1720.member_2[2][2] * _e1804)) * 0.5f));
-                        if (_e1850 < 0f) {
-                            phi_2420_ = -(_e1850);
+                        let _e1671 = phi_2287_;
+                        let _e1672 = bitcast<f32>(_e1671);
+                        let _e1694 = ((((_e1664.member_2[0][0] * _e1664.member_2[0][0]) + (_e1664.member_2[0][1] * _e1664.member_2[0][1])) + (_e1664.member_2[0][2] * _e1664.member_2[0][2])) - 1f);
+                        let _e1708 = ((((_e1664.member_2[1][0] * _e1664.member_2[1][0]) + (_e1664.member_2[1][1] * _e1664.member_2[1][1])) + (_e1664.member_2[1][2] * _e1664.member_2[1][2])) - 1f);
+                        let _e1722 = ((((_e1664.member_2[2][0] * _e1664.member_2[2][0]) + (_e1664.member_2[2][1] * _e1664.member_2[2][1])) + (_e1664.member_2[2][2] * _e1664.member_2[2][2])) - 1f);
+                        let _e1735 = (((_e1664.member_2[0][0] * _e1664.member_2[1][0]) + (_e1664.member_2[0][1] * _e1664.member_2[1][1])) + (_e1664.member_2[0][2] * _e1664.member_2[1][2]));
+                        let _e1748 = (((_e1664.member_2[0][0] * _e1664.member_2[2][0]) + (_e1664.member_2[0][1] * _e1664.member_2[2][1])) + (_e1664.member_2[0][2] * _e1664.member_2[2][2]));
+                        let _e1761 = (((_e1664.member_2[1][0] * _e1664.member_2[2][0]) + (_e1664.member_2[1][1] * _e1664.member_2[2][1])) + (_e1664.member_2[1][2] * _e1664.member_2[2][2]));
+                        let _e1794 = (_e1664.member_2[0][0] - ((((_e1664.member_2[0][0] * _e1694) + (_e1664.member_2[1][0] * _e1735)) + (_e1664.member_2[2][0] * _e1748)) * 0.5f));
+                        let _e1796 = (_e1664.member_2[0][1] - ((((_e1664.member_2[0][1] * _e1694) + (_e1664.member_2[1][1] * _e1735)) + (_e1664.member_2[2][1] * _e1748)) * 0.5f));
+                        let _e1798 = (_e1664.member_2[0][2] - ((((_e1664.member_2[0][2] * _e1694) + (_e1664.member_2[1][2] * _e1735)) + (_e1664.member_2[2][2] * _e1748)) * 0.5f));
+                        if (_e1794 < 0f) {
+                            phi_2420_ = -(_e1794);
                         } else {
-                            phi_2420_ = _e1850;
+                            phi_2420_ = _e1794;
                         }
-                        let _e1858 = phi_2420_;
-                        if (_e1858 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2426_ = _e1850;
+                        let _e1802 = phi_2420_;
+                        if (_e1802 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2426_ = _e1794;
                         } else {
                             phi_2426_ = 0f;
                         }
-                        let _e1862 = phi_2426_;
-                        if (_e1852 < 0f) {
-                            phi_2432_ = -(_e1852);
+                        let _e1806 = phi_2426_;
+                        if (_e1796 < 0f) {
+                            phi_2432_ = -(_e1796);
                         } else {
-                            phi_2432_ = _e1852;
+                            phi_2432_ = _e1796;
                         }
-                        let _e1866 = phi_2432_;
-                        if (_e1866 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2438_ = _e1852;
+                        let _e1810 = phi_2432_;
+                        if (_e1810 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2438_ = _e1796;
                         } else {
                             phi_2438_ = 0f;
                         }
-                        let _e1870 = phi_2438_;
-                        if (_e1854 < 0f) {
-                            phi_2444_ = -(_e1854);
+                        let _e1814 = phi_2438_;
+                        if (_e1798 < 0f) {
+                            phi_2444_ = -(_e1798);
                         } else {
-                            phi_2444_ = _e1854;
+                            phi_2444_ = _e1798;
                         }
-                        let _e1874 = phi_2444_;
-                        if (_e1874 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2450_ = _e1854;
+                        let _e1818 = phi_2444_;
+                        if (_e1818 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2450_ = _e1798;
                         } else {
                             phi_2450_ = 0f;
                         }
-                        let _e1878 = phi_2450_;
-                        let _e1912 = (_e1720.member_2[1][0] - ((((_e1720.member_2[0][0] * _e1791) + (_e1720.member_2[1][0] * _e1764)) + (_e1720.member_2[2][0] * _e1817)) * 0.5f));
-                        let _e1914 = (_e1720.member_2[1][1] - ((((_e1720.member_2[0][1] * _e1791) + (_e1720.member_2[1][1] * _e1764)) + (_e1720.member_2[2][1] * _e1817)) * 0.5f));
-                        let _e1916 = (_e1720.member_2[1][2] - ((((_e1720.member_2[0][2] * _e1791) + (_e1720.member_2[1][2] * _e1764)) + (_e1720.member_2[2][2] * _e1817)) * 0.5f));
-                        if (_e1912 < 0f) {
-                            phi_2494_ = -(_e1912);
+                        let _e1822 = phi_2450_;
+                        let _e1856 = (_e1664.member_2[1][0] - ((((_e1664.member_2[0][0] * _e1735) + (_e1664.member_2[1][0] * _e1708)) + (_e1664.member_2[2][0] * _e1761)) * 0.5f));
+                        let _e1858 = (_e1664.member_2[1][1] - ((((_e1664.member_2[0][1] * _e1735) + (_e1664.member_2[1][1] * _e1708)) + (_e1664.member_2[2][1] * _e1761)) * 0.5f));
+                        let _e1860 = (_e1664.member_2[1][2] - ((((_e1664.member_2[0][2] * _e1735) + (_e1664.member_2[1][2] * _e1708)) + (_e1664.member_2[2][2] * _e1761)) * 0.5f));
+                        if (_e1856 < 0f) {
+                            phi_2494_ = -(_e1856);
                         } else {
-                            phi_2494_ = _e1912;
+                            phi_2494_ = _e1856;
                         }
-                        let _e1920 = phi_2494_;
-                        if (_e1920 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2500_ = _e1912;
+                        let _e1864 = phi_2494_;
+                        if (_e1864 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2500_ = _e1856;
                         } else {
                             phi_2500_ = 0f;
                         }
-                        let _e1924 = phi_2500_;
-                        if (_e1914 < 0f) {
-                            phi_2506_ = -(_e1914);
+                        let _e1868 = phi_2500_;
+                        if (_e1858 < 0f) {
+                            phi_2506_ = -(_e1858);
                         } else {
-                            phi_2506_ = _e1914;
+                            phi_2506_ = _e1858;
                         }
-                        let _e1928 = phi_2506_;
-                        if (_e1928 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2512_ = _e1914;
+                        let _e1872 = phi_2506_;
+                        if (_e1872 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2512_ = _e1858;
                         } else {
                             phi_2512_ = 0f;
                         }
-                        let _e1932 = phi_2512_;
-                        if (_e1916 < 0f) {
-                            phi_2518_ = -(_e1916);
+                        let _e1876 = phi_2512_;
+                        if (_e1860 < 0f) {
+                            phi_2518_ = -(_e1860);
                         } else {
-                            phi_2518_ = _e1916;
+                            phi_2518_ = _e1860;
                         }
-                        let _e1936 = phi_2518_;
-                        if (_e1936 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2524_ = _e1916;
+                        let _e1880 = phi_2518_;
+                        if (_e1880 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2524_ = _e1860;
                         } else {
                             phi_2524_ = 0f;
                         }
-                        let _e1940 = phi_2524_;
-                        let _e1974 = (_e1720.member_2[2][0] - ((((_e1720.member_2[0][0] * _e1804) + (_e1720.member_2[1][0] * _e1817)) + (_e1720.member_2[2][0] * _e1778)) * 0.5f));
-                        let _e1976 = (_e1720.member_2[2][1] - ((((_e1720.member_2[0][1] * _e1804) + (_e1720.member_2[1][1] * _e1817)) + (_e1720.member_2[2][1] * _e1778)) * 0.5f));
-                        let _e1978 = (_e1720.member_2[2][2] - ((((_e1720.member_2[0][2] * _e1804) + (_e1720.member_2[1][2] * _e1817)) + (_e1720.member_2[2][2] * _e1778)) * 0.5f));
-                        if (_e1974 < 0f) {
-                            phi_2568_ = -(_e1974);
+                        let _e1884 = phi_2524_;
+                        let _e1918 = (_e1664.member_2[2][0] - ((((_e1664.member_2[0][0] * _e1748) + (_e1664.member_2[1][0] * _e1761)) + (_e1664.member_2[2][0] * _e1722)) * 0.5f));
+                        let _e1920 = (_e1664.member_2[2][1] - ((((_e1664.member_2[0][1] * _e1748) + (_e1664.member_2[1][1] * _e1761)) + (_e1664.member_2[2][1] * _e1722)) * 0.5f));
+                        let _e1922 = (_e1664.member_2[2][2] - ((((_e1664.member_2[0][2] * _e1748) + (_e1664.member_2[1][2] * _e1761)) + (_e1664.member_2[2][2] * _e1722)) * 0.5f));
+                        if (_e1918 < 0f) {
+                            phi_2568_ = -(_e1918);
                         } else {
-                            phi_2568_ = _e1974;
+                            phi_2568_ = _e1918;
                         }
-                        let _e1982 = phi_2568_;
-                        if (_e1982 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2574_ = _e1974;
+                        let _e1926 = phi_2568_;
+                        if (_e1926 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2574_ = _e1918;
                         } else {
                             phi_2574_ = 0f;
                         }
-                        let _e1986 = phi_2574_;
-                        if (_e1976 < 0f) {
-                            phi_2580_ = -(_e1976);
+                        let _e1930 = phi_2574_;
+                        if (_e1920 < 0f) {
+                            phi_2580_ = -(_e1920);
                         } else {
-                            phi_2580_ = _e1976;
+                            phi_2580_ = _e1920;
                         }
-                        let _e1990 = phi_2580_;
-                        if (_e1990 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2586_ = _e1976;
+                        let _e1934 = phi_2580_;
+                        if (_e1934 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2586_ = _e1920;
                         } else {
                             phi_2586_ = 0f;
                         }
-                        let _e1994 = phi_2586_;
-                        if (_e1978 < 0f) {
-                            phi_2592_ = -(_e1978);
+                        let _e1938 = phi_2586_;
+                        if (_e1922 < 0f) {
+                            phi_2592_ = -(_e1922);
                         } else {
-                            phi_2592_ = _e1978;
+                            phi_2592_ = _e1922;
                         }
-                        let _e1998 = phi_2592_;
-                        if (_e1998 > (0.000000059604645f * 0.000000059604645f)) {
-                            phi_2598_ = _e1978;
+                        let _e1942 = phi_2592_;
+                        if (_e1942 > (0.000000059604645f * 0.000000059604645f)) {
+                            phi_2598_ = _e1922;
                         } else {
                             phi_2598_ = 0f;
                         }
-                        let _e2002 = phi_2598_;
-                        let _e2010 = ((((_e1862 * _e1862) + (_e1870 * _e1870)) + (_e1878 * _e1878)) - 1f);
-                        let _e2016 = ((((_e1924 * _e1924) + (_e1932 * _e1932)) + (_e1940 * _e1940)) - 1f);
-                        let _e2022 = ((((_e1986 * _e1986) + (_e1994 * _e1994)) + (_e2002 * _e2002)) - 1f);
-                        let _e2027 = (((_e1862 * _e1924) + (_e1870 * _e1932)) + (_e1878 * _e1940));
-                        let _e2032 = (((_e1862 * _e1986) + (_e1870 * _e1994)) + (_e1878 * _e2002));
-                        let _e2037 = (((_e1924 * _e1986) + (_e1932 * _e1994)) + (_e1940 * _e2002));
-                        if (_e2010 < 0f) {
-                            phi_2639_ = -(_e2010);
+                        let _e1946 = phi_2598_;
+                        let _e1954 = ((((_e1806 * _e1806) + (_e1814 * _e1814)) + (_e1822 * _e1822)) - 1f);
+                        let _e1960 = ((((_e1868 * _e1868) + (_e1876 * _e1876)) + (_e1884 * _e1884)) - 1f);
+                        let _e1966 = ((((_e1930 * _e1930) + (_e1938 * _e1938)) + (_e1946 * _e1946)) - 1f);
+                        let _e1971 = (((_e1806 * _e1868) + (_e1814 * _e1876)) + (_e1822 * _e1884));
+                        let _e1976 = (((_e1806 * _e1930) + (_e1814 * _e1938)) + (_e1822 * _e1946));
+                        let _e1981 = (((_e1868 * _e1930) + (_e1876 * _e1938)) + (_e1884 * _e1946));
+                        if (_e1954 < 0f) {
+                            phi_2639_ = -(_e1954);
                         } else {
-                            phi_2639_ = _e2010;
+                            phi_2639_ = _e1954;
                         }
-                        let _e2041 = phi_2639_;
-                        if (_e2016 < 0f) {
-                            phi_2645_ = -(_e2016);
+                        let _e1985 = phi_2639_;
+                        if (_e1960 < 0f) {
+                            phi_2645_ = -(_e1960);
                         } else {
-                            phi_2645_ = _e2016;
+                            phi_2645_ = _e1960;
                         }
-                        let _e2045 = phi_2645_;
-                        if (_e2041 > _e2045) {
-                            phi_2650_ = _e2041;
+                        let _e1989 = phi_2645_;
+                        if (_e1985 > _e1989) {
+                            phi_2650_ = _e1985;
                         } else {
-                            phi_2650_ = _e2045;
+                            phi_2650_ = _e1989;
                         }
-                        let _e2048 = phi_2650_;
-                        if (_e2022 < 0f) {
-                            phi_2656_ = -(_e2022);
+                        let _e1992 = phi_2650_;
+                        if (_e1966 < 0f) {
+                            phi_2656_ = -(_e1966);
                         } else {
-                            phi_2656_ = _e2022;
+                            phi_2656_ = _e1966;
                         }
-                        let _e2052 = phi_2656_;
-                        if (_e2048 > _e2052) {
-                            phi_2661_ = _e2048;
+                        let _e1996 = phi_2656_;
+                        if (_e1992 > _e1996) {
+                            phi_2661_ = _e1992;
                         } else {
-                            phi_2661_ = _e2052;
+                            phi_2661_ = _e1996;
                         }
-                        let _e2055 = phi_2661_;
-                        if (_e2027 < 0f) {
-                            phi_2667_ = -(_e2027);
+                        let _e1999 = phi_2661_;
+                        if (_e1971 < 0f) {
+                            phi_2667_ = -(_e1971);
                         } else {
-                            phi_2667_ = _e2027;
+                            phi_2667_ = _e1971;
                         }
-                        let _e2059 = phi_2667_;
-                        if (_e2032 < 0f) {
-                            phi_2673_ = -(_e2032);
+                        let _e2003 = phi_2667_;
+                        if (_e1976 < 0f) {
+                            phi_2673_ = -(_e1976);
                         } else {
-                            phi_2673_ = _e2032;
+                            phi_2673_ = _e1976;
                         }
-                        let _e2063 = phi_2673_;
-                        if (_e2059 > _e2063) {
-                            phi_2678_ = _e2059;
+                        let _e2007 = phi_2673_;
+                        if (_e2003 > _e2007) {
+                            phi_2678_ = _e2003;
                         } else {
-                            phi_2678_ = _e2063;
+                            phi_2678_ = _e2007;
                         }
-                        let _e2066 = phi_2678_;
-                        if (_e2037 < 0f) {
-                            phi_2684_ = -(_e2037);
+                        let _e2010 = phi_2678_;
+                        if (_e1981 < 0f) {
+                            phi_2684_ = -(_e1981);
                         } else {
-                            phi_2684_ = _e2037;
+                            phi_2684_ = _e1981;
                         }
-                        let _e2070 = phi_2684_;
-                        if (_e2066 > _e2070) {
-                            phi_2689_ = _e2066;
+                        let _e2014 = phi_2684_;
+                        if (_e2010 > _e2014) {
+                            phi_2689_ = _e2010;
                         } else {
-                            phi_2689_ = _e2070;
+                            phi_2689_ = _e2014;
                         }
-                        let _e2073 = phi_2689_;
-                        if (_e2055 > _e2073) {
-                            phi_2694_ = _e2055;
+                        let _e2017 = phi_2689_;
+                        if (_e1999 > _e2017) {
+                            phi_2694_ = _e1999;
                         } else {
-                            phi_2694_ = _e2073;
+                            phi_2694_ = _e2017;
                         }
-                        let _e2076 = phi_2694_;
-                        if (_e2076 <= (0.000000059604645f * (16f - 6f))) {
-                            phi_2705_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1862, _e1870, _e1878), array<f32, 3>(_e1924, _e1932, _e1940), array<f32, 3>(_e1986, _e1994, _e2002));
+                        let _e2020 = phi_2694_;
+                        if (_e2020 <= (0.000000059604645f * (16f - 6f))) {
+                            phi_2705_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1806, _e1814, _e1822), array<f32, 3>(_e1868, _e1876, _e1884), array<f32, 3>(_e1930, _e1938, _e1946));
                         } else {
                             phi_2705_ = array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f));
                         }
-                        let _e2081 = phi_2705_;
-                        phi_2707_ = type_37(array<f32, 3>((_e1720.member_1[0] * _e1728), (_e1720.member_1[1] * _e1728), (_e1720.member_1[2] * _e1728)), _e2081);
+                        let _e2025 = phi_2705_;
+                        phi_2707_ = type_37(array<f32, 3>((_e1664.member_1[0] * _e1672), (_e1664.member_1[1] * _e1672), (_e1664.member_1[2] * _e1672)), _e2025);
                         phi_2708_ = false;
                     } else {
                         phi_2707_ = type_37();
                         phi_2708_ = true;
                     }
-                    let _e2084 = phi_2707_;
-                    let _e2086 = phi_2708_;
-                    phi_2709_ = _e2084;
-                    phi_2710_ = _e2086;
+                    let _e2028 = phi_2707_;
+                    let _e2030 = phi_2708_;
+                    phi_2709_ = _e2028;
+                    phi_2710_ = _e2030;
                 } else {
                     phi_2709_ = type_37();
                     phi_2710_ = true;
                 }
-                let _e2088 = phi_2709_;
-                let _e2090 = phi_2710_;
-                if _e2090 {
+                let _e2032 = phi_2709_;
+                let _e2034 = phi_2710_;
+                if _e2034 {
                     phi_2723_ = type_37(array<f32, 3>(_e681, _e685, _e689), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
                 } else {
-                    phi_2723_ = _e2088;
+                    phi_2723_ = _e2032;
                 }
-                let _e2094 = phi_2723_;
-                let _e2109 = (((_e289.member_1[0][0] * _e2094.member_1[0][0]) + (_e289.member_1[0][1] * _e2094.member_1[0][1])) + (_e289.member_1[0][2] * _e2094.member_1[0][2]));
-                let _e2122 = (((_e289.member_1[1][0] * _e2094.member_1[0][0]) + (_e289.member_1[1][1] * _e2094.member_1[0][1])) + (_e289.member_1[1][2] * _e2094.member_1[0][2]));
-                let _e2135 = (((_e289.member_1[2][0] * _e2094.member_1[0][0]) + (_e289.member_1[2][1] * _e2094.member_1[0][1])) + (_e289.member_1[2][2] * _e2094.member_1[0][2]));
-                if (_e2109 < 0f) {
-                    phi_2768_ = -(_e2109);
+                let _e2038 = phi_2723_;
+                let _e2053 = (((_e289.member_1[0][0] * _e2038.member_1[0][0]) + (_e289.member_1[0][1] * _e2038.member_1[0][1])) + (_e289.member_1[0][2] * _e2038.member_1[0][2]));
+                let _e2066 = (((_e289.member_1[1][0] * _e2038.member_1[0][0]) + (_e289.member_1[1][1] * _e2038.member_1[0][1])) + (_e289.member_1[1][2] * _e2038.member_1[0][2]));
+                let _e2079 = (((_e289.member_1[2][0] * _e2038.member_1[0][0]) + (_e289.member_1[2][1] * _e2038.member_1[0][1])) + (_e289.member_1[2][2] * _e2038.member_1[0][2]));
+                if (_e2053 < 0f) {
+                    phi_2768_ = -(_e2053);
                 } else {
-                    phi_2768_ = _e2109;
+                    phi_2768_ = _e2053;
                 }
-                let _e2140 = phi_2768_;
-                if (_e2122 < 0f) {
-                    phi_2774_ = -(_e2122);
+                let _e2084 = phi_2768_;
+                if (_e2066 < 0f) {
+                    phi_2774_ = -(_e2066);
                 } else {
-                    phi_2774_ = _e2122;
+                    phi_2774_ = _e2066;
                 }
-                let _e2144 = phi_2774_;
-                if (_e2135 < 0f) {
-                    phi_2780_ = -(_e2135);
+                let _e2088 = phi_2774_;
+                if (_e2079 < 0f) {
+                    phi_2780_ = -(_e2079);
                 } else {
-                    phi_2780_ = _e2135;
+                    phi_2780_ = _e2079;
                 }
-                let _e2148 = phi_2780_;
-                let _e2156 = (((_e2140 * _e289.member_2[0]) + (_e2144 * _e289.member_2[1])) + (_e2148 * _e289.member_2[2]));
-                let _e2170 = (((_e289.member_1[0][0] * _e2094.member_1[1][0]) + (_e289.member_1[0][1] * _e2094.member_1[1][1])) + (_e289.member_1[0][2] * _e2094.member_1[1][2]));
-                let _e2183 = (((_e289.member_1[1][0] * _e2094.member_1[1][0]) + (_e289.member_1[1][1] * _e2094.member_1[1][1])) + (_e289.member_1[1][2] * _e2094.member_1[1][2]));
-                let _e2196 = (((_e289.member_1[2][0] * _e2094.member_1[1][0]) + (_e289.member_1[2][1] * _e2094.member_1[1][1])) + (_e289.member_1[2][2] * _e2094.member_1[1][2]));
-                if (_e2170 < 0f) {
-                    phi_2832_ = -(_e2170);
+                let _e2092 = phi_2780_;
+                let _e2100 = (((_e2084 * _e289.member_2[0]) + (_e2088 * _e289.member_2[1])) + (_e2092 * _e289.member_2[2]));
+                let _e2114 = (((_e289.member_1[0][0] * _e2038.member_1[1][0]) + (_e289.member_1[0][1] * _e2038.member_1[1][1])) + (_e289.member_1[0][2] * _e2038.member_1[1][2]));
+                let _e2127 = (((_e289.member_1[1][0] * _e2038.member_1[1][0]) + (_e289.member_1[1][1] * _e2038.member_1[1][1])) + (_e289.member_1[1][2] * _e2038.member_1[1][2]));
+                let _e2140 = (((_e289.member_1[2][0] * _e2038.member_1[1][0]) + (_e289.member_1[2][1] * _e2038.member_1[1][1])) + (_e289.member_1[2][2] * _e2038.member_1[1][2]));
+                if (_e2114 < 0f) {
+                    phi_2832_ = -(_e2114);
                 } else {
-                    phi_2832_ = _e2170;
+                    phi_2832_ = _e2114;
                 }
-                let _e2201 = phi_2832_;
-                if (_e2183 < 0f) {
-                    phi_2838_ = -(_e2183);
+                let _e2145 = phi_2832_;
+                if (_e2127 < 0f) {
+                    phi_2838_ = -(_e2127);
                 } else {
-                    phi_2838_ = _e2183;
+                    phi_2838_ = _e2127;
                 }
-                let _e2205 = phi_2838_;
-                if (_e2196 < 0f) {
-                    phi_2844_ = -(_e2196);
+                let _e2149 = phi_2838_;
+                if (_e2140 < 0f) {
+                    phi_2844_ = -(_e2140);
                 } else {
-                    phi_2844_ = _e2196;
+                    phi_2844_ = _e2140;
                 }
-                let _e2209 = phi_2844_;
-                let _e2217 = (((_e2201 * _e289.member_2[0]) + (_e2205 * _e289.member_2[1])) + (_e2209 * _e289.member_2[2]));
-                let _e2231 = (((_e289.member_1[0][0] * _e2094.member_1[2][0]) + (_e289.member_1[0][1] * _e2094.member_1[2][1])) + (_e289.member_1[0][2] * _e2094.member_1[2][2]));
-                let _e2244 = (((_e289.member_1[1][0] * _e2094.member_1[2][0]) + (_e289.member_1[1][1] * _e2094.member_1[2][1])) + (_e289.member_1[1][2] * _e2094.member_1[2][2]));
-                let _e2257 = (((_e289.member_1[2][0] * _e2094.member_1[2][0]) + (_e289.member_1[2][1] * _e2094.member_1[2][1])) + (_e289.member_1[2][2] * _e2094.member_1[2][2]));
-                if (_e2231 < 0f) {
-                    phi_2896_ = -(_e2231);
+                let _e2153 = phi_2844_;
+                let _e2161 = (((_e2145 * _e289.member_2[0]) + (_e2149 * _e289.member_2[1])) + (_e2153 * _e289.member_2[2]));
+                let _e2175 = (((_e289.member_1[0][0] * _e2038.member_1[2][0]) + (_e289.member_1[0][1] * _e2038.member_1[2][1])) + (_e289.member_1[0][2] * _e2038.member_1[2][2]));
+                let _e2188 = (((_e289.member_1[1][0] * _e2038.member_1[2][0]) + (_e289.member_1[1][1] * _e2038.member_1[2][1])) + (_e289.member_1[1][2] * _e2038.member_1[2][2]));
+                let _e2201 = (((_e289.member_1[2][0] * _e2038.member_1[2][0]) + (_e289.member_1[2][1] * _e2038.member_1[2][1])) + (_e289.member_1[2][2] * _e2038.member_1[2][2]));
+                if (_e2175 < 0f) {
+                    phi_2896_ = -(_e2175);
                 } else {
-                    phi_2896_ = _e2231;
+                    phi_2896_ = _e2175;
                 }
-                let _e2262 = phi_2896_;
-                if (_e2244 < 0f) {
-                    phi_2902_ = -(_e2244);
+                let _e2206 = phi_2896_;
+                if (_e2188 < 0f) {
+                    phi_2902_ = -(_e2188);
                 } else {
-                    phi_2902_ = _e2244;
+                    phi_2902_ = _e2188;
                 }
-                let _e2266 = phi_2902_;
-                if (_e2257 < 0f) {
-                    phi_2908_ = -(_e2257);
+                let _e2210 = phi_2902_;
+                if (_e2201 < 0f) {
+                    phi_2908_ = -(_e2201);
                 } else {
-                    phi_2908_ = _e2257;
+                    phi_2908_ = _e2201;
                 }
-                let _e2270 = phi_2908_;
-                let _e2278 = (((_e2262 * _e289.member_2[0]) + (_e2266 * _e289.member_2[1])) + (_e2270 * _e289.member_2[2]));
-                let _e2292 = (((_e415.member_1[0][0] * _e2094.member_1[0][0]) + (_e415.member_1[0][1] * _e2094.member_1[0][1])) + (_e415.member_1[0][2] * _e2094.member_1[0][2]));
-                let _e2305 = (((_e415.member_1[1][0] * _e2094.member_1[0][0]) + (_e415.member_1[1][1] * _e2094.member_1[0][1])) + (_e415.member_1[1][2] * _e2094.member_1[0][2]));
-                let _e2318 = (((_e415.member_1[2][0] * _e2094.member_1[0][0]) + (_e415.member_1[2][1] * _e2094.member_1[0][1])) + (_e415.member_1[2][2] * _e2094.member_1[0][2]));
-                if (_e2292 < 0f) {
-                    phi_2960_ = -(_e2292);
+                let _e2214 = phi_2908_;
+                let _e2222 = (((_e2206 * _e289.member_2[0]) + (_e2210 * _e289.member_2[1])) + (_e2214 * _e289.member_2[2]));
+                let _e2236 = (((_e415.member_1[0][0] * _e2038.member_1[0][0]) + (_e415.member_1[0][1] * _e2038.member_1[0][1])) + (_e415.member_1[0][2] * _e2038.member_1[0][2]));
+                let _e2249 = (((_e415.member_1[1][0] * _e2038.member_1[0][0]) + (_e415.member_1[1][1] * _e2038.member_1[0][1])) + (_e415.member_1[1][2] * _e2038.member_1[0][2]));
+                let _e2262 = (((_e415.member_1[2][0] * _e2038.member_1[0][0]) + (_e415.member_1[2][1] * _e2038.member_1[0][1])) + (_e415.member_1[2][2] * _e2038.member_1[0][2]));
+                if (_e2236 < 0f) {
+                    phi_2960_ = -(_e2236);
                 } else {
-                    phi_2960_ = _e2292;
+                    phi_2960_ = _e2236;
                 }
-                let _e2323 = phi_2960_;
-                if (_e2305 < 0f) {
-                    phi_2966_ = -(_e2305);
+                let _e2267 = phi_2960_;
+                if (_e2249 < 0f) {
+                    phi_2966_ = -(_e2249);
                 } else {
-                    phi_2966_ = _e2305;
+                    phi_2966_ = _e2249;
                 }
-                let _e2327 = phi_2966_;
-                if (_e2318 < 0f) {
-                    phi_2972_ = -(_e2318);
+                let _e2271 = phi_2966_;
+                if (_e2262 < 0f) {
+                    phi_2972_ = -(_e2262);
                 } else {
-                    phi_2972_ = _e2318;
+                    phi_2972_ = _e2262;
                 }
-                let _e2331 = phi_2972_;
-                let _e2339 = (((_e2323 * _e415.member_2[0]) + (_e2327 * _e415.member_2[1])) + (_e2331 * _e415.member_2[2]));
-                let _e2353 = (((_e415.member_1[0][0] * _e2094.member_1[1][0]) + (_e415.member_1[0][1] * _e2094.member_1[1][1])) + (_e415.member_1[0][2] * _e2094.member_1[1][2]));
-                let _e2366 = (((_e415.member_1[1][0] * _e2094.member_1[1][0]) + (_e415.member_1[1][1] * _e2094.member_1[1][1])) + (_e415.member_1[1][2] * _e2094.member_1[1][2]));
-                let _e2379 = (((_e415.member_1[2][0] * _e2094.member_1[1][0]) + (_e415.member_1[2][1] * _e2094.member_1[1][1])) + (_e415.member_1[2][2] * _e2094.member_1[1][2]));
-                if (_e2353 < 0f) {
-                    phi_3024_ = -(_e2353);
+                let _e2275 = phi_2972_;
+                let _e2283 = (((_e2267 * _e415.member_2[0]) + (_e2271 * _e415.member_2[1])) + (_e2275 * _e415.member_2[2]));
+                let _e2297 = (((_e415.member_1[0][0] * _e2038.member_1[1][0]) + (_e415.member_1[0][1] * _e2038.member_1[1][1])) + (_e415.member_1[0][2] * _e2038.member_1[1][2]));
+                let _e2310 = (((_e415.member_1[1][0] * _e2038.member_1[1][0]) + (_e415.member_1[1][1] * _e2038.member_1[1][1])) + (_e415.member_1[1][2] * _e2038.member_1[1][2]));
+                let _e2323 = (((_e415.member_1[2][0] * _e2038.member_1[1][0]) + (_e415.member_1[2][1] * _e2038.member_1[1][1])) + (_e415.member_1[2][2] * _e2038.member_1[1][2]));
+                if (_e2297 < 0f) {
+                    phi_3024_ = -(_e2297);
                 } else {
-                    phi_3024_ = _e2353;
+                    phi_3024_ = _e2297;
                 }
-                let _e2384 = phi_3024_;
-                if (_e2366 < 0f) {
-                    phi_3030_ = -(_e2366);
+                let _e2328 = phi_3024_;
+                if (_e2310 < 0f) {
+                    phi_3030_ = -(_e2310);
                 } else {
-                    phi_3030_ = _e2366;
+                    phi_3030_ = _e2310;
                 }
-                let _e2388 = phi_3030_;
-                if (_e2379 < 0f) {
-                    phi_3036_ = -(_e2379);
+                let _e2332 = phi_3030_;
+                if (_e2323 < 0f) {
+                    phi_3036_ = -(_e2323);
                 } else {
-                    phi_3036_ = _e2379;
+                    phi_3036_ = _e2323;
                 }
-                let _e2392 = phi_3036_;
-                let _e2400 = (((_e2384 * _e415.member_2[0]) + (_e2388 * _e415.member_2[1])) + (_e2392 * _e415.member_2[2]));
-                let _e2414 = (((_e415.member_1[0][0] * _e2094.member_1[2][0]) + (_e415.member_1[0][1] * _e2094.member_1[2][1])) + (_e415.member_1[0][2] * _e2094.member_1[2][2]));
-                let _e2427 = (((_e415.member_1[1][0] * _e2094.member_1[2][0]) + (_e415.member_1[1][1] * _e2094.member_1[2][1])) + (_e415.member_1[1][2] * _e2094.member_1[2][2]));
-                let _e2440 = (((_e415.member_1[2][0] * _e2094.member_1[2][0]) + (_e415.member_1[2][1] * _e2094.member_1[2][1])) + (_e415.member_1[2][2] * _e2094.member_1[2][2]));
-                if (_e2414 < 0f) {
-                    phi_3088_ = -(_e2414);
+                let _e2336 = phi_3036_;
+                let _e2344 = (((_e2328 * _e415.member_2[0]) + (_e2332 * _e415.member_2[1])) + (_e2336 * _e415.member_2[2]));
+                let _e2358 = (((_e415.member_1[0][0] * _e2038.member_1[2][0]) + (_e415.member_1[0][1] * _e2038.member_1[2][1])) + (_e415.member_1[0][2] * _e2038.member_1[2][2]));
+                let _e2371 = (((_e415.member_1[1][0] * _e2038.member_1[2][0]) + (_e415.member_1[1][1] * _e2038.member_1[2][1])) + (_e415.member_1[1][2] * _e2038.member_1[2][2]));
+                let _e2384 = (((_e415.member_1[2][0] * _e2038.member_1[2][0]) + (_e415.member_1[2][1] * _e2038.member_1[2][1])) + (_e415.member_1[2][2] * _e2038.member_1[2][2]));
+                if (_e2358 < 0f) {
+                    phi_3088_ = -(_e2358);
                 } else {
-                    phi_3088_ = _e2414;
+                    phi_3088_ = _e2358;
                 }
-                let _e2445 = phi_3088_;
-                if (_e2427 < 0f) {
-                    phi_3094_ = -(_e2427);
+                let _e2389 = phi_3088_;
+                if (_e2371 < 0f) {
+                    phi_3094_ = -(_e2371);
                 } else {
-                    phi_3094_ = _e2427;
+                    phi_3094_ = _e2371;
                 }
-                let _e2449 = phi_3094_;
-                if (_e2440 < 0f) {
-                    phi_3100_ = -(_e2440);
+                let _e2393 = phi_3094_;
+                if (_e2384 < 0f) {
+                    phi_3100_ = -(_e2384);
                 } else {
-                    phi_3100_ = _e2440;
+                    phi_3100_ = _e2384;
                 }
-                let _e2453 = phi_3100_;
-                let _e2461 = (((_e2445 * _e415.member_2[0]) + (_e2449 * _e415.member_2[1])) + (_e2453 * _e415.member_2[2]));
-                let _e2470 = (((_e2094.member_1[0][0] * _e420) + (_e2094.member_1[0][1] * _e423)) + (_e2094.member_1[0][2] * _e426));
-                let _e2479 = (((_e2094.member_1[1][0] * _e420) + (_e2094.member_1[1][1] * _e423)) + (_e2094.member_1[1][2] * _e426));
-                let _e2488 = (((_e2094.member_1[2][0] * _e420) + (_e2094.member_1[2][1] * _e423)) + (_e2094.member_1[2][2] * _e426));
-                let _e2489 = (_e2156 * -1f);
-                let _e2490 = (_e2217 * -1f);
-                let _e2491 = (_e2278 * -1f);
-                let _e2492 = (_e2470 - _e2339);
-                let _e2493 = (_e2479 - _e2400);
-                let _e2494 = (_e2488 - _e2461);
-                if (_e2489 < _e2492) {
-                    phi_3146_ = _e2489;
+                let _e2397 = phi_3100_;
+                let _e2405 = (((_e2389 * _e415.member_2[0]) + (_e2393 * _e415.member_2[1])) + (_e2397 * _e415.member_2[2]));
+                let _e2414 = (((_e2038.member_1[0][0] * _e420) + (_e2038.member_1[0][1] * _e423)) + (_e2038.member_1[0][2] * _e426));
+                let _e2423 = (((_e2038.member_1[1][0] * _e420) + (_e2038.member_1[1][1] * _e423)) + (_e2038.member_1[1][2] * _e426));
+                let _e2432 = (((_e2038.member_1[2][0] * _e420) + (_e2038.member_1[2][1] * _e423)) + (_e2038.member_1[2][2] * _e426));
+                let _e2433 = (_e2100 * -1f);
+                let _e2434 = (_e2161 * -1f);
+                let _e2435 = (_e2222 * -1f);
+                let _e2436 = (_e2414 - _e2283);
+                let _e2437 = (_e2423 - _e2344);
+                let _e2438 = (_e2432 - _e2405);
+                if (_e2433 < _e2436) {
+                    phi_3146_ = _e2433;
                 } else {
-                    phi_3146_ = _e2492;
+                    phi_3146_ = _e2436;
                 }
-                let _e2497 = phi_3146_;
-                if (_e2490 < _e2493) {
-                    phi_3151_ = _e2490;
+                let _e2441 = phi_3146_;
+                if (_e2434 < _e2437) {
+                    phi_3151_ = _e2434;
                 } else {
-                    phi_3151_ = _e2493;
+                    phi_3151_ = _e2437;
                 }
-                let _e2500 = phi_3151_;
-                if (_e2491 < _e2494) {
-                    phi_3156_ = _e2491;
+                let _e2444 = phi_3151_;
+                if (_e2435 < _e2438) {
+                    phi_3156_ = _e2435;
                 } else {
-                    phi_3156_ = _e2494;
+                    phi_3156_ = _e2438;
                 }
-                let _e2503 = phi_3156_;
-                let _e2504 = (_e2470 + _e2339);
-                let _e2505 = (_e2479 + _e2400);
-                let _e2506 = (_e2488 + _e2461);
-                if (_e2156 > _e2504) {
-                    phi_3164_ = _e2156;
+                let _e2447 = phi_3156_;
+                let _e2448 = (_e2414 + _e2283);
+                let _e2449 = (_e2423 + _e2344);
+                let _e2450 = (_e2432 + _e2405);
+                if (_e2100 > _e2448) {
+                    phi_3164_ = _e2100;
                 } else {
-                    phi_3164_ = _e2504;
+                    phi_3164_ = _e2448;
                 }
-                let _e2509 = phi_3164_;
-                if (_e2217 > _e2505) {
-                    phi_3169_ = _e2217;
+                let _e2453 = phi_3164_;
+                if (_e2161 > _e2449) {
+                    phi_3169_ = _e2161;
                 } else {
-                    phi_3169_ = _e2505;
+                    phi_3169_ = _e2449;
                 }
-                let _e2512 = phi_3169_;
-                if (_e2278 > _e2506) {
-                    phi_3174_ = _e2278;
+                let _e2456 = phi_3169_;
+                if (_e2222 > _e2450) {
+                    phi_3174_ = _e2222;
                 } else {
-                    phi_3174_ = _e2506;
+                    phi_3174_ = _e2450;
                 }
-                let _e2515 = phi_3174_;
-                let _e2520 = ((_e2497 + _e2509) * 0.5f);
-                let _e2521 = ((_e2500 + _e2512) * 0.5f);
-                let _e2522 = ((_e2503 + _e2515) * 0.5f);
-                let _e2551 = (_e289.member[0] + (((_e2094.member_1[0][0] * _e2520) + (_e2094.member_1[1][0] * _e2521)) + (_e2094.member_1[2][0] * _e2522)));
-                let _e2553 = (_e289.member[1] + (((_e2094.member_1[0][1] * _e2520) + (_e2094.member_1[1][1] * _e2521)) + (_e2094.member_1[2][1] * _e2522)));
-                let _e2555 = (_e289.member[2] + (((_e2094.member_1[0][2] * _e2520) + (_e2094.member_1[1][2] * _e2521)) + (_e2094.member_1[2][2] * _e2522)));
+                let _e2459 = phi_3174_;
+                let _e2464 = ((_e2441 + _e2453) * 0.5f);
+                let _e2465 = ((_e2444 + _e2456) * 0.5f);
+                let _e2466 = ((_e2447 + _e2459) * 0.5f);
+                let _e2495 = (_e289.member[0] + (((_e2038.member_1[0][0] * _e2464) + (_e2038.member_1[1][0] * _e2465)) + (_e2038.member_1[2][0] * _e2466)));
+                let _e2497 = (_e289.member[1] + (((_e2038.member_1[0][1] * _e2464) + (_e2038.member_1[1][1] * _e2465)) + (_e2038.member_1[2][1] * _e2466)));
+                let _e2499 = (_e289.member[2] + (((_e2038.member_1[0][2] * _e2464) + (_e2038.member_1[1][2] * _e2465)) + (_e2038.member_1[2][2] * _e2466)));
                 if (_e289.member[0] < 0f) {
                     phi_3223_ = -(_e289.member[0]);
                 } else {
                     phi_3223_ = _e289.member[0];
                 }
-                let _e2562 = phi_3223_;
+                let _e2506 = phi_3223_;
                 if (_e289.member[1] < 0f) {
                     phi_3230_ = -(_e289.member[1]);
                 } else {
                     phi_3230_ = _e289.member[1];
                 }
-                let _e2567 = phi_3230_;
+                let _e2511 = phi_3230_;
                 if (_e289.member[2] < 0f) {
                     phi_3237_ = -(_e289.member[2]);
                 } else {
                     phi_3237_ = _e289.member[2];
                 }
-                let _e2572 = phi_3237_;
+                let _e2516 = phi_3237_;
                 if (_e415.member[0] < 0f) {
                     phi_3245_ = -(_e415.member[0]);
                 } else {
                     phi_3245_ = _e415.member[0];
                 }
-                let _e2578 = phi_3245_;
+                let _e2522 = phi_3245_;
                 if (_e415.member[1] < 0f) {
                     phi_3252_ = -(_e415.member[1]);
                 } else {
                     phi_3252_ = _e415.member[1];
                 }
-                let _e2583 = phi_3252_;
+                let _e2527 = phi_3252_;
                 if (_e415.member[2] < 0f) {
                     phi_3259_ = -(_e415.member[2]);
                 } else {
                     phi_3259_ = _e415.member[2];
                 }
-                let _e2588 = phi_3259_;
-                if (_e2562 > _e2578) {
-                    phi_3264_ = _e2562;
+                let _e2532 = phi_3259_;
+                if (_e2506 > _e2522) {
+                    phi_3264_ = _e2506;
                 } else {
-                    phi_3264_ = _e2578;
+                    phi_3264_ = _e2522;
                 }
-                let _e2591 = phi_3264_;
-                if (_e2567 > _e2583) {
-                    phi_3269_ = _e2567;
+                let _e2535 = phi_3264_;
+                if (_e2511 > _e2527) {
+                    phi_3269_ = _e2511;
                 } else {
-                    phi_3269_ = _e2583;
+                    phi_3269_ = _e2527;
                 }
-                let _e2594 = phi_3269_;
-                if (_e2572 > _e2588) {
-                    phi_3274_ = _e2572;
+                let _e2538 = phi_3269_;
+                if (_e2516 > _e2532) {
+                    phi_3274_ = _e2516;
                 } else {
-                    phi_3274_ = _e2588;
+                    phi_3274_ = _e2532;
                 }
-                let _e2597 = phi_3274_;
-                let _e2600 = (_e289.member[0] - _e2551);
-                let _e2602 = (_e289.member[1] - _e2553);
-                let _e2604 = (_e289.member[2] - _e2555);
-                if (_e2600 < 0f) {
-                    phi_3287_ = -(_e2600);
+                let _e2541 = phi_3274_;
+                let _e2544 = (_e289.member[0] - _e2495);
+                let _e2546 = (_e289.member[1] - _e2497);
+                let _e2548 = (_e289.member[2] - _e2499);
+                if (_e2544 < 0f) {
+                    phi_3287_ = -(_e2544);
                 } else {
-                    phi_3287_ = _e2600;
+                    phi_3287_ = _e2544;
                 }
-                let _e2608 = phi_3287_;
-                if (_e2602 < 0f) {
-                    phi_3293_ = -(_e2602);
+                let _e2552 = phi_3287_;
+                if (_e2546 < 0f) {
+                    phi_3293_ = -(_e2546);
                 } else {
-                    phi_3293_ = _e2602;
+                    phi_3293_ = _e2546;
                 }
-                let _e2612 = phi_3293_;
-                if (_e2604 < 0f) {
-                    phi_3300_ = -(_e2604);
+                let _e2556 = phi_3293_;
+                if (_e2548 < 0f) {
+                    phi_3300_ = -(_e2548);
                 } else {
-                    phi_3300_ = _e2604;
+                    phi_3300_ = _e2548;
                 }
-                let _e2617 = phi_3300_;
-                let _e2620 = (((_e2608 + _e2612) + _e2617) * (0.000000059604645f * 16f));
-                if (_e2094.member_1[0][0] < 0f) {
-                    phi_3311_ = -(_e2094.member_1[0][0]);
+                let _e2561 = phi_3300_;
+                let _e2564 = (((_e2552 + _e2556) + _e2561) * (0.000000059604645f * 16f));
+                if (_e2038.member_1[0][0] < 0f) {
+                    phi_3311_ = -(_e2038.member_1[0][0]);
                 } else {
-                    phi_3311_ = _e2094.member_1[0][0];
+                    phi_3311_ = _e2038.member_1[0][0];
                 }
-                let _e2626 = phi_3311_;
-                if (_e2094.member_1[0][1] < 0f) {
-                    phi_3318_ = -(_e2094.member_1[0][1]);
+                let _e2570 = phi_3311_;
+                if (_e2038.member_1[0][1] < 0f) {
+                    phi_3318_ = -(_e2038.member_1[0][1]);
                 } else {
-                    phi_3318_ = _e2094.member_1[0][1];
+                    phi_3318_ = _e2038.member_1[0][1];
                 }
-                let _e2631 = phi_3318_;
-                if (_e2094.member_1[0][2] < 0f) {
-                    phi_3325_ = -(_e2094.member_1[0][2]);
+                let _e2575 = phi_3318_;
+                if (_e2038.member_1[0][2] < 0f) {
+                    phi_3325_ = -(_e2038.member_1[0][2]);
                 } else {
-                    phi_3325_ = _e2094.member_1[0][2];
+                    phi_3325_ = _e2038.member_1[0][2];
                 }
-                let _e2636 = phi_3325_;
-                if (_e2094.member_1[1][0] < 0f) {
-                    phi_3338_ = -(_e2094.member_1[1][0]);
+                let _e2580 = phi_3325_;
+                if (_e2038.member_1[1][0] < 0f) {
+                    phi_3338_ = -(_e2038.member_1[1][0]);
                 } else {
-                    phi_3338_ = _e2094.member_1[1][0];
+                    phi_3338_ = _e2038.member_1[1][0];
                 }
-                let _e2647 = phi_3338_;
-                if (_e2094.member_1[1][1] < 0f) {
-                    phi_3345_ = -(_e2094.member_1[1][1]);
+                let _e2591 = phi_3338_;
+                if (_e2038.member_1[1][1] < 0f) {
+                    phi_3345_ = -(_e2038.member_1[1][1]);
                 } else {
-                    phi_3345_ = _e2094.member_1[1][1];
+                    phi_3345_ = _e2038.member_1[1][1];
                 }
-                let _e2652 = phi_3345_;
-                if (_e2094.member_1[1][2] < 0f) {
-                    phi_3352_ = -(_e2094.member_1[1][2]);
+                let _e2596 = phi_3345_;
+                if (_e2038.member_1[1][2] < 0f) {
+                    phi_3352_ = -(_e2038.member_1[1][2]);
                 } else {
-                    phi_3352_ = _e2094.member_1[1][2];
+                    phi_3352_ = _e2038.member_1[1][2];
                 }
-                let _e2657 = phi_3352_;
-                if (_e2094.member_1[2][0] < 0f) {
-                    phi_3365_ = -(_e2094.member_1[2][0]);
+                let _e2601 = phi_3352_;
+                if (_e2038.member_1[2][0] < 0f) {
+                    phi_3365_ = -(_e2038.member_1[2][0]);
                 } else {
-                    phi_3365_ = _e2094.member_1[2][0];
+                    phi_3365_ = _e2038.member_1[2][0];
                 }
-                let _e2668 = phi_3365_;
-                if (_e2094.member_1[2][1] < 0f) {
-                    phi_3372_ = -(_e2094.member_1[2][1]);
+                let _e2612 = phi_3365_;
+                if (_e2038.member_1[2][1] < 0f) {
+                    phi_3372_ = -(_e2038.member_1[2][1]);
                 } else {
-                    phi_3372_ = _e2094.member_1[2][1];
+                    phi_3372_ = _e2038.member_1[2][1];
                 }
-                let _e2673 = phi_3372_;
-                if (_e2094.member_1[2][2] < 0f) {
-                    phi_3379_ = -(_e2094.member_1[2][2]);
+                let _e2617 = phi_3372_;
+                if (_e2038.member_1[2][2] < 0f) {
+                    phi_3379_ = -(_e2038.member_1[2][2]);
                 } else {
-                    phi_3379_ = _e2094.member_1[2][2];
+                    phi_3379_ = _e2038.member_1[2][2];
                 }
-                let _e2678 = phi_3379_;
-                let _e2684 = (0.000000059604645f * 12f);
-                let _e2688 = (((((_e2626 * _e2591) + (_e2631 * _e2594)) + (_e2636 * _e2597)) * _e2684) + _e2620);
-                let _e2689 = (((((_e2647 * _e2591) + (_e2652 * _e2594)) + (_e2657 * _e2597)) * _e2684) + _e2620);
-                let _e2690 = (((((_e2668 * _e2591) + (_e2673 * _e2594)) + (_e2678 * _e2597)) * _e2684) + _e2620);
-                let _e2693 = (_e289.member[0] - _e2551);
-                let _e2695 = (_e289.member[1] - _e2553);
-                let _e2697 = (_e289.member[2] - _e2555);
+                let _e2622 = phi_3379_;
+                let _e2628 = (0.000000059604645f * 12f);
+                let _e2632 = (((((_e2570 * _e2535) + (_e2575 * _e2538)) + (_e2580 * _e2541)) * _e2628) + _e2564);
+                let _e2633 = (((((_e2591 * _e2535) + (_e2596 * _e2538)) + (_e2601 * _e2541)) * _e2628) + _e2564);
+                let _e2634 = (((((_e2612 * _e2535) + (_e2617 * _e2538)) + (_e2622 * _e2541)) * _e2628) + _e2564);
+                let _e2637 = (_e289.member[0] - _e2495);
+                let _e2639 = (_e289.member[1] - _e2497);
+                let _e2641 = (_e289.member[2] - _e2499);
                 if (_e289.member_2[0] < 0f) {
                     phi_3406_ = -(_e289.member_2[0]);
                 } else {
                     phi_3406_ = _e289.member_2[0];
                 }
-                let _e2703 = phi_3406_;
+                let _e2647 = phi_3406_;
                 if (_e289.member_2[1] < 0f) {
                     phi_3413_ = -(_e289.member_2[1]);
                 } else {
                     phi_3413_ = _e289.member_2[1];
                 }
-                let _e2708 = phi_3413_;
+                let _e2652 = phi_3413_;
                 if (_e289.member_2[2] < 0f) {
                     phi_3421_ = -(_e289.member_2[2]);
                 } else {
                     phi_3421_ = _e289.member_2[2];
                 }
-                let _e2714 = phi_3421_;
-                if (_e2693 < 0f) {
-                    phi_3430_ = -(_e2693);
+                let _e2658 = phi_3421_;
+                if (_e2637 < 0f) {
+                    phi_3430_ = -(_e2637);
                 } else {
-                    phi_3430_ = _e2693;
+                    phi_3430_ = _e2637;
                 }
-                let _e2721 = phi_3430_;
-                if (_e2695 < 0f) {
-                    phi_3436_ = -(_e2695);
+                let _e2665 = phi_3430_;
+                if (_e2639 < 0f) {
+                    phi_3436_ = -(_e2639);
                 } else {
-                    phi_3436_ = _e2695;
+                    phi_3436_ = _e2639;
                 }
-                let _e2725 = phi_3436_;
-                if (_e2697 < 0f) {
-                    phi_3442_ = -(_e2697);
+                let _e2669 = phi_3436_;
+                if (_e2641 < 0f) {
+                    phi_3442_ = -(_e2641);
                 } else {
-                    phi_3442_ = _e2697;
+                    phi_3442_ = _e2641;
                 }
-                let _e2729 = phi_3442_;
-                if (_e2094.member_1[0][0] < 0f) {
-                    phi_3450_ = -(_e2094.member_1[0][0]);
+                let _e2673 = phi_3442_;
+                if (_e2038.member_1[0][0] < 0f) {
+                    phi_3450_ = -(_e2038.member_1[0][0]);
                 } else {
-                    phi_3450_ = _e2094.member_1[0][0];
+                    phi_3450_ = _e2038.member_1[0][0];
                 }
-                let _e2735 = phi_3450_;
-                if (_e2094.member_1[0][1] < 0f) {
-                    phi_3457_ = -(_e2094.member_1[0][1]);
+                let _e2679 = phi_3450_;
+                if (_e2038.member_1[0][1] < 0f) {
+                    phi_3457_ = -(_e2038.member_1[0][1]);
                 } else {
-                    phi_3457_ = _e2094.member_1[0][1];
+                    phi_3457_ = _e2038.member_1[0][1];
                 }
-                let _e2740 = phi_3457_;
-                if (_e2094.member_1[0][2] < 0f) {
-                    phi_3464_ = -(_e2094.member_1[0][2]);
+                let _e2684 = phi_3457_;
+                if (_e2038.member_1[0][2] < 0f) {
+                    phi_3464_ = -(_e2038.member_1[0][2]);
                 } else {
-                    phi_3464_ = _e2094.member_1[0][2];
+                    phi_3464_ = _e2038.member_1[0][2];
                 }
-                let _e2745 = phi_3464_;
-                if (_e2094.member_1[1][0] < 0f) {
-                    phi_3477_ = -(_e2094.member_1[1][0]);
+                let _e2689 = phi_3464_;
+                if (_e2038.member_1[1][0] < 0f) {
+                    phi_3477_ = -(_e2038.member_1[1][0]);
                 } else {
-                    phi_3477_ = _e2094.member_1[1][0];
+                    phi_3477_ = _e2038.member_1[1][0];
                 }
-                let _e2756 = phi_3477_;
-                if (_e2094.member_1[1][1] < 0f) {
-                    phi_3484_ = -(_e2094.member_1[1][1]);
+                let _e2700 = phi_3477_;
+                if (_e2038.member_1[1][1] < 0f) {
+                    phi_3484_ = -(_e2038.member_1[1][1]);
                 } else {
-                    phi_3484_ = _e2094.member_1[1][1];
+                    phi_3484_ = _e2038.member_1[1][1];
                 }
-                let _e2761 = phi_3484_;
-                if (_e2094.member_1[1][2] < 0f) {
-                    phi_3491_ = -(_e2094.member_1[1][2]);
+                let _e2705 = phi_3484_;
+                if (_e2038.member_1[1][2] < 0f) {
+                    phi_3491_ = -(_e2038.member_1[1][2]);
                 } else {
-                    phi_3491_ = _e2094.member_1[1][2];
+                    phi_3491_ = _e2038.member_1[1][2];
                 }
-                let _e2766 = phi_3491_;
-                if (_e2094.member_1[2][0] < 0f) {
-                    phi_3504_ = -(_e2094.member_1[2][0]);
+                let _e2710 = phi_3491_;
+                if (_e2038.member_1[2][0] < 0f) {
+                    phi_3504_ = -(_e2038.member_1[2][0]);
                 } else {
-                    phi_3504_ = _e2094.member_1[2][0];
+                    phi_3504_ = _e2038.member_1[2][0];
                 }
-                let _e2777 = phi_3504_;
-                if (_e2094.member_1[2][1] < 0f) {
-                    phi_3511_ = -(_e2094.member_1[2][1]);
+                let _e2721 = phi_3504_;
+                if (_e2038.member_1[2][1] < 0f) {
+                    phi_3511_ = -(_e2038.member_1[2][1]);
                 } else {
-                    phi_3511_ = _e2094.member_1[2][1];
+                    phi_3511_ = _e2038.member_1[2][1];
                 }
-                let _e2782 = phi_3511_;
-                if (_e2094.member_1[2][2] < 0f) {
-                    phi_3518_ = -(_e2094.member_1[2][2]);
+                let _e2726 = phi_3511_;
+                if (_e2038.member_1[2][2] < 0f) {
+                    phi_3518_ = -(_e2038.member_1[2][2]);
                 } else {
-                    phi_3518_ = _e2094.member_1[2][2];
+                    phi_3518_ = _e2038.member_1[2][2];
                 }
-                let _e2787 = phi_3518_;
-                let _e2793 = (0.000000059604645f * 8f);
-                let _e2798 = ((((_e2703 + _e2708) + _e2714) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                let _e2810 = (((_e2094.member_1[0][0] * _e2693) + (_e2094.member_1[0][1] * _e2695)) + (_e2094.member_1[0][2] * _e2697));
-                let _e2819 = (((_e2094.member_1[1][0] * _e2693) + (_e2094.member_1[1][1] * _e2695)) + (_e2094.member_1[1][2] * _e2697));
-                let _e2828 = (((_e2094.member_1[2][0] * _e2693) + (_e2094.member_1[2][1] * _e2695)) + (_e2094.member_1[2][2] * _e2697));
-                if (_e2810 < 0f) {
-                    phi_3565_ = -(_e2810);
+                let _e2731 = phi_3518_;
+                let _e2737 = (0.000000059604645f * 8f);
+                let _e2742 = ((((_e2647 + _e2652) + _e2658) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                let _e2754 = (((_e2038.member_1[0][0] * _e2637) + (_e2038.member_1[0][1] * _e2639)) + (_e2038.member_1[0][2] * _e2641));
+                let _e2763 = (((_e2038.member_1[1][0] * _e2637) + (_e2038.member_1[1][1] * _e2639)) + (_e2038.member_1[1][2] * _e2641));
+                let _e2772 = (((_e2038.member_1[2][0] * _e2637) + (_e2038.member_1[2][1] * _e2639)) + (_e2038.member_1[2][2] * _e2641));
+                if (_e2754 < 0f) {
+                    phi_3565_ = -(_e2754);
                 } else {
-                    phi_3565_ = _e2810;
+                    phi_3565_ = _e2754;
                 }
-                let _e2832 = phi_3565_;
-                if (_e2819 < 0f) {
-                    phi_3571_ = -(_e2819);
+                let _e2776 = phi_3565_;
+                if (_e2763 < 0f) {
+                    phi_3571_ = -(_e2763);
                 } else {
-                    phi_3571_ = _e2819;
+                    phi_3571_ = _e2763;
                 }
-                let _e2836 = phi_3571_;
-                if (_e2828 < 0f) {
-                    phi_3577_ = -(_e2828);
+                let _e2780 = phi_3571_;
+                if (_e2772 < 0f) {
+                    phi_3577_ = -(_e2772);
                 } else {
-                    phi_3577_ = _e2828;
+                    phi_3577_ = _e2772;
                 }
-                let _e2840 = phi_3577_;
-                let _e2854 = (((_e289.member_1[0][0] * _e2094.member_1[0][0]) + (_e289.member_1[0][1] * _e2094.member_1[0][1])) + (_e289.member_1[0][2] * _e2094.member_1[0][2]));
-                let _e2867 = (((_e289.member_1[1][0] * _e2094.member_1[0][0]) + (_e289.member_1[1][1] * _e2094.member_1[0][1])) + (_e289.member_1[1][2] * _e2094.member_1[0][2]));
-                let _e2880 = (((_e289.member_1[2][0] * _e2094.member_1[0][0]) + (_e289.member_1[2][1] * _e2094.member_1[0][1])) + (_e289.member_1[2][2] * _e2094.member_1[0][2]));
-                if (_e2854 < 0f) {
-                    phi_3621_ = -(_e2854);
+                let _e2784 = phi_3577_;
+                let _e2798 = (((_e289.member_1[0][0] * _e2038.member_1[0][0]) + (_e289.member_1[0][1] * _e2038.member_1[0][1])) + (_e289.member_1[0][2] * _e2038.member_1[0][2]));
+                let _e2811 = (((_e289.member_1[1][0] * _e2038.member_1[0][0]) + (_e289.member_1[1][1] * _e2038.member_1[0][1])) + (_e289.member_1[1][2] * _e2038.member_1[0][2]));
+                let _e2824 = (((_e289.member_1[2][0] * _e2038.member_1[0][0]) + (_e289.member_1[2][1] * _e2038.member_1[0][1])) + (_e289.member_1[2][2] * _e2038.member_1[0][2]));
+                if (_e2798 < 0f) {
+                    phi_3621_ = -(_e2798);
                 } else {
-                    phi_3621_ = _e2854;
+                    phi_3621_ = _e2798;
                 }
-                let _e2885 = phi_3621_;
-                if (_e2867 < 0f) {
-                    phi_3627_ = -(_e2867);
+                let _e2829 = phi_3621_;
+                if (_e2811 < 0f) {
+                    phi_3627_ = -(_e2811);
                 } else {
-                    phi_3627_ = _e2867;
+                    phi_3627_ = _e2811;
                 }
-                let _e2889 = phi_3627_;
-                if (_e2880 < 0f) {
-                    phi_3633_ = -(_e2880);
+                let _e2833 = phi_3627_;
+                if (_e2824 < 0f) {
+                    phi_3633_ = -(_e2824);
                 } else {
-                    phi_3633_ = _e2880;
+                    phi_3633_ = _e2824;
                 }
-                let _e2893 = phi_3633_;
-                let _e2915 = (((_e289.member_1[0][0] * _e2094.member_1[1][0]) + (_e289.member_1[0][1] * _e2094.member_1[1][1])) + (_e289.member_1[0][2] * _e2094.member_1[1][2]));
-                let _e2928 = (((_e289.member_1[1][0] * _e2094.member_1[1][0]) + (_e289.member_1[1][1] * _e2094.member_1[1][1])) + (_e289.member_1[1][2] * _e2094.member_1[1][2]));
-                let _e2941 = (((_e289.member_1[2][0] * _e2094.member_1[1][0]) + (_e289.member_1[2][1] * _e2094.member_1[1][1])) + (_e289.member_1[2][2] * _e2094.member_1[1][2]));
-                if (_e2915 < 0f) {
-                    phi_3685_ = -(_e2915);
+                let _e2837 = phi_3633_;
+                let _e2859 = (((_e289.member_1[0][0] * _e2038.member_1[1][0]) + (_e289.member_1[0][1] * _e2038.member_1[1][1])) + (_e289.member_1[0][2] * _e2038.member_1[1][2]));
+                let _e2872 = (((_e289.member_1[1][0] * _e2038.member_1[1][0]) + (_e289.member_1[1][1] * _e2038.member_1[1][1])) + (_e289.member_1[1][2] * _e2038.member_1[1][2]));
+                let _e2885 = (((_e289.member_1[2][0] * _e2038.member_1[1][0]) + (_e289.member_1[2][1] * _e2038.member_1[1][1])) + (_e289.member_1[2][2] * _e2038.member_1[1][2]));
+                if (_e2859 < 0f) {
+                    phi_3685_ = -(_e2859);
                 } else {
-                    phi_3685_ = _e2915;
+                    phi_3685_ = _e2859;
                 }
-                let _e2946 = phi_3685_;
-                if (_e2928 < 0f) {
-                    phi_3691_ = -(_e2928);
+                let _e2890 = phi_3685_;
+                if (_e2872 < 0f) {
+                    phi_3691_ = -(_e2872);
                 } else {
-                    phi_3691_ = _e2928;
+                    phi_3691_ = _e2872;
                 }
-                let _e2950 = phi_3691_;
-                if (_e2941 < 0f) {
-                    phi_3697_ = -(_e2941);
+                let _e2894 = phi_3691_;
+                if (_e2885 < 0f) {
+                    phi_3697_ = -(_e2885);
                 } else {
-                    phi_3697_ = _e2941;
+                    phi_3697_ = _e2885;
                 }
-                let _e2954 = phi_3697_;
-                let _e2976 = (((_e289.member_1[0][0] * _e2094.member_1[2][0]) + (_e289.member_1[0][1] * _e2094.member_1[2][1])) + (_e289.member_1[0][2] * _e2094.member_1[2][2]));
-                let _e2989 = (((_e289.member_1[1][0] * _e2094.member_1[2][0]) + (_e289.member_1[1][1] * _e2094.member_1[2][1])) + (_e289.member_1[1][2] * _e2094.member_1[2][2]));
-                let _e3002 = (((_e289.member_1[2][0] * _e2094.member_1[2][0]) + (_e289.member_1[2][1] * _e2094.member_1[2][1])) + (_e289.member_1[2][2] * _e2094.member_1[2][2]));
-                if (_e2976 < 0f) {
-                    phi_3749_ = -(_e2976);
+                let _e2898 = phi_3697_;
+                let _e2920 = (((_e289.member_1[0][0] * _e2038.member_1[2][0]) + (_e289.member_1[0][1] * _e2038.member_1[2][1])) + (_e289.member_1[0][2] * _e2038.member_1[2][2]));
+                let _e2933 = (((_e289.member_1[1][0] * _e2038.member_1[2][0]) + (_e289.member_1[1][1] * _e2038.member_1[2][1])) + (_e289.member_1[1][2] * _e2038.member_1[2][2]));
+                let _e2946 = (((_e289.member_1[2][0] * _e2038.member_1[2][0]) + (_e289.member_1[2][1] * _e2038.member_1[2][1])) + (_e289.member_1[2][2] * _e2038.member_1[2][2]));
+                if (_e2920 < 0f) {
+                    phi_3749_ = -(_e2920);
                 } else {
-                    phi_3749_ = _e2976;
+                    phi_3749_ = _e2920;
                 }
-                let _e3007 = phi_3749_;
-                if (_e2989 < 0f) {
-                    phi_3755_ = -(_e2989);
+                let _e2951 = phi_3749_;
+                if (_e2933 < 0f) {
+                    phi_3755_ = -(_e2933);
                 } else {
-                    phi_3755_ = _e2989;
+                    phi_3755_ = _e2933;
                 }
-                let _e3011 = phi_3755_;
-                if (_e3002 < 0f) {
-                    phi_3761_ = -(_e3002);
+                let _e2955 = phi_3755_;
+                if (_e2946 < 0f) {
+                    phi_3761_ = -(_e2946);
                 } else {
-                    phi_3761_ = _e3002;
+                    phi_3761_ = _e2946;
                 }
-                let _e3015 = phi_3761_;
-                let _e3032 = (_e415.member[0] - _e2551);
-                let _e3034 = (_e415.member[1] - _e2553);
-                let _e3036 = (_e415.member[2] - _e2555);
+                let _e2959 = phi_3761_;
+                let _e2976 = (_e415.member[0] - _e2495);
+                let _e2978 = (_e415.member[1] - _e2497);
+                let _e2980 = (_e415.member[2] - _e2499);
                 if (_e415.member_2[0] < 0f) {
                     phi_3790_ = -(_e415.member_2[0]);
                 } else {
                     phi_3790_ = _e415.member_2[0];
                 }
-                let _e3042 = phi_3790_;
+                let _e2986 = phi_3790_;
                 if (_e415.member_2[1] < 0f) {
                     phi_3797_ = -(_e415.member_2[1]);
                 } else {
                     phi_3797_ = _e415.member_2[1];
                 }
-                let _e3047 = phi_3797_;
+                let _e2991 = phi_3797_;
                 if (_e415.member_2[2] < 0f) {
                     phi_3805_ = -(_e415.member_2[2]);
                 } else {
                     phi_3805_ = _e415.member_2[2];
                 }
-                let _e3053 = phi_3805_;
-                if (_e3032 < 0f) {
-                    phi_3814_ = -(_e3032);
+                let _e2997 = phi_3805_;
+                if (_e2976 < 0f) {
+                    phi_3814_ = -(_e2976);
                 } else {
-                    phi_3814_ = _e3032;
+                    phi_3814_ = _e2976;
                 }
-                let _e3060 = phi_3814_;
-                if (_e3034 < 0f) {
-                    phi_3820_ = -(_e3034);
+                let _e3004 = phi_3814_;
+                if (_e2978 < 0f) {
+                    phi_3820_ = -(_e2978);
                 } else {
-                    phi_3820_ = _e3034;
+                    phi_3820_ = _e2978;
                 }
-                let _e3064 = phi_3820_;
-                if (_e3036 < 0f) {
-                    phi_3826_ = -(_e3036);
+                let _e3008 = phi_3820_;
+                if (_e2980 < 0f) {
+                    phi_3826_ = -(_e2980);
                 } else {
-                    phi_3826_ = _e3036;
+                    phi_3826_ = _e2980;
                 }
-                let _e3068 = phi_3826_;
-                if (_e2094.member_1[0][0] < 0f) {
-                    phi_3834_ = -(_e2094.member_1[0][0]);
+                let _e3012 = phi_3826_;
+                if (_e2038.member_1[0][0] < 0f) {
+                    phi_3834_ = -(_e2038.member_1[0][0]);
                 } else {
-                    phi_3834_ = _e2094.member_1[0][0];
+                    phi_3834_ = _e2038.member_1[0][0];
                 }
-                let _e3074 = phi_3834_;
-                if (_e2094.member_1[0][1] < 0f) {
-                    phi_3841_ = -(_e2094.member_1[0][1]);
+                let _e3018 = phi_3834_;
+                if (_e2038.member_1[0][1] < 0f) {
+                    phi_3841_ = -(_e2038.member_1[0][1]);
                 } else {
-                    phi_3841_ = _e2094.member_1[0][1];
+                    phi_3841_ = _e2038.member_1[0][1];
                 }
-                let _e3079 = phi_3841_;
-                if (_e2094.member_1[0][2] < 0f) {
-                    phi_3848_ = -(_e2094.member_1[0][2]);
+                let _e3023 = phi_3841_;
+                if (_e2038.member_1[0][2] < 0f) {
+                    phi_3848_ = -(_e2038.member_1[0][2]);
                 } else {
-                    phi_3848_ = _e2094.member_1[0][2];
+                    phi_3848_ = _e2038.member_1[0][2];
                 }
-                let _e3084 = phi_3848_;
-                if (_e2094.member_1[1][0] < 0f) {
-                    phi_3861_ = -(_e2094.member_1[1][0]);
+                let _e3028 = phi_3848_;
+                if (_e2038.member_1[1][0] < 0f) {
+                    phi_3861_ = -(_e2038.member_1[1][0]);
                 } else {
-                    phi_3861_ = _e2094.member_1[1][0];
+                    phi_3861_ = _e2038.member_1[1][0];
                 }
-                let _e3095 = phi_3861_;
-                if (_e2094.member_1[1][1] < 0f) {
-                    phi_3868_ = -(_e2094.member_1[1][1]);
+                let _e3039 = phi_3861_;
+                if (_e2038.member_1[1][1] < 0f) {
+                    phi_3868_ = -(_e2038.member_1[1][1]);
                 } else {
-                    phi_3868_ = _e2094.member_1[1][1];
+                    phi_3868_ = _e2038.member_1[1][1];
                 }
-                let _e3100 = phi_3868_;
-                if (_e2094.member_1[1][2] < 0f) {
-                    phi_3875_ = -(_e2094.member_1[1][2]);
+                let _e3044 = phi_3868_;
+                if (_e2038.member_1[1][2] < 0f) {
+                    phi_3875_ = -(_e2038.member_1[1][2]);
                 } else {
-                    phi_3875_ = _e2094.member_1[1][2];
+                    phi_3875_ = _e2038.member_1[1][2];
                 }
-                let _e3105 = phi_3875_;
-                if (_e2094.member_1[2][0] < 0f) {
-                    phi_3888_ = -(_e2094.member_1[2][0]);
+                let _e3049 = phi_3875_;
+                if (_e2038.member_1[2][0] < 0f) {
+                    phi_3888_ = -(_e2038.member_1[2][0]);
                 } else {
-                    phi_3888_ = _e2094.member_1[2][0];
+                    phi_3888_ = _e2038.member_1[2][0];
                 }
-                let _e3116 = phi_3888_;
-                if (_e2094.member_1[2][1] < 0f) {
-                    phi_3895_ = -(_e2094.member_1[2][1]);
+                let _e3060 = phi_3888_;
+                if (_e2038.member_1[2][1] < 0f) {
+                    phi_3895_ = -(_e2038.member_1[2][1]);
                 } else {
-                    phi_3895_ = _e2094.member_1[2][1];
+                    phi_3895_ = _e2038.member_1[2][1];
                 }
-                let _e3121 = phi_3895_;
-                if (_e2094.member_1[2][2] < 0f) {
-                    phi_3902_ = -(_e2094.member_1[2][2]);
+                let _e3065 = phi_3895_;
+                if (_e2038.member_1[2][2] < 0f) {
+                    phi_3902_ = -(_e2038.member_1[2][2]);
                 } else {
-                    phi_3902_ = _e2094.member_1[2][2];
+                    phi_3902_ = _e2038.member_1[2][2];
                 }
-                let _e3126 = phi_3902_;
-                let _e3132 = (0.000000059604645f * 8f);
-                let _e3137 = ((((_e3042 + _e3047) + _e3053) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                let _e3149 = (((_e2094.member_1[0][0] * _e3032) + (_e2094.member_1[0][1] * _e3034)) + (_e2094.member_1[0][2] * _e3036));
-                let _e3158 = (((_e2094.member_1[1][0] * _e3032) + (_e2094.member_1[1][1] * _e3034)) + (_e2094.member_1[1][2] * _e3036));
-                let _e3167 = (((_e2094.member_1[2][0] * _e3032) + (_e2094.member_1[2][1] * _e3034)) + (_e2094.member_1[2][2] * _e3036));
-                if (_e3149 < 0f) {
-                    phi_3949_ = -(_e3149);
+                let _e3070 = phi_3902_;
+                let _e3076 = (0.000000059604645f * 8f);
+                let _e3081 = ((((_e2986 + _e2991) + _e2997) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                let _e3093 = (((_e2038.member_1[0][0] * _e2976) + (_e2038.member_1[0][1] * _e2978)) + (_e2038.member_1[0][2] * _e2980));
+                let _e3102 = (((_e2038.member_1[1][0] * _e2976) + (_e2038.member_1[1][1] * _e2978)) + (_e2038.member_1[1][2] * _e2980));
+                let _e3111 = (((_e2038.member_1[2][0] * _e2976) + (_e2038.member_1[2][1] * _e2978)) + (_e2038.member_1[2][2] * _e2980));
+                if (_e3093 < 0f) {
+                    phi_3949_ = -(_e3093);
                 } else {
-                    phi_3949_ = _e3149;
+                    phi_3949_ = _e3093;
                 }
-                let _e3171 = phi_3949_;
-                if (_e3158 < 0f) {
-                    phi_3955_ = -(_e3158);
+                let _e3115 = phi_3949_;
+                if (_e3102 < 0f) {
+                    phi_3955_ = -(_e3102);
                 } else {
-                    phi_3955_ = _e3158;
+                    phi_3955_ = _e3102;
                 }
-                let _e3175 = phi_3955_;
-                if (_e3167 < 0f) {
-                    phi_3961_ = -(_e3167);
+                let _e3119 = phi_3955_;
+                if (_e3111 < 0f) {
+                    phi_3961_ = -(_e3111);
                 } else {
-                    phi_3961_ = _e3167;
+                    phi_3961_ = _e3111;
                 }
-                let _e3179 = phi_3961_;
-                let _e3193 = (((_e415.member_1[0][0] * _e2094.member_1[0][0]) + (_e415.member_1[0][1] * _e2094.member_1[0][1])) + (_e415.member_1[0][2] * _e2094.member_1[0][2]));
-                let _e3206 = (((_e415.member_1[1][0] * _e2094.member_1[0][0]) + (_e415.member_1[1][1] * _e2094.member_1[0][1])) + (_e415.member_1[1][2] * _e2094.member_1[0][2]));
-                let _e3219 = (((_e415.member_1[2][0] * _e2094.member_1[0][0]) + (_e415.member_1[2][1] * _e2094.member_1[0][1])) + (_e415.member_1[2][2] * _e2094.member_1[0][2]));
-                if (_e3193 < 0f) {
-                    phi_4005_ = -(_e3193);
+                let _e3123 = phi_3961_;
+                let _e3137 = (((_e415.member_1[0][0] * _e2038.member_1[0][0]) + (_e415.member_1[0][1] * _e2038.member_1[0][1])) + (_e415.member_1[0][2] * _e2038.member_1[0][2]));
+                let _e3150 = (((_e415.member_1[1][0] * _e2038.member_1[0][0]) + (_e415.member_1[1][1] * _e2038.member_1[0][1])) + (_e415.member_1[1][2] * _e2038.member_1[0][2]));
+                let _e3163 = (((_e415.member_1[2][0] * _e2038.member_1[0][0]) + (_e415.member_1[2][1] * _e2038.member_1[0][1])) + (_e415.member_1[2][2] * _e2038.member_1[0][2]));
+                if (_e3137 < 0f) {
+                    phi_4005_ = -(_e3137);
                 } else {
-                    phi_4005_ = _e3193;
+                    phi_4005_ = _e3137;
                 }
-                let _e3224 = phi_4005_;
-                if (_e3206 < 0f) {
-                    phi_4011_ = -(_e3206);
+                let _e3168 = phi_4005_;
+                if (_e3150 < 0f) {
+                    phi_4011_ = -(_e3150);
                 } else {
-                    phi_4011_ = _e3206;
+                    phi_4011_ = _e3150;
                 }
-                let _e3228 = phi_4011_;
-                if (_e3219 < 0f) {
-                    phi_4017_ = -(_e3219);
+                let _e3172 = phi_4011_;
+                if (_e3163 < 0f) {
+                    phi_4017_ = -(_e3163);
                 } else {
-                    phi_4017_ = _e3219;
+                    phi_4017_ = _e3163;
                 }
-                let _e3232 = phi_4017_;
-                let _e3254 = (((_e415.member_1[0][0] * _e2094.member_1[1][0]) + (_e415.member_1[0][1] * _e2094.member_1[1][1])) + (_e415.member_1[0][2] * _e2094.member_1[1][2]));
-                let _e3267 = (((_e415.member_1[1][0] * _e2094.member_1[1][0]) + (_e415.member_1[1][1] * _e2094.member_1[1][1])) + (_e415.member_1[1][2] * _e2094.member_1[1][2]));
-                let _e3280 = (((_e415.member_1[2][0] * _e2094.member_1[1][0]) + (_e415.member_1[2][1] * _e2094.member_1[1][1])) + (_e415.member_1[2][2] * _e2094.member_1[1][2]));
-                if (_e3254 < 0f) {
-                    phi_4069_ = -(_e3254);
+                let _e3176 = phi_4017_;
+                let _e3198 = (((_e415.member_1[0][0] * _e2038.member_1[1][0]) + (_e415.member_1[0][1] * _e2038.member_1[1][1])) + (_e415.member_1[0][2] * _e2038.member_1[1][2]));
+                let _e3211 = (((_e415.member_1[1][0] * _e2038.member_1[1][0]) + (_e415.member_1[1][1] * _e2038.member_1[1][1])) + (_e415.member_1[1][2] * _e2038.member_1[1][2]));
+                let _e3224 = (((_e415.member_1[2][0] * _e2038.member_1[1][0]) + (_e415.member_1[2][1] * _e2038.member_1[1][1])) + (_e415.member_1[2][2] * _e2038.member_1[1][2]));
+                if (_e3198 < 0f) {
+                    phi_4069_ = -(_e3198);
                 } else {
-                    phi_4069_ = _e3254;
+                    phi_4069_ = _e3198;
                 }
-                let _e3285 = phi_4069_;
-                if (_e3267 < 0f) {
-                    phi_4075_ = -(_e3267);
+                let _e3229 = phi_4069_;
+                if (_e3211 < 0f) {
+                    phi_4075_ = -(_e3211);
                 } else {
-                    phi_4075_ = _e3267;
+                    phi_4075_ = _e3211;
                 }
-                let _e3289 = phi_4075_;
-                if (_e3280 < 0f) {
-                    phi_4081_ = -(_e3280);
+                let _e3233 = phi_4075_;
+                if (_e3224 < 0f) {
+                    phi_4081_ = -(_e3224);
                 } else {
-                    phi_4081_ = _e3280;
+                    phi_4081_ = _e3224;
                 }
-                let _e3293 = phi_4081_;
-                let _e3315 = (((_e415.member_1[0][0] * _e2094.member_1[2][0]) + (_e415.member_1[0][1] * _e2094.member_1[2][1])) + (_e415.member_1[0][2] * _e2094.member_1[2][2]));
-                let _e3328 = (((_e415.member_1[1][0] * _e2094.member_1[2][0]) + (_e415.member_1[1][1] * _e2094.member_1[2][1])) + (_e415.member_1[1][2] * _e2094.member_1[2][2]));
-                let _e3341 = (((_e415.member_1[2][0] * _e2094.member_1[2][0]) + (_e415.member_1[2][1] * _e2094.member_1[2][1])) + (_e415.member_1[2][2] * _e2094.member_1[2][2]));
-                if (_e3315 < 0f) {
-                    phi_4133_ = -(_e3315);
+                let _e3237 = phi_4081_;
+                let _e3259 = (((_e415.member_1[0][0] * _e2038.member_1[2][0]) + (_e415.member_1[0][1] * _e2038.member_1[2][1])) + (_e415.member_1[0][2] * _e2038.member_1[2][2]));
+                let _e3272 = (((_e415.member_1[1][0] * _e2038.member_1[2][0]) + (_e415.member_1[1][1] * _e2038.member_1[2][1])) + (_e415.member_1[1][2] * _e2038.member_1[2][2]));
+                let _e3285 = (((_e415.member_1[2][0] * _e2038.member_1[2][0]) + (_e415.member_1[2][1] * _e2038.member_1[2][1])) + (_e415.member_1[2][2] * _e2038.member_1[2][2]));
+                if (_e3259 < 0f) {
+                    phi_4133_ = -(_e3259);
                 } else {
-                    phi_4133_ = _e3315;
+                    phi_4133_ = _e3259;
                 }
-                let _e3346 = phi_4133_;
-                if (_e3328 < 0f) {
-                    phi_4139_ = -(_e3328);
+                let _e3290 = phi_4133_;
+                if (_e3272 < 0f) {
+                    phi_4139_ = -(_e3272);
                 } else {
-                    phi_4139_ = _e3328;
+                    phi_4139_ = _e3272;
                 }
-                let _e3350 = phi_4139_;
-                if (_e3341 < 0f) {
-                    phi_4145_ = -(_e3341);
+                let _e3294 = phi_4139_;
+                if (_e3285 < 0f) {
+                    phi_4145_ = -(_e3285);
                 } else {
-                    phi_4145_ = _e3341;
+                    phi_4145_ = _e3285;
                 }
-                let _e3354 = phi_4145_;
-                let _e3369 = (((_e2832 + (((_e2885 * _e289.member_2[0]) + (_e2889 * _e289.member_2[1])) + (_e2893 * _e289.member_2[2]))) + (((((_e2735 * _e2721) + (_e2740 * _e2725)) + (_e2745 * _e2729)) * _e2793) + _e2798)) + _e2688);
-                let _e3370 = (((_e2836 + (((_e2946 * _e289.member_2[0]) + (_e2950 * _e289.member_2[1])) + (_e2954 * _e289.member_2[2]))) + (((((_e2756 * _e2721) + (_e2761 * _e2725)) + (_e2766 * _e2729)) * _e2793) + _e2798)) + _e2689);
-                let _e3371 = (((_e2840 + (((_e3007 * _e289.member_2[0]) + (_e3011 * _e289.member_2[1])) + (_e3015 * _e289.member_2[2]))) + (((((_e2777 * _e2721) + (_e2782 * _e2725)) + (_e2787 * _e2729)) * _e2793) + _e2798)) + _e2690);
-                let _e3372 = (((_e3171 + (((_e3224 * _e415.member_2[0]) + (_e3228 * _e415.member_2[1])) + (_e3232 * _e415.member_2[2]))) + (((((_e3074 * _e3060) + (_e3079 * _e3064)) + (_e3084 * _e3068)) * _e3132) + _e3137)) + _e2688);
-                let _e3373 = (((_e3175 + (((_e3285 * _e415.member_2[0]) + (_e3289 * _e415.member_2[1])) + (_e3293 * _e415.member_2[2]))) + (((((_e3095 * _e3060) + (_e3100 * _e3064)) + (_e3105 * _e3068)) * _e3132) + _e3137)) + _e2689);
-                let _e3374 = (((_e3179 + (((_e3346 * _e415.member_2[0]) + (_e3350 * _e415.member_2[1])) + (_e3354 * _e415.member_2[2]))) + (((((_e3116 * _e3060) + (_e3121 * _e3064)) + (_e3126 * _e3068)) * _e3132) + _e3137)) + _e2690);
-                if ((bitcast<u32>(_e3369) & 2139095040u) != 2139095040u) {
-                    if ((bitcast<u32>(_e3370) & 2139095040u) != 2139095040u) {
-                        phi_4181_ = ((bitcast<u32>(_e3371) & 2139095040u) != 2139095040u);
+                let _e3298 = phi_4145_;
+                let _e3313 = (((_e2776 + (((_e2829 * _e289.member_2[0]) + (_e2833 * _e289.member_2[1])) + (_e2837 * _e289.member_2[2]))) + (((((_e2679 * _e2665) + (_e2684 * _e2669)) + (_e2689 * _e2673)) * _e2737) + _e2742)) + _e2632);
+                let _e3314 = (((_e2780 + (((_e2890 * _e289.member_2[0]) + (_e2894 * _e289.member_2[1])) + (_e2898 * _e289.member_2[2]))) + (((((_e2700 * _e2665) + (_e2705 * _e2669)) + (_e2710 * _e2673)) * _e2737) + _e2742)) + _e2633);
+                let _e3315 = (((_e2784 + (((_e2951 * _e289.member_2[0]) + (_e2955 * _e289.member_2[1])) + (_e2959 * _e289.member_2[2]))) + (((((_e2721 * _e2665) + (_e2726 * _e2669)) + (_e2731 * _e2673)) * _e2737) + _e2742)) + _e2634);
+                let _e3316 = (((_e3115 + (((_e3168 * _e415.member_2[0]) + (_e3172 * _e415.member_2[1])) + (_e3176 * _e415.member_2[2]))) + (((((_e3018 * _e3004) + (_e3023 * _e3008)) + (_e3028 * _e3012)) * _e3076) + _e3081)) + _e2632);
+                let _e3317 = (((_e3119 + (((_e3229 * _e415.member_2[0]) + (_e3233 * _e415.member_2[1])) + (_e3237 * _e415.member_2[2]))) + (((((_e3039 * _e3004) + (_e3044 * _e3008)) + (_e3049 * _e3012)) * _e3076) + _e3081)) + _e2633);
+                let _e3318 = (((_e3123 + (((_e3290 * _e415.member_2[0]) + (_e3294 * _e415.member_2[1])) + (_e3298 * _e415.member_2[2]))) + (((((_e3060 * _e3004) + (_e3065 * _e3008)) + (_e3070 * _e3012)) * _e3076) + _e3081)) + _e2634);
+                if ((bitcast<u32>(_e3313) & 2139095040u) != 2139095040u) {
+                    if ((bitcast<u32>(_e3314) & 2139095040u) != 2139095040u) {
+                        phi_4181_ = ((bitcast<u32>(_e3315) & 2139095040u) != 2139095040u);
                         phi_4182_ = false;
                     } else {
                         phi_4181_ = bool();
                         phi_4182_ = true;
                     }
-                    let _e3385 = phi_4181_;
-                    let _e3387 = phi_4182_;
-                    phi_4183_ = _e3385;
-                    phi_4184_ = _e3387;
+                    let _e3329 = phi_4181_;
+                    let _e3331 = phi_4182_;
+                    phi_4183_ = _e3329;
+                    phi_4184_ = _e3331;
                 } else {
                     phi_4183_ = bool();
                     phi_4184_ = true;
                 }
-                let _e3389 = phi_4183_;
-                let _e3391 = phi_4184_;
-                if _e3391 {
+                let _e3333 = phi_4183_;
+                let _e3335 = phi_4184_;
+                if _e3335 {
                     phi_4188_ = false;
                 } else {
-                    phi_4188_ = _e3389;
+                    phi_4188_ = _e3333;
                 }
-                let _e3393 = phi_4188_;
-                if _e3393 {
-                    if ((bitcast<u32>(_e3372) & 2139095040u) != 2139095040u) {
-                        if ((bitcast<u32>(_e3373) & 2139095040u) != 2139095040u) {
-                            phi_4207_ = ((bitcast<u32>(_e3374) & 2139095040u) != 2139095040u);
+                let _e3337 = phi_4188_;
+                if _e3337 {
+                    if ((bitcast<u32>(_e3316) & 2139095040u) != 2139095040u) {
+                        if ((bitcast<u32>(_e3317) & 2139095040u) != 2139095040u) {
+                            phi_4207_ = ((bitcast<u32>(_e3318) & 2139095040u) != 2139095040u);
                             phi_4208_ = false;
                         } else {
                             phi_4207_ = bool();
                             phi_4208_ = true;
                         }
-                        let _e3404 = phi_4207_;
-                        let _e3406 = phi_4208_;
-                        phi_4209_ = _e3404;
-                        phi_4210_ = _e3406;
+                        let _e3348 = phi_4207_;
+                        let _e3350 = phi_4208_;
+                        phi_4209_ = _e3348;
+                        phi_4210_ = _e3350;
                     } else {
                         phi_4209_ = bool();
                         phi_4210_ = true;
                     }
-                    let _e3408 = phi_4209_;
-                    let _e3410 = phi_4210_;
-                    if _e3410 {
+                    let _e3352 = phi_4209_;
+                    let _e3354 = phi_4210_;
+                    if _e3354 {
                         phi_4214_ = false;
                     } else {
-                        phi_4214_ = _e3408;
+                        phi_4214_ = _e3352;
                     }
-                    let _e3412 = phi_4214_;
-                    if _e3412 {
-                        if (_e3369 > _e3372) {
-                            phi_4222_ = _e3369;
+                    let _e3356 = phi_4214_;
+                    if _e3356 {
+                        if (_e3313 > _e3316) {
+                            phi_4222_ = _e3313;
                         } else {
-                            phi_4222_ = _e3372;
+                            phi_4222_ = _e3316;
                         }
-                        let _e3415 = phi_4222_;
-                        if (_e3370 > _e3373) {
-                            phi_4227_ = _e3370;
+                        let _e3359 = phi_4222_;
+                        if (_e3314 > _e3317) {
+                            phi_4227_ = _e3314;
                         } else {
-                            phi_4227_ = _e3373;
+                            phi_4227_ = _e3317;
                         }
-                        let _e3418 = phi_4227_;
-                        if (_e3371 > _e3374) {
-                            phi_4232_ = _e3371;
+                        let _e3362 = phi_4227_;
+                        if (_e3315 > _e3318) {
+                            phi_4232_ = _e3315;
                         } else {
-                            phi_4232_ = _e3374;
+                            phi_4232_ = _e3318;
                         }
-                        let _e3421 = phi_4232_;
-                        phi_4235_ = type_33(array<f32, 3>(_e2551, _e2553, _e2555), _e2094.member_1, array<f32, 3>(_e3415, _e3418, _e3421));
+                        let _e3365 = phi_4232_;
+                        phi_4235_ = type_33(array<f32, 3>(_e2495, _e2497, _e2499), _e2038.member_1, array<f32, 3>(_e3359, _e3362, _e3365));
                         phi_4236_ = false;
                     } else {
                         phi_4235_ = type_33();
                         phi_4236_ = true;
                     }
-                    let _e3425 = phi_4235_;
-                    let _e3427 = phi_4236_;
-                    phi_4237_ = _e3425;
-                    phi_4238_ = _e3427;
+                    let _e3369 = phi_4235_;
+                    let _e3371 = phi_4236_;
+                    phi_4237_ = _e3369;
+                    phi_4238_ = _e3371;
                 } else {
                     phi_4237_ = type_33();
                     phi_4238_ = true;
                 }
-                let _e3429 = phi_4237_;
-                let _e3431 = phi_4238_;
-                if _e3431 {
+                let _e3373 = phi_4237_;
+                let _e3375 = phi_4238_;
+                if _e3375 {
                     if true {
                         phi_4252_ = 2122317824u;
                     } else {
                         phi_4252_ = 8388608u;
                     }
-                    let _e3433 = phi_4252_;
-                    let _e3435 = (bitcast<f32>(_e3433) * 3.9999998f);
-                    phi_4262_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3435, _e3435, _e3435));
+                    let _e3377 = phi_4252_;
+                    let _e3379 = (bitcast<f32>(_e3377) * 3.9999998f);
+                    phi_4262_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3379, _e3379, _e3379));
                 } else {
-                    phi_4262_ = _e3429;
+                    phi_4262_ = _e3373;
                 }
-                let _e3439 = phi_4262_;
-                boxes[_e64] = type_33(array<f32, 3>(_e3439.member[0], _e3439.member[1], _e3439.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3439.member_1[0][0], _e3439.member_1[0][1], _e3439.member_1[0][2]), array<f32, 3>(_e3439.member_1[1][0], _e3439.member_1[1][1], _e3439.member_1[1][2]), array<f32, 3>(_e3439.member_1[2][0], _e3439.member_1[2][1], _e3439.member_1[2][2])), array<f32, 3>(_e3439.member_2[0], _e3439.member_2[1], _e3439.member_2[2]));
-                let _e3475 = atomicOr((&done[(_e64 / 32u)]), (1u << bitcast<u32>(((_e64 % 32u) & 31u))));
+                let _e3383 = phi_4262_;
+                boxes[_e64] = type_33(array<f32, 3>(_e3383.member[0], _e3383.member[1], _e3383.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3383.member_1[0][0], _e3383.member_1[0][1], _e3383.member_1[0][2]), array<f32, 3>(_e3383.member_1[1][0], _e3383.member_1[1][1], _e3383.member_1[1][2]), array<f32, 3>(_e3383.member_1[2][0], _e3383.member_1[2][1], _e3383.member_1[2][2])), array<f32, 3>(_e3383.member_2[0], _e3383.member_2[1], _e3383.member_2[2]));
+                let _e3419 = atomicOr((&done[(_e64 / 32u)]), (1u << bitcast<u32>(((_e64 % 32u) & 31u))));
                 phi_4298_ = 2u;
             }
-            let _e3477 = phi_4298_;
+            let _e3421 = phi_4298_;
             workgroupBarrier();
-            phi_206_ = _e3477;
+            phi_206_ = _e3421;
         } else {
             phi_206_ = u32();
         }
-        let _e3479 = phi_206_;
+        let _e3423 = phi_206_;
         continue;
         continuing {
             phi_202_ = _e125;
-            phi_205_ = _e3479;
+            phi_205_ = _e3423;
             break if !(_e130);
         }
     }
-    let _e3482 = local_9;
-    if (_e3482 == 1u) {
+    let _e3426 = local_9;
+    if (_e3426 == 1u) {
         phi_4307_ = true;
     } else {
-        let _e3485 = local_10;
-        phi_4307_ = (_e3485 == 3u);
+        let _e3429 = local_10;
+        phi_4307_ = (_e3429 == 3u);
     }
-    let _e3488 = phi_4307_;
-    if _e3488 {
-        let _e3490 = atomicAdd((&counters[0u]), 1u);
-        phi_4313_ = _e3490;
+    let _e3432 = phi_4307_;
+    if _e3432 {
+        let _e3434 = atomicAdd((&counters[0u]), 1u);
+        phi_4313_ = _e3434;
     } else {
         phi_4313_ = 0u;
     }
-    let _e3492 = phi_4313_;
+    let _e3436 = phi_4313_;
     workgroupBarrier();
     if (_e64 == 0u) {
-        let _e3495 = atomicLoad((&counters[0u]));
-        if (_e3495 > 0u) {
-            let _e3498 = atomicAdd((&far.member[0u]), _e3495);
-            atomicStore((&counters[1u]), _e3498);
+        let _e3439 = atomicLoad((&counters[0u]));
+        if (_e3439 > 0u) {
+            let _e3442 = atomicAdd((&far.member[0u]), _e3439);
+            atomicStore((&counters[1u]), _e3442);
         }
     }
     workgroupBarrier();
-    let _e3503 = params.member.member.member_2[_e80];
-    let _e3504 = (_e3503 + _e77);
-    let _e3506 = local_11;
-    if (_e3506 == 2u) {
-        let _e3525 = boxes[_e64];
-        oriented.member[_e3504] = type_30(vec4<f32>(_e3525.member[0], _e3525.member[1], _e3525.member[2], _e3525.member_1[0][0]), vec4<f32>(_e3525.member_1[0][1], _e3525.member_1[0][2], _e3525.member_1[1][0], _e3525.member_1[1][1]), vec4<f32>(_e3525.member_1[1][2], _e3525.member_1[2][0], _e3525.member_1[2][1], _e3525.member_1[2][2]), vec4<f32>(_e3525.member_2[0], _e3525.member_2[1], _e3525.member_2[2], 0f));
-        stamps.member[_e3504] = 1u;
+    let _e3447 = params.member.member.member_2[_e80];
+    let _e3448 = (_e3447 + _e77);
+    let _e3450 = local_11;
+    if (_e3450 == 2u) {
+        let _e3469 = boxes[_e64];
+        oriented.member[_e3448] = type_30(vec4<f32>(_e3469.member[0], _e3469.member[1], _e3469.member[2], _e3469.member_1[0][0]), vec4<f32>(_e3469.member_1[0][1], _e3469.member_1[0][2], _e3469.member_1[1][0], _e3469.member_1[1][1]), vec4<f32>(_e3469.member_1[1][2], _e3469.member_1[2][0], _e3469.member_1[2][1], _e3469.member_1[2][2]), vec4<f32>(_e3469.member_2[0], _e3469.member_2[1], _e3469.member_2[2], 0f));
+        stamps.member[_e3448] = 1u;
     } else {
-        let _e3509 = local_12;
-        if (_e3509 != 0u) {
+        let _e3453 = local_12;
+        if (_e3453 != 0u) {
             if true {
                 phi_4415_ = 2122317824u;
             } else {
                 phi_4415_ = 8388608u;
             }
-            let _e3512 = phi_4415_;
-            let _e3514 = (bitcast<f32>(_e3512) * 3.9999998f);
-            oriented.member[_e3504] = type_30(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3514, _e3514, _e3514, 0f));
-            stamps.member[_e3504] = 0u;
-            let _e3520 = atomicLoad((&counters[1u]));
-            atomicStore((&far.member[(4u + (_e3520 + _e3492))]), _e77);
+            let _e3456 = phi_4415_;
+            let _e3458 = (bitcast<f32>(_e3456) * 3.9999998f);
+            oriented.member[_e3448] = type_30(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3458, _e3458, _e3458, 0f));
+            stamps.member[_e3448] = 0u;
+            let _e3464 = atomicLoad((&counters[1u]));
+            atomicStore((&far.member[(4u + (_e3464 + _e3436))]), _e77);
         }
     }
     return;

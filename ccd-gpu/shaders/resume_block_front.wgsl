@@ -95,14 +95,14 @@ var<storage, read_write> nodes: type_22;
 var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_132_: array<u32, 2>;
-    var phi_234_: u32;
-    var phi_235_: u32;
-    var phi_236_: u32;
-    var phi_253_: array<u32, 2>;
-    var phi_254_: array<u32, 2>;
-    var phi_266_: array<u32, 2>;
-    var phi_267_: array<u32, 2>;
+    var phi_201_: array<u32, 2>;
+    var phi_311_: u32;
+    var phi_312_: u32;
+    var phi_313_: u32;
+    var phi_331_: array<u32, 2>;
+    var phi_332_: array<u32, 2>;
+    var phi_344_: array<u32, 2>;
+    var phi_345_: array<u32, 2>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -115,17 +115,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e32 = lane_2;
     let _e45 = ((((_e30.y * _e31.x) + _e30.x) * 128u) + _e32);
     let _e48 = params.member.member_2.member;
-    let _e51 = params.member.member_1.member;
-    if (_e45 < _e51) {
+    let _e50 = params.member.member_1;
+    if (_e45 < _e50.member) {
         let _e58 = (2u * (((1u - _e48.member_5) * _e48.member_4) + _e45));
         let _e60 = front.member[_e58];
         let _e63 = front.member[(_e58 + 1u)];
-        phi_132_ = array<u32, 2>(_e60, _e63);
+        phi_201_ = array<u32, 2>(_e60, _e63);
     } else {
-        phi_132_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_201_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e66 = phi_132_;
-    let _e69 = params.member.member_2.member;
+    let _e66 = phi_201_;
     if (_e32 == 0u) {
         atomicStore((&shared_[6u]), 0u);
         atomicStore((&shared_[7u]), 0u);
@@ -133,115 +132,115 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     workgroupBarrier();
     if (_e66[0] != 4294967295u) {
-        let _e79 = (_e66[0] >> bitcast<u32>(27u));
-        let _e85 = params.member.member_2.member_1[_e79][0u];
-        let _e88 = boxes.member[(_e85 + (_e66[0] & 134217727u))];
-        let _e105 = params.member.member_2.member_1[_e79][1u];
-        let _e108 = boxes.member[(_e105 + _e66[1])];
-        if ((((((_e88.member.x <= _e108.member_1.y) && (_e108.member.x <= _e88.member_1.y)) && (_e88.member.y <= _e108.member_2.x)) && (_e108.member.y <= _e88.member_2.x)) && (_e88.member_1.x <= _e108.member_2.y)) && (_e108.member_1.x <= _e88.member_2.y)) {
-            if (_e79 > 1u) {
-                phi_234_ = 1u;
+        let _e76 = (_e66[0] >> bitcast<u32>(27u));
+        let _e82 = params.member.member_2.member_1[_e76][0u];
+        let _e85 = boxes.member[(_e82 + (_e66[0] & 134217727u))];
+        let _e102 = params.member.member_2.member_1[_e76][1u];
+        let _e105 = boxes.member[(_e102 + _e66[1])];
+        if ((((((_e85.member.x <= _e105.member_1.y) && (_e105.member.x <= _e85.member_1.y)) && (_e85.member.y <= _e105.member_2.x)) && (_e105.member.y <= _e85.member_2.x)) && (_e85.member_1.x <= _e105.member_2.y)) && (_e105.member_1.x <= _e85.member_2.y)) {
+            if (_e76 > 1u) {
+                phi_311_ = 1u;
             } else {
-                phi_234_ = 2u;
+                phi_311_ = 2u;
             }
-            let _e134 = phi_234_;
-            phi_235_ = _e134;
+            let _e131 = phi_311_;
+            phi_312_ = _e131;
         } else {
-            phi_235_ = 3u;
+            phi_312_ = 3u;
         }
-        let _e136 = phi_235_;
-        phi_236_ = _e136;
+        let _e133 = phi_312_;
+        phi_313_ = _e133;
     } else {
-        phi_236_ = 0u;
+        phi_313_ = 0u;
     }
-    let _e138 = phi_236_;
-    if (_e138 == 1u) {
-        let _e148 = atomicAdd((&shared_[6u]), 1u);
-        phi_254_ = array<u32, 2>(_e148, 0u);
+    let _e135 = phi_313_;
+    if (_e135 == 1u) {
+        let _e145 = atomicAdd((&shared_[6u]), 1u);
+        phi_332_ = array<u32, 2>(_e145, 0u);
     } else {
-        if (_e138 == 2u) {
-            let _e143 = atomicAdd((&shared_[7u]), 1u);
-            phi_253_ = array<u32, 2>(_e143, 0u);
+        if (_e135 == 2u) {
+            let _e140 = atomicAdd((&shared_[7u]), 1u);
+            phi_331_ = array<u32, 2>(_e140, 0u);
         } else {
-            phi_253_ = array<u32, 2>(0u, 0u);
+            phi_331_ = array<u32, 2>(0u, 0u);
         }
-        let _e146 = phi_253_;
-        phi_254_ = _e146;
+        let _e143 = phi_331_;
+        phi_332_ = _e143;
     }
-    let _e151 = phi_254_;
-    if (_e138 >= 2u) {
-        if (_e69.member_4 > 0u) {
-            let _e155 = atomicAdd((&shared_[8u]), 1u);
-            phi_266_ = array<u32, 2>(_e151[0], _e155);
+    let _e148 = phi_332_;
+    if (_e135 >= 2u) {
+        if (_e48.member_4 > 0u) {
+            let _e152 = atomicAdd((&shared_[8u]), 1u);
+            phi_344_ = array<u32, 2>(_e148[0], _e152);
         } else {
-            phi_266_ = _e151;
+            phi_344_ = _e148;
         }
-        let _e159 = phi_266_;
-        phi_267_ = _e159;
+        let _e156 = phi_344_;
+        phi_345_ = _e156;
     } else {
-        phi_267_ = _e151;
+        phi_345_ = _e148;
     }
-    let _e161 = phi_267_;
+    let _e158 = phi_345_;
     workgroupBarrier();
     if (_e32 == 0u) {
-        let _e164 = atomicLoad((&shared_[6u]));
-        let _e166 = atomicLoad((&shared_[7u]));
-        if (_e164 > 0u) {
-            let _e169 = atomicAdd((&control.member[0u]), _e164);
-            let _e172 = atomicMax((&nodes.member[0u]), (_e169 + _e164));
-            if ((_e169 + _e164) < _e169) {
-                let _e176 = atomicAdd((&nodes.member[2u]), 1u);
+        let _e161 = atomicLoad((&shared_[6u]));
+        let _e163 = atomicLoad((&shared_[7u]));
+        if (_e161 > 0u) {
+            let _e166 = atomicAdd((&control.member[0u]), _e161);
+            let _e169 = atomicMax((&nodes.member[0u]), (_e166 + _e161));
+            if ((_e166 + _e161) < _e166) {
+                let _e173 = atomicAdd((&nodes.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e169);
+            atomicStore((&shared_[11u]), _e166);
         }
-        if (_e166 > 0u) {
-            let _e180 = atomicAdd((&pairs.member[0u]), _e166);
-            if ((_e180 + _e166) < _e180) {
-                let _e184 = atomicAdd((&pairs.member[2u]), 1u);
+        if (_e163 > 0u) {
+            let _e177 = atomicAdd((&pairs.member[0u]), _e163);
+            if ((_e177 + _e163) < _e177) {
+                let _e181 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e180);
+            atomicStore((&shared_[12u]), _e177);
         }
-        let _e187 = atomicLoad((&shared_[8u]));
-        if (_e187 > 0u) {
-            let _e190 = atomicLoad((&shared_[8u]));
-            let _e192 = atomicAdd((&control.member[1537u]), _e190);
-            if ((_e192 + _e190) < _e192) {
-                let _e196 = atomicAdd((&control.member[1538u]), 1u);
+        let _e184 = atomicLoad((&shared_[8u]));
+        if (_e184 > 0u) {
+            let _e187 = atomicLoad((&shared_[8u]));
+            let _e189 = atomicAdd((&control.member[1537u]), _e187);
+            if ((_e189 + _e187) < _e189) {
+                let _e193 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[13u]), _e192);
+            atomicStore((&shared_[13u]), _e189);
         }
     }
     workgroupBarrier();
-    if (_e138 == 1u) {
-        let _e236 = atomicLoad((&shared_[11u]));
-        let _e238 = (_e236 + _e161[0]);
-        if (_e238 < _e69.member_3) {
-            if (_e238 < 4294967295u) {
-                let _e244 = (2u * _e238);
-                atomicStore((&nodes.member[(4u + _e244)]), _e66[0]);
-                atomicStore((&nodes.member[(_e244 + 5u)]), _e66[1]);
+    if (_e135 == 1u) {
+        let _e233 = atomicLoad((&shared_[11u]));
+        let _e235 = (_e233 + _e158[0]);
+        if (_e235 < _e48.member_3) {
+            if (_e235 < 4294967295u) {
+                let _e241 = (2u * _e235);
+                atomicStore((&nodes.member[(4u + _e241)]), _e66[0]);
+                atomicStore((&nodes.member[(_e241 + 5u)]), _e66[1]);
             }
         }
     } else {
-        if (_e138 == 0u) {
+        if (_e135 == 0u) {
         } else {
-            let _e202 = params.member.member_1.member_3;
-            if (_e138 == 2u) {
-                let _e208 = atomicLoad((&shared_[12u]));
-                let _e210 = (_e208 + _e161[0]);
-                if (_e210 < _e202) {
-                    let _e212 = (2u * _e210);
-                    atomicStore((&pairs.member[(4u + _e212)]), (_e66[0] & 134217727u));
-                    atomicStore((&pairs.member[(_e212 + 5u)]), _e66[1]);
+            if (_e135 == 2u) {
+                let _e202 = params.member.member_1;
+                let _e205 = atomicLoad((&shared_[12u]));
+                let _e207 = (_e205 + _e158[0]);
+                if (_e207 < _e202.member_3) {
+                    let _e209 = (2u * _e207);
+                    atomicStore((&pairs.member[(4u + _e209)]), (_e66[0] & 134217727u));
+                    atomicStore((&pairs.member[(_e209 + 5u)]), _e66[1]);
                 }
             }
-            if (_e69.member_4 > 0u) {
-                let _e220 = atomicLoad((&shared_[13u]));
-                let _e222 = (_e220 + _e161[1]);
-                if (_e222 < _e69.member_4) {
-                    let _e229 = (2u * ((_e69.member_5 * _e69.member_4) + _e222));
-                    front.member[_e229] = _e66[0];
-                    front.member[(_e229 + 1u)] = _e66[1];
+            if (_e48.member_4 > 0u) {
+                let _e217 = atomicLoad((&shared_[13u]));
+                let _e219 = (_e217 + _e158[1]);
+                if (_e219 < _e48.member_4) {
+                    let _e226 = (2u * ((_e48.member_5 * _e48.member_4) + _e219));
+                    front.member[_e226] = _e66[0];
+                    front.member[(_e226 + 1u)] = _e66[1];
                 }
             }
         }

@@ -83,14 +83,14 @@ struct type_22 {
 
 @group(0) @binding(0) 
 var<storage> params: type_19;
-@group(0) @binding(1) 
-var<storage> a_nodes: type_16;
-@group(0) @binding(2) 
-var<storage> b_nodes: type_16;
 @group(0) @binding(6) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_22;
+@group(0) @binding(1) 
+var<storage> a: type_16;
+@group(0) @binding(2) 
+var<storage> b: type_16;
 @group(0) @binding(3) 
 var<storage, read_write> control: type_22;
 @group(0) @binding(4) 
@@ -98,20 +98,20 @@ var<storage, read_write> nodes: type_22;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_130_: array<u32, 2>;
-    var phi_211_: array<u32, 2>;
-    var phi_245_: bool;
-    var phi_246_: bool;
-    var phi_250_: u32;
-    var phi_251_: u32;
-    var phi_253_: u32;
-    var phi_254_: u32;
-    var phi_271_: array<u32, 2>;
-    var phi_272_: array<u32, 2>;
-    var phi_284_: array<u32, 2>;
-    var phi_285_: array<u32, 2>;
-    var phi_424_: type_9;
-    var phi_429_: type_9;
+    var phi_202_: array<u32, 2>;
+    var phi_291_: array<u32, 2>;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_332_: u32;
+    var phi_333_: u32;
+    var phi_335_: u32;
+    var phi_336_: u32;
+    var phi_354_: array<u32, 2>;
+    var phi_355_: array<u32, 2>;
+    var phi_367_: array<u32, 2>;
+    var phi_368_: array<u32, 2>;
+    var phi_526_: type_9;
+    var phi_531_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -124,17 +124,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e35 = lane_2;
     let _e49 = ((((_e33.y * _e34.x) + _e33.x) * 128u) + _e35);
     let _e51 = params.member.member_2;
-    let _e54 = params.member.member_1.member;
-    if (_e49 < _e54) {
+    let _e53 = params.member.member_1;
+    if (_e49 < _e53.member) {
         let _e61 = (2u * (((1u - _e51.member_5) * _e51.member_4) + _e49));
         let _e63 = front.member[_e61];
         let _e66 = front.member[(_e61 + 1u)];
-        phi_130_ = array<u32, 2>(_e63, _e66);
+        phi_202_ = array<u32, 2>(_e63, _e66);
     } else {
-        phi_130_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_202_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e69 = phi_130_;
-    let _e71 = params.member.member_2;
+    let _e69 = phi_202_;
     if (_e35 == 0u) {
         atomicStore((&shared_[6u]), 0u);
         atomicStore((&shared_[7u]), 0u);
@@ -142,113 +141,113 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     workgroupBarrier();
     if (_e69[0] != 4294967295u) {
-        let _e80 = a_nodes.member[_e69[0]];
-        let _e83 = b_nodes.member[_e69[1]];
-        if ((((((_e80.member[0] <= _e83.member_2[0]) && (_e83.member[0] <= _e80.member_2[0])) && (_e80.member[1] <= _e83.member_2[1])) && (_e83.member[1] <= _e80.member_2[1])) && (_e80.member[2] <= _e83.member_2[2])) && (_e83.member[2] <= _e80.member_2[2])) {
-            let _e113 = params.member.member_2.member;
-            if (_e113 == 0u) {
-                phi_211_ = array<u32, 2>(0u, 2u);
+        let _e78 = a.member[_e69[0]];
+        let _e81 = b.member[_e69[1]];
+        if ((((((_e78.member[0] <= _e81.member_2[0]) && (_e81.member[0] <= _e78.member_2[0])) && (_e78.member[1] <= _e81.member_2[1])) && (_e81.member[1] <= _e78.member_2[1])) && (_e78.member[2] <= _e81.member_2[2])) && (_e81.member[2] <= _e78.member_2[2])) {
+            let _e111 = params.member.member_2.member;
+            if (_e111 == 0u) {
+                phi_291_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_211_ = array<u32, 2>(1u, 1u);
+                phi_291_ = array<u32, 2>(1u, 1u);
             }
-            let _e116 = phi_211_;
-            let _e122 = params.member.member.member[_e116[0]];
-            let _e127 = params.member.member.member[_e116[1]];
+            let _e114 = phi_291_;
+            let _e120 = params.member.member.member[_e114[0]];
+            let _e125 = params.member.member.member[_e114[1]];
             if (_e69[0] == 4294967295u) {
-                phi_251_ = 0u;
+                phi_333_ = 0u;
             } else {
-                if (_e69[0] >= (_e122 - 1u)) {
-                    if (_e69[1] >= (_e127 - 1u)) {
-                        phi_245_ = false;
+                if (_e69[0] >= (_e120 - 1u)) {
+                    if (_e69[1] >= (_e125 - 1u)) {
+                        phi_327_ = false;
                     } else {
-                        phi_245_ = true;
+                        phi_327_ = true;
                     }
-                    let _e136 = phi_245_;
-                    phi_246_ = _e136;
+                    let _e134 = phi_327_;
+                    phi_328_ = _e134;
                 } else {
-                    phi_246_ = true;
+                    phi_328_ = true;
                 }
-                let _e138 = phi_246_;
-                if _e138 {
-                    phi_250_ = 1u;
+                let _e136 = phi_328_;
+                if _e136 {
+                    phi_332_ = 1u;
                 } else {
-                    phi_250_ = 2u;
+                    phi_332_ = 2u;
                 }
-                let _e140 = phi_250_;
-                phi_251_ = _e140;
+                let _e138 = phi_332_;
+                phi_333_ = _e138;
             }
-            let _e142 = phi_251_;
-            phi_253_ = _e142;
+            let _e140 = phi_333_;
+            phi_335_ = _e140;
         } else {
-            phi_253_ = 3u;
+            phi_335_ = 3u;
         }
-        let _e144 = phi_253_;
-        phi_254_ = _e144;
+        let _e142 = phi_335_;
+        phi_336_ = _e142;
     } else {
-        phi_254_ = 0u;
+        phi_336_ = 0u;
     }
-    let _e146 = phi_254_;
-    if (_e146 == 1u) {
-        let _e156 = atomicAdd((&shared_[6u]), 1u);
-        phi_272_ = array<u32, 2>(_e156, 0u);
+    let _e144 = phi_336_;
+    if (_e144 == 1u) {
+        let _e154 = atomicAdd((&shared_[6u]), 1u);
+        phi_355_ = array<u32, 2>(_e154, 0u);
     } else {
-        if (_e146 == 2u) {
-            let _e151 = atomicAdd((&shared_[7u]), 1u);
-            phi_271_ = array<u32, 2>(_e151, 0u);
+        if (_e144 == 2u) {
+            let _e149 = atomicAdd((&shared_[7u]), 1u);
+            phi_354_ = array<u32, 2>(_e149, 0u);
         } else {
-            phi_271_ = array<u32, 2>(0u, 0u);
+            phi_354_ = array<u32, 2>(0u, 0u);
         }
-        let _e154 = phi_271_;
-        phi_272_ = _e154;
+        let _e152 = phi_354_;
+        phi_355_ = _e152;
     }
-    let _e159 = phi_272_;
-    if (_e146 >= 2u) {
-        if (_e71.member_4 > 0u) {
-            let _e163 = atomicAdd((&shared_[8u]), 1u);
-            phi_284_ = array<u32, 2>(_e159[0], _e163);
+    let _e157 = phi_355_;
+    if (_e144 >= 2u) {
+        if (_e51.member_4 > 0u) {
+            let _e161 = atomicAdd((&shared_[8u]), 1u);
+            phi_367_ = array<u32, 2>(_e157[0], _e161);
         } else {
-            phi_284_ = _e159;
+            phi_367_ = _e157;
         }
-        let _e167 = phi_284_;
-        phi_285_ = _e167;
+        let _e165 = phi_367_;
+        phi_368_ = _e165;
     } else {
-        phi_285_ = _e159;
+        phi_368_ = _e157;
     }
-    let _e169 = phi_285_;
+    let _e167 = phi_368_;
     workgroupBarrier();
     if (_e35 == 0u) {
-        let _e172 = atomicLoad((&shared_[6u]));
-        let _e174 = atomicLoad((&shared_[7u]));
+        let _e170 = atomicLoad((&shared_[6u]));
+        let _e172 = atomicLoad((&shared_[7u]));
+        if (_e170 > 0u) {
+            let _e175 = atomicAdd((&control.member[0u]), _e170);
+            let _e178 = atomicMax((&nodes.member[0u]), (_e175 + _e170));
+            if ((_e175 + _e170) < _e175) {
+                let _e182 = atomicAdd((&nodes.member[2u]), 1u);
+            }
+            atomicStore((&shared_[11u]), _e175);
+        }
         if (_e172 > 0u) {
-            let _e177 = atomicAdd((&control.member[0u]), _e172);
-            let _e180 = atomicMax((&nodes.member[0u]), (_e177 + _e172));
-            if ((_e177 + _e172) < _e177) {
-                let _e184 = atomicAdd((&nodes.member[2u]), 1u);
+            let _e186 = atomicAdd((&pairs.member[0u]), _e172);
+            if ((_e186 + _e172) < _e186) {
+                let _e190 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e177);
+            atomicStore((&shared_[12u]), _e186);
         }
-        if (_e174 > 0u) {
-            let _e188 = atomicAdd((&pairs.member[0u]), _e174);
-            if ((_e188 + _e174) < _e188) {
-                let _e192 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e193 = atomicLoad((&shared_[8u]));
+        if (_e193 > 0u) {
+            let _e196 = atomicLoad((&shared_[8u]));
+            let _e198 = atomicAdd((&control.member[1537u]), _e196);
+            if ((_e198 + _e196) < _e198) {
+                let _e202 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e188);
-        }
-        let _e195 = atomicLoad((&shared_[8u]));
-        if (_e195 > 0u) {
-            let _e198 = atomicLoad((&shared_[8u]));
-            let _e200 = atomicAdd((&control.member[1537u]), _e198);
-            if ((_e200 + _e198) < _e200) {
-                let _e204 = atomicAdd((&control.member[1538u]), 1u);
-            }
-            atomicStore((&shared_[13u]), _e200);
+            atomicStore((&shared_[13u]), _e198);
         }
     }
     workgroupBarrier();
-    if (_e146 == 1u) {
+    if (_e144 == 1u) {
         let _e261 = atomicLoad((&shared_[11u]));
-        let _e263 = (_e261 + _e169[0]);
-        if (_e263 < _e71.member_3) {
+        let _e263 = (_e261 + _e167[0]);
+        if (_e263 < _e51.member_3) {
             if (_e263 < 4294967295u) {
                 let _e269 = (2u * _e263);
                 atomicStore((&nodes.member[(4u + _e269)]), _e69[0]);
@@ -256,37 +255,38 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
     } else {
-        if (_e146 == 0u) {
+        if (_e144 == 0u) {
         } else {
-            let _e210 = params.member.member_1.member_3;
-            if (_e146 == 2u) {
-                let _e214 = a_nodes.member[_e69[0]];
-                let _e218 = b_nodes.member[_e69[1]];
-                if (_e71.member == 1u) {
-                    if (_e214.member_1 < _e218.member_1) {
-                        phi_424_ = type_9(_e214.member_1, _e218.member_1);
+            if (_e144 == 2u) {
+                let _e209 = a.member[_e69[0]];
+                let _e213 = b.member[_e69[1]];
+                let _e217 = params.member.member_2.member;
+                if (_e217 == 1u) {
+                    if (_e209.member_1 < _e213.member_1) {
+                        phi_526_ = type_9(_e209.member_1, _e213.member_1);
                     } else {
-                        phi_424_ = type_9(_e218.member_1, _e214.member_1);
+                        phi_526_ = type_9(_e213.member_1, _e209.member_1);
                     }
-                    let _e227 = phi_424_;
-                    phi_429_ = _e227;
+                    let _e224 = phi_526_;
+                    phi_531_ = _e224;
                 } else {
-                    phi_429_ = type_9(_e214.member_1, _e218.member_1);
+                    phi_531_ = type_9(_e209.member_1, _e213.member_1);
                 }
-                let _e229 = phi_429_;
+                let _e226 = phi_531_;
+                let _e230 = params.member.member_1;
                 let _e233 = atomicLoad((&shared_[12u]));
-                let _e235 = (_e233 + _e169[0]);
-                if (_e235 < _e210) {
+                let _e235 = (_e233 + _e167[0]);
+                if (_e235 < _e230.member_3) {
                     let _e237 = (2u * _e235);
-                    atomicStore((&pairs.member[(4u + _e237)]), _e229.member);
-                    atomicStore((&pairs.member[(_e237 + 5u)]), _e229.member_1);
+                    atomicStore((&pairs.member[(4u + _e237)]), _e226.member);
+                    atomicStore((&pairs.member[(_e237 + 5u)]), _e226.member_1);
                 }
             }
-            if (_e71.member_4 > 0u) {
+            if (_e51.member_4 > 0u) {
                 let _e245 = atomicLoad((&shared_[13u]));
-                let _e247 = (_e245 + _e169[1]);
-                if (_e247 < _e71.member_4) {
-                    let _e254 = (2u * ((_e71.member_5 * _e71.member_4) + _e247));
+                let _e247 = (_e245 + _e167[1]);
+                if (_e247 < _e51.member_4) {
+                    let _e254 = (2u * ((_e51.member_5 * _e51.member_4) + _e247));
                     front.member[_e254] = _e69[0];
                     front.member[(_e254 + 1u)] = _e69[1];
                 }

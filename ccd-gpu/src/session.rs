@@ -229,7 +229,7 @@ impl Engine {
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
-        report.front = self.frames.buffers.source.front();
+        report.front = self.frames.buffers.source.finder().front();
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             match given {

@@ -3,13 +3,12 @@
 use super::block_descent::{BlockDescent, Nodes};
 use super::block_levels::Levels;
 use super::pair_source::boxes_or;
-use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{Header, List};
+use crate::growable_list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;
@@ -57,7 +56,7 @@ pub struct Tree {
     /// If boxes are of several worlds.
     pub worlds: Option<Worlds>,
     /// The workers that descend, if a scheduler was chosen that has some.
-    descent: Option<BlockDescent>,
+    pub(super) descent: Option<BlockDescent>,
 }
 
 impl Tree {
@@ -157,33 +156,10 @@ impl Tree {
         Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
     }
 
-    /// What shares out pairs among workers, if there are some.
-    pub fn scheduled(&self) -> Option<&Scheduled> {
-        self.descent.as_ref().map(|descent| &descent.scheduled)
-    }
-
-    /// The same, to be told how a search came out.
-    pub fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        self.descent.as_mut().map(|descent| &mut descent.scheduled)
-    }
-
-    /// Lists whose headers must be zero before [`Tree::descend`].
-    pub fn lists(&self) -> Vec<&List> {
-        let of_workers = self.scheduled().map(Scheduled::lists).unwrap_or_default();
-        self.pairs.iter().flatten().chain(of_workers).collect()
-    }
-
-    /// The same, to be replaced by larger ones.
-    pub fn lists_mut(&mut self) -> Vec<&mut List> {
-        let Self { pairs, descent, .. } = self;
-        let of_workers = descent.as_mut().map(|descent| descent.scheduled.lists_mut());
-        pairs.iter_mut().flatten().chain(of_workers.unwrap_or_default()).collect()
-    }
-
-    /// What must be zero before [`Tree::descend`] besides those.
-    pub fn clear(&self, recorder: &mut Recorder) {
-        if let Some(scheduled) = self.scheduled() {
-            scheduled.clear(recorder);
+    /// What must be zero before [`Tree::descend`] besides the headers of lists.
+    pub fn clear_descent(&self, recorder: &mut Recorder) {
+        if let Some(descent) = &self.descent {
+            descent.scheduled.clear(recorder);
         }
     }
 
@@ -293,14 +269,6 @@ impl Tree {
     /// Pairs of nodes of level 1.
     pub fn block_pairs(&self, kind: usize) -> &List {
         self.pairs[kind].first().unwrap_or(&self.start[kind])
-    }
-
-    /// Pairs of nodes of level 1, as far as a descent finds them, from the headers of
-    /// [`Tree::lists`].
-    pub fn work(&self, headers: &[Header]) -> u64 {
-        let firsts = [(0, &self.pairs[0]), (self.pairs[0].len(), &self.pairs[1])];
-        let used = firsts.into_iter().filter(|(_, lists)| !lists.is_empty());
-        used.filter_map(|(first, _)| headers.get(first)).map(|header| header.wanted as u64).sum()
     }
 
     /// Calls `run` with the parameters of each dispatch over the pairs of `input`.

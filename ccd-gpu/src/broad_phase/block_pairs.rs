@@ -3,108 +3,67 @@
 use super::block_bvh::{Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
-use super::worker_counts::Counted;
 use crate::bind::ListCandidates;
-use crate::device::Device;
-use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::layout::Frame;
-use ccd_core::model::report::FrontCounts;
-use ccd_core::model::scheduling::Scheduling;
-use std::ops::Range;
-use wgpu::BufferUsages as U;
 
-/// Lists the pairs that block trees find.
-pub struct BlockSource {
-    tree: Tree,
-    none: wgpu::Buffer,
-}
-
-impl BlockSource {
-    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
-        let none = device.buffer("nothing", 0, U::STORAGE)?;
-        Ok(Self { tree: Tree::new(device, scheduling, count)?, none })
-    }
-
-    fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, output: &List) {
-        let Self { tree, none } = self;
-        let input = tree.block_pairs(kind as usize);
-        let kernel = ListCandidates {
-            nodes: &tree.nodes,
-            leaves: &tree.leaves,
-            bodies: none,
-            keys: none,
-            input: input.buffer(),
-            output: output.buffer(),
-        };
-        tree.each_part(frame, Pass { kind, level: 1, step: 1 }, input, output, |p| {
-            recorder.dispatch(&kernel, p, tree.groups.min(input.capacity()));
-        });
-    }
-}
-
-impl PairSource for BlockSource {
+impl PairSource for Tree {
     fn boxes(&self) -> &wgpu::Buffer {
-        &self.tree.boxes
+        &self.boxes
     }
 
     fn clear(&self, recorder: &mut Recorder) {
-        self.tree.clear_bounds(recorder);
-        self.tree.clear(recorder);
+        self.clear_bounds(recorder);
+        self.clear_descent(recorder);
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        let Self { tree, none } = self;
-        // Boxes alone: no topology, no bodies.
-        let frame = &Frame { flags: 0, ..*search.frame };
+        // Boxes alone: no topology, no bodies, so that any buffer does for them.
+        let (frame, none) = (&Frame { flags: 0, ..*search.frame }, self.bounds());
         if !search.keeps_order {
             recorder.stage("codes");
-            tree.sort(recorder, frame, search.n_bounding);
+            self.sort(recorder, frame, search.n_bounding);
         }
         recorder.stage("build");
-        tree.fit(recorder, frame, none, none);
+        self.fit(recorder, frame, none, none);
         recorder.stage("block pairs");
-        tree.descend(recorder, frame, search.kinds, search.keeps_order);
+        self.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");
         for &kind in search.kinds {
-            self.list(recorder, frame, kind, search.pairs[kind as usize]);
+            let (pairs, list) = (self.block_pairs(kind as usize), search.pairs[kind as usize]);
+            let (nodes, leaves) = (&self.nodes, &self.leaves);
+            let (input, output) = (pairs.buffer(), list.buffer());
+            let kernel = ListCandidates { nodes, leaves, bodies: none, keys: none, input, output };
+            self.each_part(frame, Pass { kind, level: 1, step: 1 }, pairs, list, |p| {
+                recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
+            });
         }
     }
 
     fn work(&self, headers: &[Header]) -> Option<u64> {
-        Some(self.tree.work(headers))
+        let firsts = [(0, &self.pairs[0]), (self.pairs[0].len(), &self.pairs[1])];
+        let used = firsts.into_iter().filter(|(_, lists)| !lists.is_empty());
+        let found = used.filter_map(|(first, _)| headers.get(first));
+        Some(found.map(|header| header.wanted as u64).sum())
     }
 
     fn lists(&self) -> Vec<&List> {
-        self.tree.lists()
+        let of_workers = self.scheduled().map(Scheduled::lists).unwrap_or_default();
+        self.pairs.iter().flatten().chain(of_workers).collect()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
-        self.tree.lists_mut()
+        let Self { pairs, descent, .. } = self;
+        let of_workers = descent.as_mut().map(|descent| descent.scheduled.lists_mut());
+        pairs.iter_mut().flatten().chain(of_workers.unwrap_or_default()).collect()
     }
 
-    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.tree.scheduled().map(Scheduled::counters).unwrap_or_default()
+    fn scheduled(&self) -> Option<&Scheduled> {
+        self.descent.as_ref().map(|descent| &descent.scheduled)
     }
 
-    fn settle(
-        &mut self,
-        device: &Device,
-        counted: &[Vec<u32>],
-        complete: bool,
-    ) -> Result<bool, Error> {
-        match self.tree.scheduled_mut() {
-            Some(scheduled) => scheduled.settle(device, counted, complete),
-            None => Ok(false),
-        }
-    }
-
-    fn front(&self) -> Option<FrontCounts> {
-        self.tree.scheduled().and_then(Scheduled::front)
-    }
-
-    fn worker_counts(&self) -> Vec<Counted<'_>> {
-        self.tree.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
+    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        self.descent.as_mut().map(|descent| &mut descent.scheduled)
     }
 }

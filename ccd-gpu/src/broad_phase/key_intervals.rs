@@ -19,6 +19,7 @@ use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::broad_phase::uniform_grid::TESTS_A_BOX;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Dispatch, Frame, Intervals, Params, Plain};
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Pieces of work that one dispatch takes at most, 2^17 tests each: some milliseconds of a small
@@ -193,14 +194,13 @@ impl PairSource for IntervalSource {
         }
     }
 
-    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
-        (self.method == UNIFORM_GRID).then_some((&self.survey, SURVEY_WORDS as u64))
+    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
+        let surveys = (self.method == UNIFORM_GRID).then_some(&self.survey);
+        surveys.into_iter().map(|survey| (survey, 0..4 * SURVEY_WORDS as u64)).collect()
     }
 
-    fn check(&self, frame: &Frame, words: &[u32]) -> Result<(), Error> {
-        if self.method != UNIFORM_GRID {
-            return Ok(());
-        }
+    fn check(&self, frame: &Frame, counted: &[Vec<u32>]) -> Result<(), Error> {
+        let [words] = counted else { return Ok(()) };
         let of_set = |set: usize| {
             let first = FULLNESS + SET_WORDS * set;
             let wide = |at: usize| (words[at + 1] as u64) << 32 | words[at] as u64;

@@ -1,6 +1,6 @@
 //! The chosen method: the one place where a choice becomes code.
 
-use super::block_pairs::BlockSource;
+use super::block_bvh::Tree;
 use super::key_intervals::IntervalSource;
 use super::pair_source::PairSource;
 use super::scheduler::is_by_levels;
@@ -69,7 +69,7 @@ pub fn source(
         BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
-        BroadPhaseMethod::Blocks => Box::new(BlockSource::new(device, scheduling, count)?),
+        BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count)?),
         BroadPhaseMethod::Tree(options) => {
             Box::new(TreeSource::new(device, options, scheduling, count)?)
         }

@@ -30,7 +30,8 @@ use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::scheduling::Scheduling;
 use method::source;
-use pair_source::{PairSource, Search, frame_of, kinds_of};
+use pair_source::{PairSource, Search, frame_of};
+use scheduled::kinds_of;
 use worker_counts::WorkerCounts;
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
@@ -227,10 +228,9 @@ impl BroadPhase {
             let counters = source.counters();
             let of_counters: Vec<_> =
                 counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
-            let of_survey = plan.part(source.survey().map_or(0, |(_, words)| 4 * words));
             let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
-                let (lists, survey) = (source.lists(), source.survey());
+                let lists = source.lists();
                 for list in lists.iter().chain([&&*pairs]) {
                     recorder.clear(list.buffer(), HEADER_BYTES);
                 }
@@ -247,19 +247,15 @@ impl BroadPhase {
                 for (part, (counters, of)) in of_counters.iter().zip(&counters) {
                     recorder.read(&reading, *part, counters, of.start);
                 }
-                if let Some((words, _)) = survey {
-                    recorder.read(&reading, of_survey, words, 0);
-                }
             })?;
-            let (of_source, found, survey, counted) = reading.with(device, |bytes| {
+            let (of_source, found, counted) = reading.with(device, |bytes| {
                 let headers = of_source.iter().map(|part| read_header(part.of(bytes)));
                 let headers = headers.collect::<Result<Vec<Header>, Error>>()?;
-                let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
                 let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
                 let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
-                Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, survey, counted))
+                Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, counted))
             })??;
-            source.check(&frame, &survey)?;
+            source.check(&frame, &counted)?;
             self.stages = bench.times(&stages)?;
             let lists = source.lists_mut().into_iter().zip(of_source);
             let lists = lists.chain([(&mut *pairs, found)]);

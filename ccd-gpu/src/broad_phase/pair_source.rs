@@ -4,6 +4,7 @@
 //! that list pairs of their ids. What takes the pairs (the caller of a broad phase, or the filters
 //! of a step) serves every source, and a new one is a file and an arm in `method.rs`.
 
+use super::scheduled::Scheduled;
 use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
@@ -73,20 +74,26 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// Words that kernels leave for [`PairSource::check`], and how many.
-    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
+    /// What shares out pairs of nodes among workers, and keeps fronts; `None` without such.
+    fn scheduled(&self) -> Option<&Scheduled> {
         None
     }
 
-    /// Refuses boxes for which the method is not made, by the words of [`PairSource::survey`]; then
-    /// the lists hold nothing.
-    fn check(&self, _frame: &Frame, _words: &[u32]) -> Result<(), Error> {
-        Ok(())
+    /// The same, to be told how a search came out.
+    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        None
     }
 
-    /// Bytes of buffers that [`PairSource::settle`] wants to see when a search is over.
+    /// Bytes of buffers that are read when a search is over, for [`PairSource::check`] and
+    /// [`PairSource::settle`].
     fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        Vec::new()
+        self.scheduled().map(Scheduled::counters).unwrap_or_default()
+    }
+
+    /// Refuses boxes for which the method is not made, by the words of [`PairSource::counters`];
+    /// then the lists hold nothing.
+    fn check(&self, _frame: &Frame, _counted: &[Vec<u32>]) -> Result<(), Error> {
+        Ok(())
     }
 
     /// A search is over, and its results were read: `counted` are the words of
@@ -96,21 +103,24 @@ pub trait PairSource: Send + Sync {
     /// A search that is recorded without this call is not one after which order is kept.
     fn settle(
         &mut self,
-        _: &Device,
-        _counted: &[Vec<u32>],
-        _complete: bool,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
     ) -> Result<bool, Error> {
-        Ok(false)
+        match self.scheduled_mut() {
+            Some(scheduled) => scheduled.settle(device, counted, complete),
+            None => Ok(false),
+        }
     }
 
     /// What fronts the last search left; `None` without any.
     fn front(&self) -> Option<FrontCounts> {
-        None
+        self.scheduled().and_then(Scheduled::front)
     }
 
     /// Where workers count what they do, by kind of pairs.
     fn worker_counts(&self) -> Vec<Counted<'_>> {
-        Vec::new()
+        self.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
     }
 }
 
@@ -134,10 +144,4 @@ pub fn boxes_or(
     let n: u64 = count.iter().map(|&c| c as u64).sum();
     let bytes = n * size_of::<Aabb>() as u64;
     device.buffer_or(old, "boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
-}
-
-/// The kinds of pairs that there can be between sets of so many boxes.
-pub fn kinds_of(count: [u32; 3]) -> impl Iterator<Item = u32> {
-    let some = [count[0] > 0 && count[2] > 0, count[1] > 1];
-    (0..2).filter(move |&kind| some[kind as usize])
 }

@@ -3,7 +3,6 @@
 
 use super::descended::{Descended, Written};
 use super::front::{COUNTERS, Front};
-use super::pair_source::kinds_of;
 use super::scheduler::{self, Schedule};
 use super::worker_counts::Counted;
 use crate::device::Device;
@@ -129,4 +128,10 @@ impl Scheduled {
     pub fn worker_counts(&self) -> Vec<Counted<'_>> {
         self.of_kind.iter().flatten().filter_map(|of| of.schedule.counts()).collect()
     }
+}
+
+/// The kinds of pairs that there can be between sets of so many boxes.
+pub fn kinds_of(count: [u32; 3]) -> impl Iterator<Item = u32> {
+    let some = [count[0] > 0 && count[2] > 0, count[1] > 1];
+    (0..2).filter(move |&kind| some[kind as usize])
 }

@@ -10,9 +10,8 @@ use super::block_bvh::Tree;
 use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
-use super::pair_source::{PAIRS, PairSource, Search, kinds_of};
-use super::scheduled::Scheduled;
-use super::worker_counts::Counted;
+use super::pair_source::{PAIRS, PairSource, Search};
+use super::scheduled::{Scheduled, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -21,10 +20,7 @@ use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::layout::EDGE_EDGE;
 use ccd_core::backend::layout::{Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
-use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
-use std::ops::Range;
-use wgpu::BufferUsages as U;
 
 /// Binary trees over those sets that a traversal descends.
 pub struct TreeSource {
@@ -33,7 +29,6 @@ pub struct TreeSource {
     traversal: Traversal,
     descent: Option<PairDescent>,
     oriented: Option<OrientedBoxes>,
-    none: wgpu::Buffer,
 }
 
 impl TreeSource {
@@ -65,18 +60,7 @@ impl TreeSource {
             Volume::Obb => Some(OrientedBoxes::new(device, count, has_tree)?),
             _ => None,
         };
-        Ok(Self {
-            blocks: Tree::sorted_only(device, count)?,
-            trees,
-            traversal,
-            descent,
-            oriented,
-            none: device.buffer("nothing", 0, U::STORAGE)?,
-        })
-    }
-
-    fn scheduled(&self) -> Option<&Scheduled> {
-        self.descent.as_ref().map(|descent| &descent.scheduled)
+        Ok(Self { blocks: Tree::sorted_only(device, count)?, trees, traversal, descent, oriented })
     }
 
     fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, search: &Search) {
@@ -126,7 +110,9 @@ impl PairSource for TreeSource {
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        let Self { blocks, trees, none, .. } = self;
+        let Self { blocks, trees, .. } = self;
+        // Boxes alone: no topology, so that any buffer does for edges and faces.
+        let none = blocks.bounds();
         let frame = &Frame { flags: 0, ..*search.frame };
         if !search.keeps_order {
             recorder.stage("codes");
@@ -164,27 +150,11 @@ impl PairSource for TreeSource {
         trees.iter_mut().flatten().filter_map(BinaryTree::list_mut).chain(of_descent).collect()
     }
 
-    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        self.scheduled().map(Scheduled::counters).unwrap_or_default()
+    fn scheduled(&self) -> Option<&Scheduled> {
+        self.descent.as_ref().map(|descent| &descent.scheduled)
     }
 
-    fn settle(
-        &mut self,
-        device: &Device,
-        counted: &[Vec<u32>],
-        complete: bool,
-    ) -> Result<bool, Error> {
-        match &mut self.descent {
-            Some(descent) => descent.scheduled.settle(device, counted, complete),
-            None => Ok(false),
-        }
-    }
-
-    fn front(&self) -> Option<FrontCounts> {
-        self.scheduled().and_then(Scheduled::front)
-    }
-
-    fn worker_counts(&self) -> Vec<Counted<'_>> {
-        self.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
+    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        self.descent.as_mut().map(|descent| &mut descent.scheduled)
     }
 }

@@ -23,7 +23,7 @@ impl Buffers {
                 });
             }
             Source::Listed(listed) => {
-                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
+                let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
                 let elements = self.elements(kind);
                 let kernel = ListListed { boxes, elements, bodies, keys, input, output };
                 listed.each_part(frame, kind, list, |p, groups| {
@@ -63,7 +63,7 @@ impl Buffers {
                 });
             }
             Source::Listed(listed) => {
-                let (boxes, input) = (listed.source().boxes(), listed.pairs[kind].buffer());
+                let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
                 let elements = self.elements(kind);
                 let kernel = FilterListed { boxes, elements, bodies, keys, paths, input, output };
                 listed.each_part(frame, kind, list, |p, groups| {

@@ -103,7 +103,7 @@ impl Frames {
         self.geometry.listed = false;
         self.refresh(device, mesh)?;
         let Buffers { positions, source, .. } = &mut self.buffers;
-        if positions.upload(device, given, distance, source.boxes())? {
+        if positions.upload(device, given, distance, source.finder().boxes())? {
             self.bench.forget();
         }
         if let Some(triangles) = source.triangles_mut() {
@@ -167,7 +167,7 @@ impl Frames {
     /// What each worker did in the last frame; see `BroadPhase::worker_counts`.
     pub fn worker_counts(&mut self, device: &Device) -> Result<Vec<WorkerCounts>, Error> {
         let Self { buffers, bench, readback, .. } = self;
-        worker_counts::read(device, bench, readback, &buffers.source.worker_counts())
+        worker_counts::read(device, bench, readback, &buffers.source.finder().worker_counts())
     }
 
     /// Reads the candidates of a frame: pairs of vertices and faces, pairs of edges.
@@ -237,8 +237,7 @@ impl Frames {
         let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
         let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
-        let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
-        let counters = buffers.source.counters();
+        let counters = buffers.source.finder().counters();
         let of_counters: Vec<_> =
             counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
@@ -255,9 +254,6 @@ impl Frames {
             for (part, (counters, of)) in of_counters.iter().zip(&counters) {
                 recorder.read(&reading, *part, counters, of.start);
             }
-            if let Some((words, _)) = buffers.source.survey() {
-                recorder.read(&reading, of_survey, words, 0);
-            }
             if let Some(triangles) = buffers.source.triangles() {
                 recorder.read(&reading, of_counts, triangles.counts(), 0);
             }
@@ -270,7 +266,7 @@ impl Frames {
         })?;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
-        let (headers, survey, counted) = reading.with(device, |bytes| {
+        let (headers, counted) = reading.with(device, |bytes| {
             if goal.is_earliest() {
                 let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
                 found.earliest = vf.min(ee);
@@ -285,21 +281,20 @@ impl Frames {
             })?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
-            let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(of_counts.of(bytes)));
             let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
             let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
-            Ok::<_, Error>((headers, survey, counted))
+            Ok::<_, Error>((headers, counted))
         })??;
-        buffers.source.check(&frame, &survey)?;
+        buffers.source.finder().check(&frame, &counted)?;
         self.stages = bench.times(&stages)?;
         let lists = buffers.lists_mut().zip(headers.each_ref()).into_vec();
         let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
         let grown = List::grow_all(device, lists);
         let complete = matches!(grown, Ok(false));
         // Also where a list cannot grow: the source learns that the search was not complete.
-        let settled = buffers.source.settle(device, &counted, complete);
+        let settled = buffers.source.finder_mut().settle(device, &counted, complete);
         if !complete || !matches!(settled, Ok(false)) {
             bench.forget();
         }
@@ -311,7 +306,7 @@ impl Frames {
         if grown {
             return Ok(None);
         }
-        let of_lists = buffers.source.work(&headers.source);
+        let of_lists = buffers.source.finder().work(&headers.source);
         order.took(
             kept,
             if goal == Goal::Earliest { of_lists.and(Some(sampled_of)) } else { of_lists },

@@ -109,7 +109,7 @@ impl Buffers {
     ) {
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
-        let (edges, faces, boxes) = (&self.edges, &self.faces, self.source.boxes());
+        let (edges, faces, boxes) = (&self.edges, &self.faces, self.source.finder().boxes());
         match of_vertices {
             Boxes::OfPaths => recorder.each(&SweepVertices { paths, boxes }, &p, v),
             Boxes::OfPositions => {

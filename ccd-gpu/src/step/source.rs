@@ -5,12 +5,10 @@ use super::triangle_pairs::TrianglePairs;
 use crate::broad_phase::block_bvh::Tree;
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
-use crate::broad_phase::scheduled::Scheduled;
-use crate::broad_phase::worker_counts::Counted;
 use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{Header, List};
+use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
@@ -19,8 +17,6 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
-use ccd_core::model::report::FrontCounts;
-use std::ops::Range;
 
 /// The source of a session.
 pub enum Source {
@@ -113,11 +109,21 @@ impl Source {
         Ok(())
     }
 
-    /// The boxes of all sets.
-    pub fn boxes(&self) -> &wgpu::Buffer {
+    /// What finds overlapping boxes.
+    pub fn finder(&self) -> &dyn PairSource {
         match self {
-            Self::Blocks(tree) => &tree.boxes,
-            Self::Listed(listed) => listed.source().boxes(),
+            Self::Blocks(tree) => &**tree,
+            Self::Listed(Listed { finder: Finder::Features(source), .. }) => &**source,
+            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => &**source,
+        }
+    }
+
+    /// The same, to be told how a search came out.
+    pub fn finder_mut(&mut self) -> &mut dyn PairSource {
+        match self {
+            Self::Blocks(tree) => &mut **tree,
+            Self::Listed(Listed { finder: Finder::Features(source), .. }) => &mut **source,
+            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => &mut **source,
         }
     }
 
@@ -144,93 +150,28 @@ impl Source {
 
     /// All lists.
     pub fn lists(&self) -> Vec<&List> {
-        match self {
-            Self::Blocks(tree) => tree.lists(),
-            Self::Listed(listed) => {
-                listed.source().lists().into_iter().chain(&listed.pairs).collect()
-            }
-        }
+        let pairs = match self {
+            Self::Blocks(_) => &[][..],
+            Self::Listed(listed) => &listed.pairs,
+        };
+        self.finder().lists().into_iter().chain(pairs).collect()
     }
 
     /// The same, to be replaced by larger ones.
     pub fn lists_mut(&mut self) -> Vec<&mut List> {
-        match self {
-            Self::Blocks(tree) => tree.lists_mut(),
-            Self::Listed(listed) => {
-                let Listed { finder, pairs, .. } = listed;
-                let lists = match finder {
-                    Finder::Features(source) => source.lists_mut(),
-                    Finder::Triangles(source) => source.lists_mut(),
-                };
-                lists.into_iter().chain(pairs).collect()
+        let (lists, pairs) = match self {
+            Self::Blocks(tree) => (tree.lists_mut(), &mut [][..]),
+            Self::Listed(Listed { finder: Finder::Features(source), pairs, .. }) => {
+                (source.lists_mut(), &mut pairs[..])
             }
-        }
-    }
-
-    /// What fronts the last search left; `None` without any.
-    pub fn front(&self) -> Option<FrontCounts> {
-        match self {
-            Self::Blocks(tree) => tree.scheduled().and_then(Scheduled::front),
-            Self::Listed(listed) => listed.source().front(),
-        }
-    }
-
-    /// Where workers count what they do, by kind of pairs.
-    pub fn worker_counts(&self) -> Vec<Counted<'_>> {
-        match self {
-            Self::Blocks(tree) => {
-                tree.scheduled().map(Scheduled::worker_counts).unwrap_or_default()
+            Self::Listed(Listed { finder: Finder::Triangles(source), pairs, .. }) => {
+                (source.lists_mut(), &mut pairs[..])
             }
-            Self::Listed(listed) => listed.source().worker_counts(),
-        }
+        };
+        lists.into_iter().chain(pairs).collect()
     }
 
-    /// Bytes of buffers that [`Source::settle`] wants to see.
-    pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        match self {
-            Self::Blocks(tree) => tree.scheduled().map(Scheduled::counters).unwrap_or_default(),
-            Self::Listed(listed) => listed.source().counters(),
-        }
-    }
-
-    /// The results of a search were read; see [`PairSource::settle`].
-    pub fn settle(
-        &mut self,
-        device: &Device,
-        counted: &[Vec<u32>],
-        complete: bool,
-    ) -> Result<bool, Error> {
-        match self {
-            Self::Blocks(tree) => match tree.scheduled_mut() {
-                Some(scheduled) => scheduled.settle(device, counted, complete),
-                None => Ok(false),
-            },
-            Self::Listed(Listed { finder: Finder::Features(source), .. }) => {
-                source.settle(device, counted, complete)
-            }
-            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => {
-                source.settle(device, counted, complete)
-            }
-        }
-    }
-
-    /// Words by which [`Source::check`] refuses boxes, and how many.
-    pub fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
-        match self {
-            Self::Blocks(_) => None,
-            Self::Listed(listed) => listed.source().survey(),
-        }
-    }
-
-    /// Refuses boxes for which the method is not made.
-    pub fn check(&self, frame: &Frame, words: &[u32]) -> Result<(), Error> {
-        match self {
-            Self::Blocks(_) => Ok(()),
-            Self::Listed(listed) => listed.source().check(frame, words),
-        }
-    }
-
-    /// The lists whose headers [`Source::work`] adds up, where a sample is taken from them.
+    /// The lists whose headers [`PairSource::work`] adds up, where a sample is taken from them.
     pub fn sampled(&self) -> Vec<&List> {
         match self {
             Self::Blocks(tree) => tree.pairs.iter().filter_map(|lists| lists.first()).collect(),
@@ -238,24 +179,16 @@ impl Source {
         }
     }
 
-    /// As [`PairSource::work`].
-    pub fn work(&self, headers: &[Header]) -> Option<u64> {
-        match self {
-            Self::Blocks(tree) => Some(tree.work(headers)),
-            Self::Listed(listed) => listed.source().work(headers),
-        }
-    }
-
     /// What must be zero besides the headers of lists.
     pub fn clear(&self, recorder: &mut Recorder, keeps_order: bool) {
         match self {
             Self::Blocks(tree) => {
-                tree.clear(recorder);
+                tree.clear_descent(recorder);
                 if !keeps_order {
                     tree.clear_bounds(recorder);
                 }
             }
-            Self::Listed(listed) => listed.source().clear(recorder),
+            Self::Listed(_) => self.finder().clear(recorder),
         }
     }
 
@@ -297,20 +230,13 @@ impl Source {
                     pairs: pairs.each_ref(),
                     keeps_order,
                 };
-                listed.source().find(recorder, &search);
+                self.finder().find(recorder, &search);
             }
         }
     }
 }
 
 impl Listed {
-    pub(super) fn source(&self) -> &dyn PairSource {
-        match &self.finder {
-            Finder::Features(source) => &**source,
-            Finder::Triangles(source) => &**source,
-        }
-    }
-
     /// Calls `run` with the parameters of each dispatch over listed pairs, and its workgroups.
     pub(super) fn each_part(
         &self,

@@ -8,8 +8,8 @@
 use crate::bind;
 use crate::broad_phase::block_bvh::DISPATCH_LIMIT;
 use crate::broad_phase::method;
-use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of, kinds_of};
-use crate::broad_phase::worker_counts::Counted;
+use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of};
+use crate::broad_phase::scheduled::{Scheduled, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{Header, List};
@@ -27,7 +27,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
-use ccd_core::model::report::{FrontCounts, TriangleCounts};
+use ccd_core::model::report::TriangleCounts;
 use std::ops::Range;
 use std::thread;
 use wgpu::BufferUsages as U;
@@ -286,25 +286,12 @@ impl PairSource for TrianglePairs {
         self.source.counters()
     }
 
-    fn settle(
-        &mut self,
-        device: &Device,
-        counted: &[Vec<u32>],
-        complete: bool,
-    ) -> Result<bool, Error> {
-        self.source.settle(device, counted, complete)
+    fn scheduled(&self) -> Option<&Scheduled> {
+        self.source.scheduled()
     }
 
-    fn front(&self) -> Option<FrontCounts> {
-        self.source.front()
-    }
-
-    fn worker_counts(&self) -> Vec<Counted<'_>> {
-        self.source.worker_counts()
-    }
-
-    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
-        self.source.survey()
+    fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
+        self.source.scheduled_mut()
     }
 
     fn work(&self, headers: &[Header]) -> Option<u64> {
@@ -312,7 +299,7 @@ impl PairSource for TrianglePairs {
     }
 
     /// The frame is that of features.
-    fn check(&self, _frame: &Frame, words: &[u32]) -> Result<(), Error> {
-        self.source.check(&self.frame, words)
+    fn check(&self, _frame: &Frame, counted: &[Vec<u32>]) -> Result<(), Error> {
+        self.source.check(&self.frame, counted)
     }
 }

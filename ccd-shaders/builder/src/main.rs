@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Passes that make modules small without moving code, which translators to structured languages
 /// could not follow. They leave alone what is decorated with `NoContraction`.
-const PASSES: [Passes; 15] = [
+const PASSES: [Passes; 16] = [
     Passes::EliminateDeadFunctions,
     Passes::DeadBranchElim,
     Passes::PrivateToLocal,
@@ -67,6 +67,7 @@ const PASSES: [Passes; 15] = [
     Passes::DeadInsertElim,
     Passes::DeadBranchElim,
     Passes::Simplification,
+    Passes::DeadInsertElim,
     Passes::AggressiveDCE,
 ];
 

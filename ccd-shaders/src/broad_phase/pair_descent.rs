@@ -2,7 +2,7 @@
 //! of two cuts on, every pair is expanded by one thread into at most four, and those of leaves are
 //! found; see `ccd_core::backend::broad_phase::pair_descent`.
 
-use super::volume::{Boxes, Oriented, Volume, internal};
+use super::volume::{BinaryTrees, Boxes, INNER, LEAF, Oriented, Volume, fate};
 use crate::entry::{Thread, kernel};
 use crate::records::ObbWords;
 use crate::workgroup::{add, add_shared, barrier, count, get, raise, read_pair, set, write_pair};
@@ -11,9 +11,8 @@ use ccd_core::backend::broad_phase::pair_workers::FRONT;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Branch, LIST_HEADER, Node, NodeDescent, Pair, Params};
-use ccd_core::model::method::{Descent, Traversal};
+use ccd_core::backend::layout::{Branch, EDGE_EDGE, LIST_HEADER, Node, NodeDescent, Pair, Params};
+use ccd_core::model::method::Traversal;
 
 const THREADS: u32 = Id::ExpandPairs.threads();
 const CUTTERS: u32 = Id::CutNodes.threads();
@@ -94,8 +93,8 @@ kernel! {
     /// front that is written, if one is kept.
     cut_pairs[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
         mut control: [u32], mut output: [u32], mut front: [u32]) {
-        let pair = of_cuts(&params.args, t.i, cuts);
-        begin::<Boxes>(params, pair, a_nodes, b_nodes, a_nodes, control, output, front);
+        let trees = BinaryTrees { params, a: a_nodes, b: b_nodes, volume: Boxes };
+        begin(trees, of_cuts(&params.args, t.i, cuts), control, output, front);
     }
 }
 
@@ -103,32 +102,34 @@ kernel! {
     /// As `cut_pairs`, of trees of oriented boxes.
     cut_pairs_oriented[256](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], cuts: [u32],
         oriented: [ObbWords], mut control: [u32], mut output: [u32], mut front: [u32]) {
-        let pair = of_cuts(&params.args, t.i, cuts);
-        begin::<Oriented>(params, pair, a_nodes, b_nodes, oriented, control, output, front);
+        let trees = BinaryTrees { params, a: a_nodes, b: b_nodes, volume: Oriented(oriented) };
+        begin(trees, of_cuts(&params.args, t.i, cuts), control, output, front);
     }
 }
 
-/// A thread looks at its pair of two cuts.
+/// Makes the pair of two cuts a task of round 0 if it meets; another ends there, and belongs to the
+/// front.
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn begin<V: Volume>(
-    params: &Params<NodeDescent>,
+    trees: BinaryTrees<V>,
     pair: NodePair,
-    a_nodes: &[Node],
-    b_nodes: &[Node],
-    more: &[V::More<Node>],
     control: &mut [u32],
     output: &mut [u32],
     front: &mut [u32],
 ) {
+    let args = &trees.params.args;
     if pair[0] != NONE {
-        let (x, y) = (at(a_nodes, pair[0] as usize), at(b_nodes, pair[1] as usize));
-        let same = params.args.kind == EDGE_EDGE && pair[0] == pair[1];
+        let (x, y) = trees.nodes(pair);
+        let same = trees.within() && pair[0] == pair[1];
         // A leaf makes no pair with itself.
         if !same || !x.is_leaf() {
-            let meets =
-                x.aabb().overlaps(&y.aabb()) && V::meets(params, pair, a_nodes, b_nodes, more);
-            place(params, pair, meets, control, output, front);
+            if x.aabb().overlaps(&y.aabb()) && V::meets(trees, pair) {
+                let to = reserve(control, 0, output, 1);
+                write_pair(output, args.capacity_nodes, to, Pair { a: pair[0], b: pair[1] });
+            } else if args.capacity_front > 0 {
+                let to = count_front(control, 1);
+                write_front(args, front, to, pair);
+            }
         }
     }
 }
@@ -143,25 +144,6 @@ fn of_cuts(args: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
         pair = [at(cuts, a + LIST_HEADER + i as usize), at(cuts, b + LIST_HEADER + j as usize)];
     }
     pair
-}
-
-/// A pair that meets is a task of round 0; another ends there, and belongs to the front.
-#[inline(always)]
-fn place(
-    params: &Params<NodeDescent>,
-    pair: NodePair,
-    meets: bool,
-    control: &mut [u32],
-    output: &mut [u32],
-    front: &mut [u32],
-) {
-    if meets {
-        let to = reserve(control, 0, output, 1);
-        write_pair(output, params.args.capacity_nodes, to, Pair { a: pair[0], b: pair[1] });
-    } else if params.args.capacity_front > 0 {
-        let to = count_front(control, 1);
-        write_front(&params.args, front, to, pair);
-    }
 }
 
 /// Counts pairs of the front that is written; returns the number of the first.
@@ -196,26 +178,12 @@ pub(super) fn reserve(levels: &mut [u32], level: usize, list: &mut [u32], n: u32
     old
 }
 
-/// What becomes of a pair of nodes: 0: there is none; 1: it is expanded in the next level; 2: it is
-/// one of leaves.
-#[inline(always)]
-pub(super) fn fate(pair: NodePair, internal: [u32; 2]) -> u32 {
-    if pair[0] == NONE {
-        0
-    } else if pair[0] >= internal[0] && pair[1] >= internal[1] {
-        2
-    } else {
-        1
-    }
-}
-
 kernel! {
     /// Thread `i` expands the `i`-th pair of nodes of level `dispatch.first`.
     expand_pairs[128](t; params: NodeDescent; counters: [u32; 4]; a_nodes: [Node], b_nodes: [Node],
         input: [u32], mut levels: [u32], mut output: [u32], mut pairs: [u32]) {
-        expand_level::<Boxes>(
-            t, params, counters, a_nodes, b_nodes, a_nodes, input, levels, output, pairs,
-        );
+        let trees = BinaryTrees { params, a: a_nodes, b: b_nodes, volume: Boxes };
+        expand_level(trees, t, counters, input, levels, output, pairs);
     }
 }
 
@@ -224,33 +192,27 @@ kernel! {
     expand_pairs_oriented[128](t; params: NodeDescent; counters: [u32; 4]; a_nodes: [Node],
         b_nodes: [Node], oriented: [ObbWords], input: [u32], mut levels: [u32], mut output: [u32],
         mut pairs: [u32]) {
-        expand_level::<Oriented>(
-            t, params, counters, a_nodes, b_nodes, oriented, input, levels, output, pairs,
-        );
+        let trees = BinaryTrees { params, a: a_nodes, b: b_nodes, volume: Oriented(oriented) };
+        expand_level(trees, t, counters, input, levels, output, pairs);
     }
 }
 
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn expand_level<V: Volume>(
+    trees: BinaryTrees<V>,
     t: Thread,
-    params: &Params<NodeDescent>,
     counters: &mut [u32; 4],
-    a_nodes: &[Node],
-    b_nodes: &[Node],
-    more: &[V::More<Node>],
     input: &[u32],
     levels: &mut [u32],
     output: &mut [u32],
     pairs: &mut [u32],
 ) {
-    let (kind, level) = (params.args.kind, params.dispatch.first as usize);
-    let internal = internal(params);
-    let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
-    let len = at(levels, level).min(params.dispatch.capacity_in);
-    // As many rounds as the room would take, because only that is the same for all threads for
-    // certain.
-    for round in 0..params.dispatch.capacity_in.div_ceil(t.groups * THREADS) {
+    let dispatch = &trees.params.dispatch;
+    let level = dispatch.first as usize;
+    let internal = trees.internal();
+    let len = at(levels, level).min(dispatch.capacity_in);
+    // As many rounds as the capacity would take: no other bound is certainly uniform.
+    for round in 0..dispatch.capacity_in.div_ceil(t.groups * THREADS) {
         let i = (t.group + round * t.groups) * THREADS + t.lane;
         if t.lane == 0 {
             set(counters, NODES, 0);
@@ -260,16 +222,16 @@ fn expand_level<V: Volume>(
         let (mut p, mut q) = ([NONE; 2], [NONE; 2]);
         let (mut r, mut s) = ([NONE; 2], [NONE; 2]);
         if i < len {
-            let pair = read_pair(input, i);
-            let children = expand(rule, kind == EDGE_EDGE, a_nodes, b_nodes, [pair.a, pair.b]).met;
-            let children = V::only_meeting(params, children, a_nodes, b_nodes, more);
+            let Pair { a, b } = read_pair(input, i);
+            let children = expand(trees.rule(), trees.within(), trees.a, trees.b, [a, b]).met;
+            let children = V::only_meeting(trees, children);
             p = children[0];
             q = children[1];
             r = children[2];
             s = children[3];
             // A pair of the cut may be one of leaves already.
-            if fate([pair.a, pair.b], internal) == 2 {
-                p = [pair.a, pair.b];
+            if fate([a, b], internal) == LEAF {
+                p = [a, b];
             }
         }
         let (to_p, to_q) = (claim(p, internal, counters), claim(q, internal, counters));
@@ -286,45 +248,41 @@ fn expand_level<V: Volume>(
         }
         barrier();
         let bases = [get(counters, NODES_BASE), get(counters, LEAVES_BASE)];
-        keep(params, p, internal, bases, to_p, a_nodes, b_nodes, output, pairs);
-        keep(params, q, internal, bases, to_q, a_nodes, b_nodes, output, pairs);
-        keep(params, r, internal, bases, to_r, a_nodes, b_nodes, output, pairs);
-        keep(params, s, internal, bases, to_s, a_nodes, b_nodes, output, pairs);
+        keep(trees, p, internal, bases, to_p, output, pairs);
+        keep(trees, q, internal, bases, to_q, output, pairs);
+        keep(trees, r, internal, bases, to_r, output, pairs);
+        keep(trees, s, internal, bases, to_s, output, pairs);
     }
 }
 
-/// Counts a pair in its workgroup; returns the number that it has there.
+/// Counts a pair in its workgroup; returns its number there.
 #[inline(always)]
 fn claim(pair: NodePair, internal: [u32; 2], counters: &mut [u32; 4]) -> u32 {
     let fate = fate(pair, internal);
     let mut to = 0;
     if fate != 0 {
-        to = add_shared(counters, if fate == 1 { NODES } else { LEAVES }, 1);
+        to = add_shared(counters, if fate == INNER { NODES } else { LEAVES }, 1);
     }
     to
 }
 
-/// Writes a pair to where it belongs.
+/// Writes a pair to the next level, or one of leaves to the results.
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-fn keep(
-    params: &Params<NodeDescent>,
+fn keep<V: Volume>(
+    trees: BinaryTrees<V>,
     pair: NodePair,
     internal: [u32; 2],
     bases: [u32; 2],
     to: u32,
-    a_nodes: &[Node],
-    b_nodes: &[Node],
     output: &mut [u32],
     pairs: &mut [u32],
 ) {
     let fate = fate(pair, internal);
-    if fate == 1 {
+    let Params { dispatch, args, .. } = trees.params;
+    if fate == INNER {
         let pair = Pair { a: pair[0], b: pair[1] };
-        write_pair(output, params.args.capacity_nodes, bases[0] + to, pair);
-    } else if fate == 2 {
-        let (a, b) = (at(a_nodes, pair[0] as usize).left, at(b_nodes, pair[1] as usize).left);
-        let pair = if params.args.kind == EDGE_EDGE { Pair::ordered(a, b) } else { Pair { a, b } };
-        write_pair(pairs, params.dispatch.capacity_out, bases[1] + to, pair);
+        write_pair(output, args.capacity_nodes, bases[0] + to, pair);
+    } else if fate == LEAF {
+        write_pair(pairs, dispatch.capacity_out, bases[1] + to, trees.ids(pair));
     }
 }

@@ -20,7 +20,7 @@ kernel! {
     /// Thread `i` finds the leaves after leaf `dispatch.first + i` that overlap it.
     traverse_half[128](t; params: Blocks;; leaves: [BoxWords], order: [u32], nodes: [NodeWords],
         mut pairs: [u32]) {
-        walk_half::<Boxes>(t.i, params, leaves, order, nodes, nodes, pairs);
+        walk_half(Boxes, t.i, params, leaves, order, nodes, pairs);
     }
 }
 
@@ -28,7 +28,7 @@ kernel! {
     /// As `traverse_half`, and leaves out what an oriented box tells apart.
     traverse_half_oriented[128](t; params: Blocks;; leaves: [BoxWords], order: [u32],
         nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
-        walk_half::<Oriented>(t.i, params, leaves, order, nodes, oriented, pairs);
+        walk_half(Oriented(oriented), t.i, params, leaves, order, nodes, pairs);
     }
 }
 
@@ -37,7 +37,7 @@ kernel! {
     /// may be that of the leaves: then it keeps those of a greater id than its own.
     traverse_full[128](t; params: Queries;; boxes: [BoxWords], order: [u32], nodes: [NodeWords],
         mut pairs: [u32]) {
-        walk_full::<Boxes>(t.i, params, boxes, order, nodes, nodes, pairs);
+        walk_full(Boxes, t.i, params, boxes, order, nodes, pairs);
     }
 }
 
@@ -45,18 +45,18 @@ kernel! {
     /// As `traverse_full`, and leaves out what an oriented box tells apart.
     traverse_full_oriented[128](t; params: Queries;; boxes: [BoxWords], order: [u32],
         nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
-        walk_full::<Oriented>(t.i, params, boxes, order, nodes, oriented, pairs);
+        walk_full(Oriented(oriented), t.i, params, boxes, order, nodes, pairs);
     }
 }
 
 #[inline(always)]
 fn walk_half<V: Volume>(
+    volume: V,
     i: u32,
     params: &Params<Blocks>,
     leaves: &[BoxWords],
     order: &[u32],
     nodes: &[NodeWords],
-    more: &[V::More<NodeWords>],
     pairs: &mut [u32],
 ) {
     if i < params.dispatch.n {
@@ -69,7 +69,7 @@ fn walk_half<V: Volume>(
             if !walk.goes_on {
                 break;
             }
-            if V::reaches(&query, first + walk.node, more) {
+            if volume.reaches(&query, first + walk.node) {
                 let node = node_at(nodes, walk.node as usize);
                 let found = walk.step(&node, &query, leaf_idx);
                 keep_ordered(params, a, order, found[0], pairs);
@@ -93,12 +93,12 @@ fn keep_ordered(params: &Params<Blocks>, a: u32, order: &[u32], found: u32, pair
 
 #[inline(always)]
 fn walk_full<V: Volume>(
+    volume: V,
     i: u32,
     params: &Params<Queries>,
     boxes: &[BoxWords],
     order: &[u32],
     nodes: &[NodeWords],
-    more: &[V::More<NodeWords>],
     pairs: &mut [u32],
 ) {
     if i < params.dispatch.n {
@@ -122,7 +122,7 @@ fn walk_full<V: Volume>(
             if !walk.goes_on {
                 break;
             }
-            if V::reaches(&query, first + walk.node, more) {
+            if volume.reaches(&query, first + walk.node) {
                 let node = node_at(nodes, walk.node as usize);
                 let found = walk.step(&node, &query, NONE);
                 keep(params, a, order, found[0], pairs);

@@ -1,125 +1,140 @@
-//! What tells nodes of binary trees apart whose boxes overlap: nothing, or oriented boxes.
+//! Two binary trees whose pairs of nodes are descended, and the volume of their nodes: axis-aligned
+//! boxes, or oriented boxes besides.
 //!
 //! Twin: on a CPU `tree/traversal/`, whose traversals take the volume.
 
-use crate::records::{NodeWords, ObbWords};
+use crate::records::ObbWords;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::broad_phase::oriented_nodes::{only_reaching, reach, reaches};
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
-use ccd_core::backend::kernel::memory::Stored;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Node, NodeDescent, Params};
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::kernel::memory::{Stored, at};
+use ccd_core::backend::layout::{EDGE_EDGE, Node, NodeDescent, Pair, Params};
+use ccd_core::model::method::Descent;
 
-/// The volume of nodes. A kernel passes on a slice of `More`: a record a node of each tree, at the
-/// place of the set's boxes; or nodes `N`, of which no use is made.
-pub(super) trait Volume {
-    type More<N>;
+/// What becomes of a pair of nodes: it is expanded, it is one of leaves, or it is apart and belongs
+/// to the front, if one is kept. 0: no pair.
+pub(super) const INNER: u32 = 1;
+pub(super) const LEAF: u32 = 2;
+pub(super) const APART: u32 = 3;
 
+/// The volume of nodes, which tells some apart whose boxes overlap.
+pub(super) trait Volume: Copy {
     /// Of pairs of nodes whose boxes overlap, those that meet.
-    fn only_meeting(
-        params: &Params<NodeDescent>,
-        all: [NodePair; 4],
-        a: &[Node],
-        b: &[Node],
-        more: &[Self::More<Node>],
-    ) -> [NodePair; 4];
+    fn only_meeting(trees: BinaryTrees<Self>, all: [NodePair; 4]) -> [NodePair; 4];
 
     /// Whether a pair of nodes whose boxes overlap meets.
-    fn meets(
-        params: &Params<NodeDescent>,
-        pair: NodePair,
-        a: &[Node],
-        b: &[Node],
-        more: &[Self::More<Node>],
-    ) -> bool;
+    fn meets(trees: BinaryTrees<Self>, pair: NodePair) -> bool;
 
     /// Whether a box may overlap leaves below the node at a place.
-    fn reaches(query: &Aabb, place: u32, more: &[Self::More<NodeWords>]) -> bool;
+    fn reaches(self, query: &Aabb, place: u32) -> bool;
 }
 
 /// Axis-aligned boxes alone.
+#[derive(Clone, Copy)]
 pub(super) struct Boxes;
 
 impl Volume for Boxes {
-    type More<N> = N;
-
     #[inline(always)]
-    fn only_meeting(
-        _: &Params<NodeDescent>,
-        all: [NodePair; 4],
-        _: &[Node],
-        _: &[Node],
-        _: &[Node],
-    ) -> [NodePair; 4] {
+    fn only_meeting(_: BinaryTrees<Self>, all: [NodePair; 4]) -> [NodePair; 4] {
         all
     }
 
     #[inline(always)]
-    fn meets(_: &Params<NodeDescent>, _: NodePair, _: &[Node], _: &[Node], _: &[Node]) -> bool {
+    fn meets(_: BinaryTrees<Self>, _: NodePair) -> bool {
         true
     }
 
     #[inline(always)]
-    fn reaches(_: &Aabb, _: u32, _: &[NodeWords]) -> bool {
+    fn reaches(self, _: &Aabb, _: u32) -> bool {
         true
     }
 }
 
-/// Oriented boxes of all nodes of all trees besides.
-pub(super) struct Oriented;
+/// Oriented boxes besides: a record for each node of each tree, at the place of the set's box.
+#[derive(Clone, Copy)]
+pub(super) struct Oriented<'a>(pub &'a [ObbWords]);
 
-impl Volume for Oriented {
-    type More<N> = ObbWords;
-
+impl Volume for Oriented<'_> {
     #[inline(always)]
-    fn only_meeting(
-        params: &Params<NodeDescent>,
-        all: [NodePair; 4],
-        a: &[Node],
-        b: &[Node],
-        more: &[ObbWords],
-    ) -> [NodePair; 4] {
-        let within = params.args.kind == EDGE_EDGE;
-        only_reaching(within, all, internal(params), first(params), a, b, more, more)
+    fn only_meeting(trees: BinaryTrees<Self>, all: [NodePair; 4]) -> [NodePair; 4] {
+        let BinaryTrees { a, b, volume: Self(boxes), .. } = trees;
+        let (internal, first) = (trees.internal(), trees.first());
+        only_reaching(trees.within(), all, internal, first, a, b, boxes, boxes)
     }
 
     #[inline(always)]
-    fn meets(
-        params: &Params<NodeDescent>,
-        pair: NodePair,
-        a: &[Node],
-        b: &[Node],
-        more: &[ObbWords],
-    ) -> bool {
-        reach(
-            params.args.kind == EDGE_EDGE,
-            pair,
-            internal(params),
-            first(params),
-            a,
-            b,
-            more,
-            more,
-        )
+    fn meets(trees: BinaryTrees<Self>, pair: NodePair) -> bool {
+        let BinaryTrees { a, b, volume: Self(boxes), .. } = trees;
+        let (internal, first) = (trees.internal(), trees.first());
+        reach(trees.within(), pair, internal, first, a, b, boxes, boxes)
     }
 
     #[inline(always)]
-    fn reaches(query: &Aabb, place: u32, more: &[ObbWords]) -> bool {
-        reaches(&ObbWords::load(more, place as usize), query)
+    fn reaches(self, query: &Aabb, place: u32) -> bool {
+        reaches(&ObbWords::load(self.0, place as usize), query)
     }
 }
 
-/// Internal nodes of either tree.
-#[inline(always)]
-pub(super) fn internal(params: &Params<NodeDescent>) -> [u32; 2] {
-    let [set_a, set_b] = sets(params.args.kind);
-    [params.frame.count[set_a] - 1, params.frame.count[set_b] - 1]
+/// Two binary trees, or one given twice.
+#[derive(Clone, Copy)]
+pub(super) struct BinaryTrees<'a, V> {
+    pub params: &'a Params<NodeDescent>,
+    pub a: &'a [Node],
+    pub b: &'a [Node],
+    pub volume: V,
 }
 
-/// First places of either tree.
+impl<V: Volume> BinaryTrees<'_, V> {
+    /// Whether pairs are looked for within one tree.
+    #[inline(always)]
+    pub fn within(self) -> bool {
+        self.params.args.kind == EDGE_EDGE
+    }
+
+    /// Which nodes of a pair are replaced by their children.
+    #[inline(always)]
+    pub fn rule(self) -> Descent {
+        if self.params.args.larger != 0 { Descent::Larger } else { Descent::Both }
+    }
+
+    /// Number of internal nodes of either tree.
+    #[inline(always)]
+    pub fn internal(self) -> [u32; 2] {
+        let [set_a, set_b] = sets(self.params.args.kind);
+        [self.params.frame.count[set_a] - 1, self.params.frame.count[set_b] - 1]
+    }
+
+    /// First box of the set of either tree.
+    #[inline(always)]
+    fn first(self) -> [u32; 2] {
+        let [set_a, set_b] = sets(self.params.args.kind);
+        [self.params.frame.start[set_a], self.params.frame.start[set_b]]
+    }
+
+    /// The nodes of a pair.
+    #[inline(always)]
+    pub fn nodes(self, pair: NodePair) -> (Node, Node) {
+        (at(self.a, pair[0] as usize), at(self.b, pair[1] as usize))
+    }
+
+    /// The ids of a pair of leaves.
+    #[inline(always)]
+    pub fn ids(self, pair: NodePair) -> Pair {
+        let (a, b) = (at(self.a, pair[0] as usize).left, at(self.b, pair[1] as usize).left);
+        if self.within() { Pair::ordered(a, b) } else { Pair { a, b } }
+    }
+}
+
+/// What becomes of a pair of nodes that meets, or of none.
 #[inline(always)]
-fn first(params: &Params<NodeDescent>) -> [u32; 2] {
-    let [set_a, set_b] = sets(params.args.kind);
-    [params.frame.start[set_a], params.frame.start[set_b]]
+pub(super) fn fate(pair: NodePair, internal: [u32; 2]) -> u32 {
+    if pair[0] == NONE {
+        0
+    } else if pair[0] >= internal[0] && pair[1] >= internal[1] {
+        LEAF
+    } else {
+        INNER
+    }
 }

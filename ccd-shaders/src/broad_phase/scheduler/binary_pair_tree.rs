@@ -1,23 +1,14 @@
 //! Pairs of nodes of binary trees: a thread expands one into at most four.
 
-use super::pair_tree::{APART, LEAF, PairTree};
-use super::shared::{Round, Shared, Stack};
-use super::worker::{Child, claim, put_away};
-use crate::broad_phase::pair_descent::fate;
-use crate::broad_phase::volume::{Volume, internal};
+use super::shared::{Shared, Stack};
+use super::worker::{Child, PairTree, Worker, claim};
+use crate::broad_phase::volume::{APART, BinaryTrees, LEAF, Volume, fate};
 use ccd_core::backend::broad_phase::pair_descent::{NodePair, expand};
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
-use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Node, NodeDescent, Pair, Params};
-use ccd_core::model::method::Descent;
-use core::marker::PhantomData;
+use ccd_core::backend::layout::{Dispatch, NodeDescent, Pair};
 
-/// Binary trees of a volume.
-pub(super) struct BinaryTrees<V>(PhantomData<V>);
-
-/// Something of each of four children.
+/// A value for each of four children.
 #[derive(Clone, Copy)]
 pub(super) struct Four<T> {
     p: T,
@@ -26,18 +17,20 @@ pub(super) struct Four<T> {
     s: T,
 }
 
-impl<V: Volume> PairTree for BinaryTrees<V> {
-    type Args = NodeDescent;
-    type Node = Node;
-    type More = V::More<Node>;
+impl<V: Volume> PairTree for BinaryTrees<'_, V> {
     type Found = Four<Child>;
     type Places = Four<[u32; 2]>;
 
     const WIDTH: u32 = THREADS;
 
     #[inline(always)]
-    fn descent(args: &NodeDescent) -> NodeDescent {
-        *args
+    fn descent(self) -> NodeDescent {
+        self.params.args
+    }
+
+    #[inline(always)]
+    fn dispatch(self) -> Dispatch {
+        self.params.dispatch
     }
 
     #[inline(always)]
@@ -49,24 +42,16 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
     fn begin(_: &mut Shared) {}
 
     #[inline(always)]
-    fn expand(
-        params: &Params<NodeDescent>,
-        _: u32,
-        pair: NodePair,
-        a: &[Node],
-        b: &[Node],
-        more: &[V::More<Node>],
-        _: &mut Shared,
-    ) -> Four<Child> {
-        let (within, internal) = (params.args.kind == EDGE_EDGE, internal(params));
-        let rule = if params.args.larger != 0 { Descent::Larger } else { Descent::Both };
+    fn expand(self, _: u32, pair: NodePair, _: &mut Shared) -> Four<Child> {
+        let (within, internal) = (self.within(), self.internal());
+        let rule = self.rule();
         let (mut p, mut q) = (Child::NONE, Child::NONE);
         let (mut r, mut s) = (Child::NONE, Child::NONE);
         if pair[0] != NONE {
-            let children = expand(rule, within, a, b, pair);
-            let met = V::only_meeting(params, children.met, a, b, more);
+            let children = expand(rule, within, self.a, self.b, pair);
+            let met = V::only_meeting(self, children.met);
             let mut all = met;
-            if params.args.capacity_front > 0 {
+            if self.params.args.capacity_front > 0 {
                 all = children.all;
             }
             p = child(met[0], all[0], internal);
@@ -93,45 +78,30 @@ impl<V: Volume> PairTree for BinaryTrees<V> {
 
     #[inline(always)]
     fn put_away(
-        args: &NodeDescent,
-        round: Round,
+        worker: &mut Worker<Self>,
         found: Four<Child>,
         to: Four<[u32; 2]>,
-        a: &[Node],
-        b: &[Node],
-        shared: &Shared,
         stack: &mut Stack,
-        nodes: &mut [u32],
-        pairs: &mut [u32],
-        front: &mut [u32],
     ) {
-        let Four { p, q, r, s } = found;
-        put_away::<Self>(args, round, p, to.p, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(args, round, q, to.q, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(args, round, r, to.r, a, b, shared, stack, nodes, pairs, front);
-        put_away::<Self>(args, round, s, to.s, a, b, shared, stack, nodes, pairs, front);
+        worker.put_away(found.p, to.p, stack);
+        worker.put_away(found.q, to.q, stack);
+        worker.put_away(found.r, to.r, stack);
+        worker.put_away(found.s, to.s, stack);
     }
 
     #[inline(always)]
-    fn fate(
-        params: &Params<NodeDescent>,
-        pair: NodePair,
-        a: &[Node],
-        b: &[Node],
-        more: &[V::More<Node>],
-    ) -> u32 {
-        let (x, y) = (at(a, pair[0] as usize), at(b, pair[1] as usize));
+    fn fate(self, pair: NodePair) -> u32 {
+        let (x, y) = self.nodes(pair);
         let mut out = APART;
-        if x.aabb().overlaps(&y.aabb()) && V::meets(params, pair, a, b, more) {
-            out = fate(pair, internal(params));
+        if x.aabb().overlaps(&y.aabb()) && V::meets(self, pair) {
+            out = fate(pair, self.internal());
         }
         out
     }
 
     #[inline(always)]
-    fn result(args: &NodeDescent, pair: NodePair, a: &[Node], b: &[Node]) -> Pair {
-        let (a, b) = (at(a, pair[0] as usize).left, at(b, pair[1] as usize).left);
-        if args.kind == EDGE_EDGE { Pair::ordered(a, b) } else { Pair { a, b } }
+    fn result(self, pair: NodePair) -> Pair {
+        self.ids(pair)
     }
 }
 

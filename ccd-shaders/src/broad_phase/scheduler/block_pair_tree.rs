@@ -5,9 +5,9 @@
 //! their boxes are read again by all threads of the team at once. A thread keeps those that it met
 //! as bits, so that it finds up to 32 children and claims places for all of them by one addition.
 
-use super::pair_tree::{APART, INNER, LEAF, PairTree};
-use super::shared::{COLUMNS, ENDED, LEAVES, NODES, Round, Shared, Stack};
-use super::worker::{Child, put_away};
+use super::shared::{COLUMNS, ENDED, LEAVES, NODES, Shared, Stack};
+use super::worker::{Child, PairTree, Worker};
+use crate::broad_phase::volume::{APART, INNER, LEAF};
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{add_shared, barrier, get, or_shared, set};
 use ccd_core::Aabb;
@@ -17,11 +17,22 @@ use ccd_core::backend::broad_phase::block_workers::{
 };
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{BlockDescent, NodeDescent, Pair, Params};
+use ccd_core::backend::layout::{BlockDescent, Dispatch, EDGE_EDGE, NodeDescent, Pair, Params};
 
 /// Block trees, whose nodes are in one buffer.
-pub(super) struct BlockTrees;
+#[derive(Clone, Copy)]
+pub(super) struct BlockTrees<'a> {
+    pub params: &'a Params<BlockDescent>,
+    pub boxes: &'a [BoxWords],
+}
+
+impl BlockTrees<'_> {
+    /// Where node `i` of a side is.
+    #[inline(always)]
+    fn slot(self, level: u32, side: usize, i: u32) -> usize {
+        (self.params.args.slots[level as usize][side] + i) as usize
+    }
+}
 
 /// Children of a pair that are below one child of its first node.
 #[derive(Clone, Copy)]
@@ -44,24 +55,20 @@ impl Columns {
     }
 }
 
-/// Where node `i` of a side is.
-#[inline(always)]
-fn slot(params: &Params<BlockDescent>, level: u32, side: usize, i: u32) -> usize {
-    (params.args.slots[level as usize][side] + i) as usize
-}
-
-impl PairTree for BlockTrees {
-    type Args = BlockDescent;
-    type Node = BoxWords;
-    type More = BoxWords;
+impl PairTree for BlockTrees<'_> {
     type Found = Columns;
     type Places = [u32; 2];
 
     const WIDTH: u32 = TEAMS;
 
     #[inline(always)]
-    fn descent(args: &BlockDescent) -> NodeDescent {
-        args.of_pairs
+    fn descent(self) -> NodeDescent {
+        self.params.args.of_pairs
+    }
+
+    #[inline(always)]
+    fn dispatch(self) -> Dispatch {
+        self.params.dispatch
     }
 
     #[inline(always)]
@@ -77,15 +84,8 @@ impl PairTree for BlockTrees {
     }
 
     #[inline(always)]
-    fn expand(
-        params: &Params<BlockDescent>,
-        lane: u32,
-        pair: NodePair,
-        boxes: &[BoxWords],
-        _: &[BoxWords],
-        _: &[BoxWords],
-        shared: &mut Shared,
-    ) -> Columns {
+    fn expand(self, lane: u32, pair: NodePair, shared: &mut Shared) -> Columns {
+        let Self { params, boxes } = self;
         let (team, i) = (lane / WIDTH, lane % WIDTH);
         let some = pair[0] != NONE;
         // Of no pair, that of the first two nodes is looked at in vain.
@@ -94,17 +94,17 @@ impl PairTree for BlockTrees {
         let (a, b) = (x * WIDTH + i, y * WIDTH);
         let [set_a, set_b] = sets(params.args.of_pairs.kind);
         let present = children_there(nodes_on(params.frame.count[set_b], level), y);
-        let first = slot(params, level, 1, b);
+        let first = self.slot(level, 1, b);
         let (mut row, mut is_row) = (Aabb::EMPTY, false);
         if some {
             if present >> i & 1 == 1 {
                 let column = box_at(boxes, first + i as usize);
-                if column.overlaps(&box_at(boxes, slot(params, above, 0, x))) {
+                if column.overlaps(&box_at(boxes, self.slot(above, 0, x))) {
                     or_shared(shared, COLUMNS + team, 1 << i);
                 }
             }
             if a < nodes_on(params.frame.count[set_a], level) {
-                row = box_at(boxes, slot(params, level, 0, a));
+                row = box_at(boxes, self.slot(level, 0, a));
                 is_row = true;
             }
         }
@@ -112,7 +112,7 @@ impl PairTree for BlockTrees {
         let (mut met, mut apart) = (0, 0);
         if is_row {
             let tested = partners(params.args.of_pairs.kind == EDGE_EDGE && x == y, i);
-            if row.overlaps(&box_at(boxes, slot(params, above, 1, y))) {
+            if row.overlaps(&box_at(boxes, self.slot(above, 1, y))) {
                 met = meeting(&row, get(shared, COLUMNS + team) & tested, first, boxes);
             }
             if params.args.of_pairs.capacity_front > 0 {
@@ -142,19 +142,7 @@ impl PairTree for BlockTrees {
     }
 
     #[inline(always)]
-    fn put_away(
-        args: &NodeDescent,
-        round: Round,
-        found: Columns,
-        to: [u32; 2],
-        a: &[BoxWords],
-        b: &[BoxWords],
-        shared: &Shared,
-        stack: &mut Stack,
-        nodes: &mut [u32],
-        pairs: &mut [u32],
-        front: &mut [u32],
-    ) {
+    fn put_away(worker: &mut Worker<Self>, found: Columns, to: [u32; 2], stack: &mut Stack) {
         let (mut left, is_apart) = (found.met | found.apart, found.apart);
         let [mut next, mut next_ended] = to;
         let fate = found.fate();
@@ -166,24 +154,17 @@ impl PairTree for BlockTrees {
             left &= left - 1;
             let pair = packed(found.level, found.a, found.b + j);
             let child = Child { pair, fate: if is_apart >> j & 1 == 1 { APART } else { fate } };
-            let at = [next, next_ended];
-            put_away::<Self>(args, round, child, at, a, b, shared, stack, nodes, pairs, front);
+            worker.put_away(child, [next, next_ended], stack);
             next += (child.fate != APART) as u32;
             next_ended += (child.fate != INNER) as u32;
         }
     }
 
     #[inline(always)]
-    fn fate(
-        params: &Params<BlockDescent>,
-        pair: NodePair,
-        boxes: &[BoxWords],
-        _: &[BoxWords],
-        _: &[BoxWords],
-    ) -> u32 {
+    fn fate(self, pair: NodePair) -> u32 {
         let [level, x, y] = unpacked(pair);
-        let a = box_at(boxes, slot(params, level, 0, x));
-        let b = box_at(boxes, slot(params, level, 1, y));
+        let a = box_at(self.boxes, self.slot(level, 0, x));
+        let b = box_at(self.boxes, self.slot(level, 1, y));
         let mut out = APART;
         if a.overlaps(&b) {
             out = if level > 1 { INNER } else { LEAF };
@@ -192,7 +173,7 @@ impl PairTree for BlockTrees {
     }
 
     #[inline(always)]
-    fn result(_: &NodeDescent, pair: NodePair, _: &[BoxWords], _: &[BoxWords]) -> Pair {
+    fn result(self, pair: NodePair) -> Pair {
         let [_, a, b] = unpacked(pair);
         Pair { a, b }
     }

@@ -4,7 +4,6 @@
 
 mod binary_pair_tree;
 mod block_pair_tree;
-mod pair_tree;
 mod shared;
 pub mod steal_stress;
 mod stealing;

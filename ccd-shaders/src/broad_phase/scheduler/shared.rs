@@ -1,8 +1,6 @@
-//! What the threads of a worker share: its stack, the words that they say to each other, its round.
+//! Workgroup memory of a worker: its stack, and words by which its threads agree.
 
-use ccd_core::backend::broad_phase::pair_workers::{STACK, listed};
-use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::{Dispatch, NodeDescent};
+use ccd_core::backend::broad_phase::pair_workers::STACK;
 
 /// Pairs in the memory of a worker.
 pub(super) type Stack = [u32; 2 * STACK as usize];
@@ -37,35 +35,3 @@ pub(super) const TURNS: u32 = 15;
 pub(super) const EXPANDED: u32 = 16;
 /// Of blocks, a word each team of threads: which columns there are.
 pub(super) const COLUMNS: u32 = 18;
-
-/// A round, as each worker sees it.
-#[derive(Clone, Copy)]
-pub(super) struct Round {
-    pub me: u32,
-    /// Of the number of workers, the power of two.
-    pub workers: u32,
-    pub number: u32,
-    pub tasks: u32,
-    /// First entry of its tasks, and of those of the next, in the list.
-    pub input: u32,
-    pub output: u32,
-    /// Entries that the list of results has room for.
-    pub capacity_pairs: u32,
-}
-
-impl Round {
-    #[inline(always)]
-    pub(super) fn new(args: &NodeDescent, dispatch: &Dispatch, me: u32, control: &[u32]) -> Self {
-        let (number, capacity) = (dispatch.first, args.capacity_nodes);
-        let is_odd = number % 2;
-        Self {
-            me,
-            workers: args.workers,
-            number,
-            tasks: at(control, listed(number)).min(capacity),
-            input: is_odd * capacity,
-            output: (1 - is_odd) * capacity,
-            capacity_pairs: dispatch.capacity_out,
-        }
-    }
-}

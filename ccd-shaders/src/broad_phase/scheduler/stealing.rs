@@ -11,166 +11,135 @@
 //!
 //! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
 
-use super::pair_tree::PairTree;
-use super::shared::{
-    EXPANDED, FROM_STACK, FROM_TASKS, NEXT, Round, SPILL_BASE, Shared, Stack, TOP, TURNS,
-};
+use super::shared::{EXPANDED, FROM_STACK, FROM_TASKS, SPILL_BASE, Stack, TOP};
 use super::stolen_batches::{
     Batch, FRUITLESS, FULL, HAND, N_TAKEN, NO_SLOT, POPPED, SEEKS, SOURCE, STOLEN, TO_PUSH,
-    copy_batch, count_batches, found_work, give_back, look, look_at_hands, pop, reach_out,
-    read_batch, reserve_slot, take_from_hand, words_of,
 };
-use super::worker::{
-    ENDS, STOPS, WORKS, leave_rest, reserve_rest, reserve_results, spill, take, write_task,
-};
-use crate::workgroup::{add, barrier, barrier_of_buffers, get, get_uniform, set};
-use ccd_core::backend::broad_phase::pair_workers::{counts, thieves, victim};
-use ccd_core::backend::layout::Params;
+use super::worker::{ENDS, PairTree, STOPS, WORKS, Worker};
+use crate::workgroup::{barrier, barrier_of_buffers, get, get_uniform, set};
+use ccd_core::backend::broad_phase::pair_workers::victim;
 use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 
-/// What worker `me` does in a round.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn steal<T: PairTree>(
-    params: &Params<T::Args>,
-    me: u32,
-    lane: u32,
-    state: &mut [u32; 1],
-    shared: &mut Shared,
-    batch: &mut Batch,
-    stack: &mut Stack,
-    a: &[T::Node],
-    b: &[T::Node],
-    more: &[T::More],
-    control: &mut [u32],
-    nodes: &mut [u32],
-    pairs: &mut [u32],
-    front: &mut [u32],
-) {
-    let args = &T::descent(&params.args);
-    let workers = thieves(args);
-    let round = Round::new(args, &params.dispatch, me, control);
-    if lane == 0 {
-        set(shared, TOP, 0);
-        set(shared, NEXT, 0);
-        set(shared, TURNS, 0);
-        set(shared, EXPANDED, 0);
-        set(batch, FRUITLESS, 0);
-        set(batch, POPPED, 0);
-        set(batch, STOLEN, 0);
-        set(batch, FULL, 0);
-    }
-    for turn in 0..args.turns {
+impl<T: PairTree> Worker<'_, T> {
+    /// What the worker does in its round.
+    #[inline(always)]
+    pub(super) fn steal(mut self, state: &mut [u32; 1], batch: &mut Batch, stack: &mut Stack) {
+        let (me, lane, args, workers) = (self.me, self.lane, self.args, self.workers);
         if lane == 0 {
-            let next = look::<T>(args, round, turn, shared, batch, control);
-            set(state, 0, next);
+            self.clear();
+            set(batch, FRUITLESS, 0);
+            set(batch, POPPED, 0);
+            set(batch, STOLEN, 0);
+            set(batch, FULL, 0);
         }
-        let next = get_uniform(state, 0);
-        if next == ENDS || next == STOPS {
-            break;
+        for turn in 0..args.turns {
+            if lane == 0 {
+                set(state, 0, self.look(turn, batch));
+            }
+            let next = get_uniform(state, 0);
+            if next == ENDS || next == STOPS {
+                break;
+            }
+            if next == SEEKS {
+                self.look_at_hands(batch);
+                barrier();
+                let held = get(batch, HAND);
+                barrier();
+                if held == HANDS && lane < HANDS {
+                    self.reach_out(batch, victim(workers.n, me, turn, lane));
+                }
+                barrier();
+                let takes = Workers::takes_task(lane, get(batch, HAND));
+                if args.most == 0 && held == HANDS && takes {
+                    let victim = victim(workers.n, me, turn, lane);
+                    workers.steal_to_hand(&self.deques(), me, lane, victim, 1);
+                }
+                barrier_of_buffers();
+                if lane == 0 {
+                    self.take_from_hand(batch);
+                    if get(batch, N_TAKEN) > 0 {
+                        self.found_work(batch);
+                    }
+                }
+            }
+            // What was taken is seen by all threads.
+            barrier_of_buffers();
+            let i = T::index(lane);
+            let mut pair = self.take(i, stack);
+            let busy = self.get(FROM_STACK) + self.get(FROM_TASKS);
+            let n_taken = get(batch, N_TAKEN);
+            if i >= busy && i < busy + n_taken {
+                pair = self.read_batch(i - busy, batch);
+            }
+            let found = self.trees.expand(lane, pair, self.shared);
+            let to = T::claim(found, args.capacity_front, self.shared);
+            // All have read the batch.
+            barrier_of_buffers();
+            if lane == 0 {
+                self.reserve_results();
+                self.set(EXPANDED, self.get(EXPANDED) + n_taken);
+                self.give_back(batch);
+                self.reserve_slot(batch);
+            }
+            // Also for the slot, which others may just have read.
+            barrier_of_buffers();
+            T::put_away(&mut self, found, to, stack);
+            barrier();
+            let pushes = get(batch, TO_PUSH) != NO_SLOT;
+            if pushes && lane < args.batch {
+                self.copy_batch(batch, stack);
+            }
+            // The batch is there for whoever sees that it is published.
+            barrier_of_buffers();
+            if pushes && lane == 0 {
+                workers.deque(me).publish(&self.deques(), get(batch, TO_PUSH), args.batch);
+                self.set(TOP, self.get(TOP) - args.batch);
+            }
         }
-        if next == SEEKS {
-            look_at_hands(batch, workers, me, lane, control);
-            barrier();
-            let held = get(batch, HAND);
-            barrier();
-            if held == HANDS && lane < HANDS {
-                let victim = victim(workers.n, me, turn, lane);
-                reach_out(args, batch, victim, me, lane, control);
+        // What the worker has in its deque and its hands goes to the next round: nothing, but after
+        // too many turns. A pop that fails may have lost a batch to a thief.
+        for _ in 0..workers.drain_turns(args.most) {
+            if lane == 0 {
+                set(batch, N_TAKEN, 0);
+                set(batch, SOURCE, 0);
+                set(batch, HAND, HANDS);
+                self.pop(batch);
             }
             barrier();
-            let takes = Workers::takes_task(lane, get(batch, HAND));
-            if args.most == 0 && held == HANDS && takes {
-                let victim = victim(workers.n, me, turn, lane);
-                workers.steal_to_hand(&words_of(control, workers), me, lane, victim, 1);
+            self.look_at_hands(batch);
+            barrier_of_buffers();
+            if lane == 0 {
+                if get(batch, N_TAKEN) == 0 {
+                    self.take_from_hand(batch);
+                }
+                let n_taken = get(batch, N_TAKEN);
+                let mut next = WORKS;
+                if n_taken > 0 {
+                    let base = self.spill(n_taken);
+                    self.set(SPILL_BASE, base);
+                } else if workers.deque(me).is_empty(&self.deques()) {
+                    next = ENDS;
+                }
+                set(state, 0, next);
+            }
+            if get_uniform(state, 0) == ENDS {
+                break;
+            }
+            barrier_of_buffers();
+            if lane < get(batch, N_TAKEN) {
+                let pair = self.read_batch(lane, batch);
+                self.write_task(self.output, self.get(SPILL_BASE) + lane, pair);
             }
             barrier_of_buffers();
             if lane == 0 {
-                take_from_hand(batch, workers, me, control);
-                if get(batch, N_TAKEN) > 0 {
-                    found_work(round, batch, control);
-                }
+                self.give_back(batch);
             }
         }
-        // What was taken is seen by all threads.
-        barrier_of_buffers();
-        let i = T::index(lane);
-        let mut pair = take(i, round.input, shared, stack, nodes);
-        let busy = get(shared, FROM_STACK) + get(shared, FROM_TASKS);
-        let n_taken = get(batch, N_TAKEN);
-        if i >= busy && i < busy + n_taken {
-            pair = read_batch(batch, workers, i - busy, control);
-        }
-        let found = T::expand(params, lane, pair, a, b, more, shared);
-        let to = T::claim(found, args.capacity_front, shared);
-        // All have read the batch.
-        barrier_of_buffers();
         if lane == 0 {
-            reserve_results(args, round.number, shared, control, nodes, pairs);
-            set(shared, EXPANDED, get(shared, EXPANDED) + n_taken);
-            give_back(batch, workers, control);
-            reserve_slot(args, me, shared, batch, control);
-        }
-        // Also for the slot, which others may just have read.
-        barrier_of_buffers();
-        T::put_away(args, round, found, to, a, b, shared, stack, nodes, pairs, front);
-        barrier();
-        let pushes = get(batch, TO_PUSH) != NO_SLOT;
-        if pushes && lane < args.batch {
-            copy_batch(args, me, lane, shared, batch, stack, control);
-        }
-        // The batch is there for whoever sees that it is published.
-        barrier_of_buffers();
-        if pushes && lane == 0 {
-            let words = words_of(control, workers);
-            workers.deque(me).publish(&words, get(batch, TO_PUSH), args.batch);
-            set(shared, TOP, get(shared, TOP) - args.batch);
-        }
-    }
-    // What the worker has in its deque and its hands goes to the next round: nothing, but after too
-    // many turns. A pop that fails may have lost a batch to a thief.
-    for _ in 0..workers.drain_turns(args.most) {
-        if lane == 0 {
-            set(batch, N_TAKEN, 0);
-            set(batch, SOURCE, 0);
-            set(batch, HAND, HANDS);
-            pop(batch, workers, me, control);
+            self.reserve_rest();
+            self.count_batches(batch);
         }
         barrier();
-        look_at_hands(batch, workers, me, lane, control);
-        barrier_of_buffers();
-        if lane == 0 {
-            if get(batch, N_TAKEN) == 0 {
-                take_from_hand(batch, workers, me, control);
-            }
-            let n_taken = get(batch, N_TAKEN);
-            let mut next = WORKS;
-            if n_taken > 0 {
-                set(shared, SPILL_BASE, spill(args, round.number, n_taken, control, nodes));
-            } else if workers.deque(me).is_empty(&words_of(control, workers)) {
-                next = ENDS;
-            }
-            set(state, 0, next);
-        }
-        if get_uniform(state, 0) == ENDS {
-            break;
-        }
-        barrier_of_buffers();
-        if lane < get(batch, N_TAKEN) {
-            let pair = read_batch(batch, workers, lane, control);
-            write_task(args, round.output, nodes, get(shared, SPILL_BASE) + lane, pair);
-        }
-        barrier_of_buffers();
-        if lane == 0 {
-            give_back(batch, workers, control);
-        }
+        self.leave_rest(stack);
     }
-    if lane == 0 {
-        reserve_rest(args, round, shared, control, nodes);
-        add(control, counts(me), get(shared, TURNS));
-        add(control, counts(me) + 1, get(shared, EXPANDED));
-        count_batches(batch, workers, control);
-    }
-    barrier();
-    leave_rest(args, round, lane, shared, stack, control, nodes);
 }

@@ -4,13 +4,11 @@
 //! The threads say to each other which batch was taken by words of workgroup memory. Between what
 //! two functions here do, in the order in which a turn calls them, stands a barrier of buffers.
 
-use super::pair_tree::PairTree;
-use super::shared::{FROM_STACK, FROM_TASKS, Round, Shared, Stack, TOP};
-use super::worker::{ENDS, STOPS, WORKS, plan};
+use super::shared::{FROM_STACK, FROM_TASKS, Stack, TOP};
+use super::worker::{ENDS, PairTree, STOPS, WORKS, Worker};
 use crate::workgroup::{DeviceWords, add, get, load, lower_shared, set};
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
-use ccd_core::backend::broad_phase::pair_workers::{deques, idle, stolen, thieves};
-use ccd_core::backend::layout::NodeDescent;
+use ccd_core::backend::broad_phase::pair_workers::{deques, idle, stolen};
 use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
 
 /// Words that the threads of a worker share about batches: how many pairs of one were taken, from
@@ -35,15 +33,9 @@ pub(super) const NO_SLOT: u32 = u32::MAX;
 /// A state of a worker, besides those of `workers`: it looks at other workers.
 pub(super) const SEEKS: u32 = STOPS + 1;
 
-/// The deques, behind all counters.
+/// The first thread notes which batch was taken; `source`: [`POPPED`] or [`STOLEN`].
 #[inline(always)]
-pub(super) fn words_of<'a>(control: &'a mut [u32], workers: Workers) -> DeviceWords<'a> {
-    DeviceWords::behind(control, deques(workers.n))
-}
-
-/// The first thread says which batch was taken; `source`: [`POPPED`] or [`STOLEN`].
-#[inline(always)]
-fn say(
+fn note(
     batch: &mut Batch,
     workers: Workers,
     words: &DeviceWords,
@@ -58,171 +50,151 @@ fn say(
     set(batch, source, get(batch, source) + 1);
 }
 
-/// The first thread takes a batch from the worker's own deque; whether it could.
-#[inline(always)]
-pub(super) fn pop(batch: &mut Batch, workers: Workers, me: u32, control: &mut [u32]) -> u32 {
-    let words = &words_of(control, workers);
-    let mut any = 0;
-    if let Some(slot) = workers.deque(me).try_pop(words) {
-        say(batch, workers, words, POPPED, me, slot);
-        any = 1;
+impl<T: PairTree> Worker<'_, T> {
+    /// The deques of all workers, behind all counters.
+    #[inline(always)]
+    pub(super) fn deques(&mut self) -> DeviceWords<'_> {
+        let first = deques(self.workers.n);
+        DeviceWords::behind(self.control, first)
     }
-    any
-}
 
-/// The first thread takes the next batch of a hand that holds one.
-#[inline(always)]
-pub(super) fn take_from_hand(batch: &mut Batch, workers: Workers, me: u32, control: &mut [u32]) {
-    let words = &words_of(control, workers);
-    let hand = get(batch, HAND);
-    if hand < HANDS {
-        if workers.holds(words, me, hand) {
-            let owner = workers.victim(words, me, hand);
-            let slot = workers.next_slot(words, me, hand);
-            say(batch, workers, words, STOLEN, owner, slot);
+    /// The first thread takes a batch from the worker's own deque; whether it could.
+    #[inline(always)]
+    pub(super) fn pop(&mut self, batch: &mut Batch) -> u32 {
+        let (me, workers) = (self.me, self.workers);
+        let words = &self.deques();
+        let mut any = 0;
+        if let Some(slot) = workers.deque(me).try_pop(words) {
+            note(batch, workers, words, POPPED, me, slot);
+            any = 1;
         }
+        any
     }
-}
 
-/// The first thread says what its worker does in this turn.
-#[inline(always)]
-pub(super) fn look<T: PairTree>(
-    args: &NodeDescent,
-    round: Round,
-    turn: u32,
-    shared: &mut Shared,
-    batch: &mut Batch,
-    control: &mut [u32],
-) -> u32 {
-    let workers = thieves(args);
-    let mut next = plan::<T>(args, round, turn, shared, control);
-    set(batch, N_TAKEN, 0);
-    set(batch, SOURCE, 0);
-    set(batch, HAND, HANDS);
-    set(batch, TO_PUSH, NO_SLOT);
-    let busy = get(shared, FROM_STACK) + get(shared, FROM_TASKS);
-    if busy + args.batch <= T::WIDTH {
-        if pop(batch, workers, round.me, control) != 0 {
-            next = WORKS;
-        }
-    }
-    if next == ENDS {
-        let fruitless = get(batch, FRUITLESS);
-        // A round without tasks has no work; if all are idle, nobody makes any.
-        let patience = if round.tasks == 0 { 0 } else { args.patience };
-        let n_idle = load(control, idle(round.number));
-        let words = &words_of(control, workers);
-        if !workers.retires(words, round.me, fruitless, patience, n_idle) {
-            next = SEEKS;
-            set(batch, FRUITLESS, fruitless + 1);
-            if fruitless == 0 {
-                add(control, idle(round.number), 1);
+    /// The first thread takes the next batch of a hand that holds one.
+    #[inline(always)]
+    pub(super) fn take_from_hand(&mut self, batch: &mut Batch) {
+        let (me, workers) = (self.me, self.workers);
+        let words = &self.deques();
+        let hand = get(batch, HAND);
+        if hand < HANDS {
+            if workers.holds(words, me, hand) {
+                let owner = workers.victim(words, me, hand);
+                let slot = workers.next_slot(words, me, hand);
+                note(batch, workers, words, STOLEN, owner, slot);
             }
         }
-    } else {
-        found_work(round, batch, control);
     }
-    next
-}
 
-/// The first thread, when the worker has work: it is idle no more.
-#[inline(always)]
-pub(super) fn found_work(round: Round, batch: &mut Batch, control: &mut [u32]) {
-    if get(batch, FRUITLESS) > 0 {
-        set(batch, FRUITLESS, 0);
-        add(control, idle(round.number), u32::MAX);
+    /// The first thread decides what its worker does in this turn.
+    #[inline(always)]
+    pub(super) fn look(&mut self, turn: u32, batch: &mut Batch) -> u32 {
+        let (me, workers) = (self.me, self.workers);
+        let mut next = self.plan(turn);
+        set(batch, N_TAKEN, 0);
+        set(batch, SOURCE, 0);
+        set(batch, HAND, HANDS);
+        set(batch, TO_PUSH, NO_SLOT);
+        let busy = self.get(FROM_STACK) + self.get(FROM_TASKS);
+        if busy + self.args.batch <= T::WIDTH {
+            if self.pop(batch) != 0 {
+                next = WORKS;
+            }
+        }
+        if next == ENDS {
+            let fruitless = get(batch, FRUITLESS);
+            // A round without tasks has no work; if all are idle, nobody makes any.
+            let patience = if self.tasks == 0 { 0 } else { self.args.patience };
+            let n_idle = load(self.control, idle(self.round));
+            if !workers.retires(&self.deques(), me, fruitless, patience, n_idle) {
+                next = SEEKS;
+                set(batch, FRUITLESS, fruitless + 1);
+                if fruitless == 0 {
+                    add(self.control, idle(self.round), 1);
+                }
+            }
+        } else {
+            self.found_work(batch);
+        }
+        next
     }
-}
 
-/// Every thread says whether its hand holds something; a number of [`HAND`] is that of the first.
-#[inline(always)]
-pub(super) fn look_at_hands(
-    batch: &mut Batch,
-    workers: Workers,
-    me: u32,
-    lane: u32,
-    control: &mut [u32],
-) {
-    if lane < HANDS {
-        if workers.holds(&words_of(control, workers), me, lane) {
+    /// The first thread, when the worker has work: it is idle no more.
+    #[inline(always)]
+    pub(super) fn found_work(&mut self, batch: &mut Batch) {
+        if get(batch, FRUITLESS) > 0 {
+            set(batch, FRUITLESS, 0);
+            add(self.control, idle(self.round), u32::MAX);
+        }
+    }
+
+    /// Finds the first hand that holds something, a thread a hand.
+    #[inline(always)]
+    pub(super) fn look_at_hands(&mut self, batch: &mut Batch) {
+        let (me, lane, workers) = (self.me, self.lane, self.workers);
+        if lane < HANDS {
+            if workers.holds(&self.deques(), me, lane) {
+                lower_shared(batch, HAND, lane);
+            }
+        }
+    }
+
+    /// Where no hand holds anything: a thread steals a range of one other worker's deque; of tasks,
+    /// it only looks whether there are some.
+    #[inline(always)]
+    pub(super) fn reach_out(&mut self, batch: &mut Batch, victim: u32) {
+        let (me, lane, most, workers) = (self.me, self.lane, self.args.most, self.workers);
+        if workers.reach_out(&self.deques(), me, lane, victim, most) {
             lower_shared(batch, HAND, lane);
         }
     }
-}
 
-/// Where no hand holds anything: a thread steals a range of one other worker's deque; of tasks, it
-/// only looks whether there are some.
-#[inline(always)]
-pub(super) fn reach_out(
-    args: &NodeDescent,
-    batch: &mut Batch,
-    victim: u32,
-    me: u32,
-    lane: u32,
-    control: &mut [u32],
-) {
-    let workers = thieves(args);
-    if workers.reach_out(&words_of(control, workers), me, lane, victim, args.most) {
-        lower_shared(batch, HAND, lane);
-    }
-}
-
-/// The first thread, when the stack has many pairs: a slot for a batch of its bottom.
-#[inline(always)]
-pub(super) fn reserve_slot(
-    args: &NodeDescent,
-    me: u32,
-    shared: &Shared,
-    batch: &mut Batch,
-    control: &mut [u32],
-) {
-    if get(shared, TOP) >= args.push {
-        let workers = thieves(args);
-        match workers.deque(me).reserve(&words_of(control, workers)) {
-            Some(slot) => set(batch, TO_PUSH, slot),
-            None => set(batch, FULL, get(batch, FULL) + 1),
+    /// The first thread, when the stack has many pairs: a slot for a batch of its bottom.
+    #[inline(always)]
+    pub(super) fn reserve_slot(&mut self, batch: &mut Batch) {
+        if self.get(TOP) >= self.args.push {
+            let (me, workers) = (self.me, self.workers);
+            match workers.deque(me).reserve(&self.deques()) {
+                Some(slot) => set(batch, TO_PUSH, slot),
+                None => set(batch, FULL, get(batch, FULL) + 1),
+            }
         }
     }
-}
 
-/// Thread `lane` copies a pair of the stack's bottom to the slot and puts one of its top there.
-#[inline(always)]
-pub(super) fn copy_batch(
-    args: &NodeDescent,
-    me: u32,
-    lane: u32,
-    shared: &Shared,
-    batch: &Batch,
-    stack: &mut Stack,
-    control: &mut [u32],
-) {
-    let (workers, slot) = (thieves(args), get(batch, TO_PUSH));
-    let (to, from) = (2 * lane, 2 * (get(shared, TOP) - args.batch + lane));
-    let pair = [get(stack, to), get(stack, to + 1)];
-    workers.deque(me).write(&words_of(control, workers), slot, lane, pair);
-    set(stack, to, get(stack, from));
-    set(stack, to + 1, get(stack, from + 1));
-}
-
-/// The pair that a thread takes from the batch.
-#[inline(always)]
-pub(super) fn read_batch(batch: &Batch, workers: Workers, i: u32, control: &mut [u32]) -> NodePair {
-    let words = &words_of(control, workers);
-    workers.deque(get(batch, OWNER)).read(words, get(batch, SLOT), i)
-}
-
-/// The first thread says that all have read the batch.
-#[inline(always)]
-pub(super) fn give_back(batch: &Batch, workers: Workers, control: &mut [u32]) {
-    if get(batch, SOURCE) == STOLEN {
-        workers.deque(get(batch, OWNER)).give_back(&words_of(control, workers), 1);
+    /// A thread copies a pair of the stack's bottom to the slot and puts one of its top there.
+    #[inline(always)]
+    pub(super) fn copy_batch(&mut self, batch: &Batch, stack: &mut Stack) {
+        let (me, lane, workers) = (self.me, self.lane, self.workers);
+        let slot = get(batch, TO_PUSH);
+        let (to, from) = (2 * lane, 2 * (self.get(TOP) - self.args.batch + lane));
+        let pair = [get(stack, to), get(stack, to + 1)];
+        workers.deque(me).write(&self.deques(), slot, lane, pair);
+        set(stack, to, get(stack, from));
+        set(stack, to + 1, get(stack, from + 1));
     }
-}
 
-/// The first thread adds what its worker counted to what all did.
-#[inline(always)]
-pub(super) fn count_batches(batch: &Batch, workers: Workers, control: &mut [u32]) {
-    for i in 0..3 {
-        add(control, stolen(workers.n) + i as usize, get(batch, COUNTED + i));
+    /// Pair `i` of the batch that was taken.
+    #[inline(always)]
+    pub(super) fn read_batch(&mut self, i: u32, batch: &Batch) -> NodePair {
+        let deque = self.workers.deque(get(batch, OWNER));
+        deque.read(&self.deques(), get(batch, SLOT), i)
+    }
+
+    /// The first thread gives the batch back, which all have read.
+    #[inline(always)]
+    pub(super) fn give_back(&mut self, batch: &Batch) {
+        if get(batch, SOURCE) == STOLEN {
+            let deque = self.workers.deque(get(batch, OWNER));
+            deque.give_back(&self.deques(), 1);
+        }
+    }
+
+    /// The first thread adds what its worker counted to the sums of all.
+    #[inline(always)]
+    pub(super) fn count_batches(&mut self, batch: &Batch) {
+        let first = stolen(self.workers.n);
+        for i in 0..3 {
+            add(self.control, first + i as usize, get(batch, COUNTED + i));
+        }
     }
 }

@@ -1,92 +1,73 @@
-//! The parts of a worker's turn; see `ccd_core::backend::broad_phase::pair_workers`. A scheduler of
-//! its own has another [`plan`].
+//! A worker and the parts of its turn; see `ccd_core::backend::broad_phase::pair_workers`. A
+//! scheduler of its own has another [`Worker::plan`].
+//!
+//! A worker moves pairs of nodes, two words each, between its stack, lists and deques, and knows
+//! nothing else of them. What one is, which children of it meet, and how many threads expand one,
+//! is said by a [`PairTree`]: two binary trees, or the block trees of two sets, or one of either
+//! with itself.
 
-use super::pair_tree::{INNER, LEAF, PairTree};
 use super::shared::{
     BELOW, ENDED, ENDED_BASE, EXPANDED, FIRST, FROM_STACK, FROM_TASKS, LEAVES, LEAVES_BASE, NEXT,
-    NODES, REST, REST_BASE, Round, SPILL_BASE, STRIDE, Shared, Stack, TO_STACK, TOP, TURNS,
+    NODES, REST, REST_BASE, SPILL_BASE, STRIDE, Shared, Stack, TO_STACK, TOP, TURNS,
 };
 use crate::broad_phase::pair_descent::{count_front, reserve, write_front};
-use crate::workgroup::{add, add_shared, count, get, load, raise, read_pair, set, write_pair};
+use crate::broad_phase::volume::{INNER, LEAF};
+use crate::entry::Thread;
+use crate::workgroup::{
+    add, add_shared, barrier, count, get, load, raise, read_pair, set, write_pair,
+};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::backend::broad_phase::pair_workers::{
-    LEFT, QUANTUM, STACK, THREADS, idle, is_over, listed, piece, share, taken,
+    LEFT, QUANTUM, STACK, THREADS, counts, idle, is_over, listed, piece, share, taken, thieves,
 };
-use ccd_core::backend::layout::{NodeDescent, Pair};
+use ccd_core::backend::broad_phase::stack_traversal::NONE;
+use ccd_core::backend::kernel::memory::at;
+use ccd_core::backend::layout::{Dispatch, NodeDescent, Pair};
+use ccd_core::backend::scheduling::stealing::Workers;
 
-/// What a worker does next.
+/// A tree of pairs of nodes: a view of the nodes of both sides, with the parameters of a kernel.
+pub(super) trait PairTree: Copy {
+    /// Children that a thread found, and where they go.
+    type Found: Copy;
+    type Places: Copy;
+
+    /// Pairs that a worker expands in a turn.
+    const WIDTH: u32;
+
+    /// The record that is the same for all trees of pairs.
+    fn descent(self) -> NodeDescent;
+
+    /// The record of the dispatch.
+    fn dispatch(self) -> Dispatch;
+
+    /// On which of the pairs of a turn a thread works.
+    fn index(lane: u32) -> u32;
+
+    /// The first thread, before a turn.
+    fn begin(shared: &mut Shared);
+
+    /// The children of a pair that this thread is to find. All threads of a worker call it, also
+    /// those that have [`NO_PAIR`]: there may be barriers in it.
+    fn expand(self, lane: u32, pair: NodePair, shared: &mut Shared) -> Self::Found;
+
+    /// Counts the children that a thread found.
+    fn claim(found: Self::Found, capacity_front: u32, shared: &mut Shared) -> Self::Places;
+
+    /// Writes them to where they belong.
+    fn put_away(worker: &mut Worker<Self>, found: Self::Found, to: Self::Places, stack: &mut Stack);
+
+    /// What becomes of a pair.
+    fn fate(self, pair: NodePair) -> u32;
+
+    /// The entry of a pair of leaves in the list of results.
+    fn result(self, pair: NodePair) -> Pair;
+}
+
+/// States of a worker: it works, it has found nothing more, it leaves what it has to the next
+/// round.
 pub(super) const WORKS: u32 = 0;
-/// It has found nothing more.
 pub(super) const ENDS: u32 = 1;
-/// It leaves what it has to the next round.
 pub(super) const STOPS: u32 = 2;
-
-/// The first thread says what its worker does in this turn, by what is on the stack and what tasks
-/// there are: returns whether it works at all.
-#[inline(always)]
-pub(super) fn plan<T: PairTree>(
-    args: &NodeDescent,
-    round: Round,
-    turn: u32,
-    shared: &mut Shared,
-    control: &mut [u32],
-) -> u32 {
-    let from_stack = get(shared, TOP).min(T::WIDTH);
-    let mut state = WORKS;
-    if args.idle > 0 && turn >= QUANTUM {
-        if is_over(load(control, idle(round.number)), round.workers, args.idle) {
-            state = STOPS;
-        }
-    }
-    let mut from_tasks = 0;
-    let capacity = T::WIDTH - from_stack;
-    if state == WORKS && capacity > 0 {
-        let next = get(shared, NEXT);
-        if args.tasks == NodeDescent::TASKS_DEALT {
-            from_tasks = (share(round.tasks, round.me, round.workers) - next).min(capacity);
-            set(shared, FIRST, round.me + (next << round.workers));
-            set(shared, STRIDE, 1 << round.workers);
-            set(shared, NEXT, next + from_tasks);
-        } else if next == 0 {
-            let wanted = piece(round.tasks, round.workers, args.piece).min(capacity);
-            let first = add(control, taken(round.number), wanted);
-            from_tasks = round.tasks - first.min(round.tasks);
-            from_tasks = from_tasks.min(wanted);
-            set(shared, FIRST, first);
-            set(shared, STRIDE, 1);
-            set(shared, NEXT, (from_tasks < wanted) as u32);
-        }
-    }
-    if state == WORKS && from_stack + from_tasks == 0 {
-        state = ENDS;
-        if args.idle > 0 {
-            add(control, idle(round.number), 1);
-        }
-    }
-    set(shared, FROM_STACK, from_stack);
-    set(shared, FROM_TASKS, from_tasks);
-    set(shared, NODES, 0);
-    set(shared, LEAVES, 0);
-    set(shared, ENDED, 0);
-    T::begin(shared);
-    state
-}
-
-/// Pair `i` of those that are expanded in this turn, from the top of the stack or from the tasks.
-#[inline(always)]
-pub(super) fn take(i: u32, input: u32, shared: &Shared, stack: &Stack, nodes: &[u32]) -> NodePair {
-    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
-    let mut out = NO_PAIR;
-    if i < from_stack {
-        let place = 2 * (get(shared, TOP) - 1 - i);
-        out = [get(stack, place), get(stack, place + 1)];
-    } else if i < from_stack + from_tasks {
-        let task = get(shared, FIRST) + (i - from_stack) * get(shared, STRIDE);
-        let pair = read_pair(nodes, input + task);
-        out = [pair.a, pair.b];
-    }
-    out
-}
 
 /// A child of a pair, and what becomes of it.
 #[derive(Clone, Copy)]
@@ -99,7 +80,7 @@ impl Child {
     pub(super) const NONE: Self = Self { pair: NO_PAIR, fate: 0 };
 }
 
-/// Counts a pair in its worker; returns the number that it has among its like, and in the front.
+/// Counts a pair in its worker; returns its number among those of its fate, and in the front.
 #[inline(always)]
 pub(super) fn claim(fate: u32, capacity_front: u32, shared: &mut Shared) -> [u32; 2] {
     let mut to = [0, 0];
@@ -114,182 +95,307 @@ pub(super) fn claim(fate: u32, capacity_front: u32, shared: &mut Shared) -> [u32
     to
 }
 
-/// The first thread makes room for what was found: `below` pairs are left on the stack.
-#[inline(always)]
-pub(super) fn reserve_results(
-    args: &NodeDescent,
-    number: u32,
-    shared: &mut Shared,
-    control: &mut [u32],
-    nodes: &mut [u32],
-    pairs: &mut [u32],
-) {
-    let (n_nodes, n_leaves) = (get(shared, NODES), get(shared, LEAVES));
-    let n_ended = get(shared, ENDED);
-    let (from_stack, from_tasks) = (get(shared, FROM_STACK), get(shared, FROM_TASKS));
-    set(shared, TURNS, get(shared, TURNS) + 1);
-    set(shared, EXPANDED, get(shared, EXPANDED) + from_stack + from_tasks);
-    let below = get(shared, TOP) - from_stack;
-    let to_stack = n_nodes.min(args.stack - below);
-    set(shared, BELOW, below);
-    set(shared, TO_STACK, to_stack);
-    set(shared, TOP, below + to_stack);
-    if n_nodes > to_stack {
-        let base = spill(args, number, n_nodes - to_stack, control, nodes);
-        set(shared, SPILL_BASE, base);
-    }
-    if n_leaves > 0 {
-        set(shared, LEAVES_BASE, count(pairs, 0, n_leaves));
-    }
-    if n_ended > 0 {
-        set(shared, ENDED_BASE, count_front(control, n_ended));
-    }
+/// A worker in a round, as one of its threads sees it.
+pub(super) struct Worker<'a, T> {
+    pub trees: T,
+    pub args: NodeDescent,
+    /// All workers, if they steal from each other.
+    pub workers: Workers,
+    /// Number of the worker, and of the thread in it.
+    pub me: u32,
+    pub lane: u32,
+    /// Number of the round.
+    pub round: u32,
+    /// Tasks of the round.
+    pub tasks: u32,
+    /// First entry of these tasks in the list, and of those of the next round.
+    pub input: u32,
+    pub output: u32,
+    pub shared: &'a mut Shared,
+    pub control: &'a mut [u32],
+    pub nodes: &'a mut [u32],
+    pub pairs: &'a mut [u32],
+    pub front: &'a mut [u32],
 }
 
-/// Reserves places among the tasks of the next round.
-#[inline(always)]
-pub(super) fn spill(
-    args: &NodeDescent,
-    number: u32,
-    n: u32,
-    control: &mut [u32],
-    nodes: &mut [u32],
-) -> u32 {
-    if args.last != 0 {
-        raise(control, LEFT, u32::MAX);
-    }
-    reserve(control, listed(number + 1), nodes, n)
-}
-
-/// Writes a pair to where it belongs.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
-pub(super) fn put_away<T: PairTree>(
-    args: &NodeDescent,
-    round: Round,
-    child: Child,
-    to: [u32; 2],
-    a: &[T::Node],
-    b: &[T::Node],
-    shared: &Shared,
-    stack: &mut Stack,
-    nodes: &mut [u32],
-    pairs: &mut [u32],
-    front: &mut [u32],
-) {
-    let Child { pair, fate } = child;
-    if fate == INNER {
-        let to_stack = get(shared, TO_STACK);
-        if to[0] < to_stack {
-            let place = 2 * (get(shared, BELOW) + to[0]);
-            set(stack, place, pair[0]);
-            set(stack, place + 1, pair[1]);
-        } else {
-            let i = get(shared, SPILL_BASE) + to[0] - to_stack;
-            write_task(args, round.output, nodes, i, pair);
-        }
-    } else if fate != 0 {
-        put_ended::<T>(args, round.capacity_pairs, child, to, a, b, shared, pairs, front);
-    }
-}
-
-/// Writes a pair at which the descent ends.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "as above")]
-pub(super) fn put_ended<T: PairTree>(
-    args: &NodeDescent,
-    capacity_pairs: u32,
-    child: Child,
-    to: [u32; 2],
-    a: &[T::Node],
-    b: &[T::Node],
-    shared: &Shared,
-    pairs: &mut [u32],
-    front: &mut [u32],
-) {
-    let Child { pair, fate } = child;
-    if fate == LEAF {
-        let found = T::result(args, pair, a, b);
-        write_pair(pairs, capacity_pairs, get(shared, LEAVES_BASE) + to[0], found);
-    }
-    if args.capacity_front > 0 {
-        write_front(args, front, get(shared, ENDED_BASE) + to[1], pair);
-    }
-}
-
-/// Writes a task of the next round; one for which there is no room is only counted.
-#[inline(always)]
-pub(super) fn write_task(
-    args: &NodeDescent,
-    output: u32,
-    nodes: &mut [u32],
-    i: u32,
-    pair: NodePair,
-) {
-    if i < args.capacity_nodes {
-        write_pair(nodes, u32::MAX, output + i, Pair { a: pair[0], b: pair[1] });
-    }
-}
-
-/// The first thread, when the worker has ended: room for its stack and for the rest of its part
-/// among the tasks of the next round.
-#[inline(always)]
-pub(super) fn reserve_rest(
-    args: &NodeDescent,
-    round: Round,
-    shared: &mut Shared,
-    control: &mut [u32],
-    nodes: &mut [u32],
-) {
-    let mut rest = 0;
-    if args.tasks == NodeDescent::TASKS_DEALT {
-        rest = share(round.tasks, round.me, round.workers) - get(shared, NEXT);
-    }
-    set(shared, REST, rest);
-    let n = get(shared, TOP) + rest;
-    if n > 0 {
-        set(shared, REST_BASE, spill(args, round.number, n, control, nodes));
-    }
-}
-
-/// Leaves what the worker has on its stack, and what is left of its part, to the next round; of
-/// tasks by a counter, all that nobody takes any more.
-#[inline(always)]
-pub(super) fn leave_rest(
-    args: &NodeDescent,
-    round: Round,
-    lane: u32,
-    shared: &Shared,
-    stack: &Stack,
-    control: &mut [u32],
-    nodes: &mut [u32],
-) {
-    let (top, base, rest) = (get(shared, TOP), get(shared, REST_BASE), get(shared, REST));
-    for k in 0..STACK / THREADS {
-        let i = k * THREADS + lane;
-        if i < top {
-            let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
-            write_task(args, round.output, nodes, base + i, pair);
+impl<'a, T: PairTree> Worker<'a, T> {
+    /// Worker `t.group` of round `dispatch.first`.
+    #[inline(always)]
+    pub(super) fn new(
+        trees: T,
+        t: Thread,
+        shared: &'a mut Shared,
+        control: &'a mut [u32],
+        nodes: &'a mut [u32],
+        pairs: &'a mut [u32],
+        front: &'a mut [u32],
+    ) -> Self {
+        let (args, round) = (trees.descent(), trees.dispatch().first);
+        let (capacity, is_odd) = (args.capacity_nodes, round % 2);
+        Self {
+            trees,
+            args,
+            workers: thieves(&args),
+            me: t.group,
+            lane: t.lane,
+            round,
+            tasks: at(control, listed(round)).min(capacity),
+            input: is_odd * capacity,
+            output: (1 - is_odd) * capacity,
+            shared,
+            control,
+            nodes,
+            pairs,
+            front,
         }
     }
-    let next = get(shared, NEXT);
-    for k in 0..rest.div_ceil(THREADS) {
-        let i = k * THREADS + lane;
-        if i < rest {
-            let pair = read_pair(nodes, round.input + round.me + ((next + i) << round.workers));
-            write_task(args, round.output, nodes, base + top + i, [pair.a, pair.b]);
-        }
+
+    /// A word that the threads share.
+    #[inline(always)]
+    pub(super) fn get(&self, word: u32) -> u32 {
+        get(self.shared, word)
     }
-    if args.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
-        // Each thread for itself, a task at a time: that is rare.
-        for _ in 0..round.tasks {
-            let i = add(control, taken(round.number), 1);
-            if i >= round.tasks {
-                break;
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, word: u32, value: u32) {
+        set(self.shared, word, value);
+    }
+
+    /// The first thread, before the first turn.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        self.set(TOP, 0);
+        self.set(NEXT, 0);
+        self.set(TURNS, 0);
+        self.set(EXPANDED, 0);
+    }
+
+    /// The first thread decides what its worker does in this turn, by what is on the stack and
+    /// what tasks there are: returns its state.
+    #[inline(always)]
+    pub(super) fn plan(&mut self, turn: u32) -> u32 {
+        let args = self.args;
+        let from_stack = self.get(TOP).min(T::WIDTH);
+        let mut state = WORKS;
+        if args.idle > 0 && turn >= QUANTUM {
+            if is_over(load(self.control, idle(self.round)), args.workers, args.idle) {
+                state = STOPS;
             }
-            let pair = read_pair(nodes, round.input + i);
-            let to = spill(args, round.number, 1, control, nodes);
-            write_task(args, round.output, nodes, to, [pair.a, pair.b]);
+        }
+        let mut from_tasks = 0;
+        let capacity = T::WIDTH - from_stack;
+        if state == WORKS && capacity > 0 {
+            let next = self.get(NEXT);
+            if args.tasks == NodeDescent::TASKS_DEALT {
+                from_tasks = (share(self.tasks, self.me, args.workers) - next).min(capacity);
+                self.set(FIRST, self.me + (next << args.workers));
+                self.set(STRIDE, 1 << args.workers);
+                self.set(NEXT, next + from_tasks);
+            } else if next == 0 {
+                let wanted = piece(self.tasks, args.workers, args.piece).min(capacity);
+                let first = add(self.control, taken(self.round), wanted);
+                from_tasks = self.tasks - first.min(self.tasks);
+                from_tasks = from_tasks.min(wanted);
+                self.set(FIRST, first);
+                self.set(STRIDE, 1);
+                self.set(NEXT, (from_tasks < wanted) as u32);
+            }
+        }
+        if state == WORKS && from_stack + from_tasks == 0 {
+            state = ENDS;
+            if args.idle > 0 {
+                add(self.control, idle(self.round), 1);
+            }
+        }
+        self.set(FROM_STACK, from_stack);
+        self.set(FROM_TASKS, from_tasks);
+        self.set(NODES, 0);
+        self.set(LEAVES, 0);
+        self.set(ENDED, 0);
+        T::begin(self.shared);
+        state
+    }
+
+    /// Pair `i` of those that are expanded in this turn, from the top of the stack or from the
+    /// tasks.
+    #[inline(always)]
+    pub(super) fn take(&self, i: u32, stack: &Stack) -> NodePair {
+        let (from_stack, from_tasks) = (self.get(FROM_STACK), self.get(FROM_TASKS));
+        let mut out = NO_PAIR;
+        if i < from_stack {
+            let place = 2 * (self.get(TOP) - 1 - i);
+            out = [get(stack, place), get(stack, place + 1)];
+        } else if i < from_stack + from_tasks {
+            let task = self.get(FIRST) + (i - from_stack) * self.get(STRIDE);
+            let pair = read_pair(self.nodes, self.input + task);
+            out = [pair.a, pair.b];
+        }
+        out
+    }
+
+    /// The first thread reserves places for what was found.
+    #[inline(always)]
+    pub(super) fn reserve_results(&mut self) {
+        let (n_nodes, n_leaves) = (self.get(NODES), self.get(LEAVES));
+        let n_ended = self.get(ENDED);
+        let (from_stack, from_tasks) = (self.get(FROM_STACK), self.get(FROM_TASKS));
+        self.set(TURNS, self.get(TURNS) + 1);
+        self.set(EXPANDED, self.get(EXPANDED) + from_stack + from_tasks);
+        let below = self.get(TOP) - from_stack;
+        let to_stack = n_nodes.min(self.args.stack - below);
+        self.set(BELOW, below);
+        self.set(TO_STACK, to_stack);
+        self.set(TOP, below + to_stack);
+        if n_nodes > to_stack {
+            let base = self.spill(n_nodes - to_stack);
+            self.set(SPILL_BASE, base);
+        }
+        if n_leaves > 0 {
+            set(self.shared, LEAVES_BASE, count(self.pairs, 0, n_leaves));
+        }
+        if n_ended > 0 {
+            set(self.shared, ENDED_BASE, count_front(self.control, n_ended));
+        }
+    }
+
+    /// Reserves places among the tasks of the next round.
+    #[inline(always)]
+    pub(super) fn spill(&mut self, n: u32) -> u32 {
+        if self.args.last != 0 {
+            raise(self.control, LEFT, u32::MAX);
+        }
+        reserve(self.control, listed(self.round + 1), self.nodes, n)
+    }
+
+    /// Writes a pair to the stack, the tasks of the next round, the results or the front.
+    #[inline(always)]
+    pub(super) fn put_away(&mut self, child: Child, to: [u32; 2], stack: &mut Stack) {
+        let Child { pair, fate } = child;
+        if fate == INNER {
+            let to_stack = self.get(TO_STACK);
+            if to[0] < to_stack {
+                let place = 2 * (self.get(BELOW) + to[0]);
+                set(stack, place, pair[0]);
+                set(stack, place + 1, pair[1]);
+            } else {
+                let i = self.get(SPILL_BASE) + to[0] - to_stack;
+                self.write_task(self.output, i, pair);
+            }
+        } else if fate != 0 {
+            self.put_ended(child, to);
+        }
+    }
+
+    /// Writes a pair at which the descent ends.
+    #[inline(always)]
+    fn put_ended(&mut self, child: Child, to: [u32; 2]) {
+        let Child { pair, fate } = child;
+        if fate == LEAF {
+            let (found, capacity) = (self.trees.result(pair), self.trees.dispatch().capacity_out);
+            write_pair(self.pairs, capacity, get(self.shared, LEAVES_BASE) + to[0], found);
+        }
+        if self.args.capacity_front > 0 {
+            write_front(&self.args, self.front, get(self.shared, ENDED_BASE) + to[1], pair);
+        }
+    }
+
+    /// Writes a task of a round whose tasks begin at entry `first`; one beyond the capacity is only
+    /// counted.
+    #[inline(always)]
+    pub(super) fn write_task(&mut self, first: u32, i: u32, pair: NodePair) {
+        if i < self.args.capacity_nodes {
+            write_pair(self.nodes, u32::MAX, first + i, Pair { a: pair[0], b: pair[1] });
+        }
+    }
+
+    /// The first thread, when the worker has ended: places among the tasks of the next round for
+    /// its stack and for the rest of its part.
+    #[inline(always)]
+    pub(super) fn reserve_rest(&mut self) {
+        let mut rest = 0;
+        if self.args.tasks == NodeDescent::TASKS_DEALT {
+            rest = share(self.tasks, self.me, self.args.workers) - self.get(NEXT);
+        }
+        self.set(REST, rest);
+        let n = self.get(TOP) + rest;
+        if n > 0 {
+            let base = self.spill(n);
+            self.set(REST_BASE, base);
+        }
+        add(self.control, counts(self.me), get(self.shared, TURNS));
+        add(self.control, counts(self.me) + 1, get(self.shared, EXPANDED));
+    }
+
+    /// Leaves what the worker has on its stack, and what is left of its part, to the next round; of
+    /// tasks by a counter, all that nobody takes any more.
+    #[inline(always)]
+    pub(super) fn leave_rest(&mut self, stack: &Stack) {
+        let (top, base, rest) = (self.get(TOP), self.get(REST_BASE), self.get(REST));
+        for k in 0..STACK / THREADS {
+            let i = k * THREADS + self.lane;
+            if i < top {
+                let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
+                self.write_task(self.output, base + i, pair);
+            }
+        }
+        let next = self.get(NEXT);
+        for k in 0..rest.div_ceil(THREADS) {
+            let i = k * THREADS + self.lane;
+            if i < rest {
+                let task = self.input + self.me + ((next + i) << self.args.workers);
+                let pair = read_pair(self.nodes, task);
+                self.write_task(self.output, base + top + i, [pair.a, pair.b]);
+            }
+        }
+        if self.args.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
+            // Each thread for itself, a task at a time: that is rare.
+            for _ in 0..self.tasks {
+                let i = add(self.control, taken(self.round), 1);
+                if i >= self.tasks {
+                    break;
+                }
+                let pair = read_pair(self.nodes, self.input + i);
+                let to = self.spill(1);
+                self.write_task(self.output, to, [pair.a, pair.b]);
+            }
+        }
+    }
+
+    /// A thread looks at a pair at which a search may begin, if it has one: it becomes a task, or
+    /// ends here.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, pair: NodePair) {
+        if self.lane == 0 {
+            self.set(NODES, 0);
+            self.set(LEAVES, 0);
+            self.set(ENDED, 0);
+        }
+        barrier();
+        let mut fate = 0;
+        if pair[0] != NONE {
+            fate = self.trees.fate(pair);
+        }
+        let to = claim(fate, self.args.capacity_front, self.shared);
+        barrier();
+        if self.lane == 0 {
+            let (n_nodes, n_leaves) = (self.get(NODES), self.get(LEAVES));
+            if n_nodes > 0 {
+                let base = reserve(self.control, listed(0), self.nodes, n_nodes);
+                self.set(SPILL_BASE, base);
+            }
+            if n_leaves > 0 {
+                set(self.shared, LEAVES_BASE, count(self.pairs, 0, n_leaves));
+            }
+            if self.get(ENDED) > 0 {
+                let n = self.get(ENDED);
+                set(self.shared, ENDED_BASE, count_front(self.control, n));
+            }
+        }
+        barrier();
+        if fate == INNER {
+            self.write_task(0, self.get(SPILL_BASE) + to[0], pair);
+        } else if fate != 0 {
+            self.put_ended(Child { pair, fate }, to);
         }
     }
 }
