@@ -1,7 +1,7 @@
 //! `cargo xtask wasm`: the CPU's path built for WebAssembly, where there is no clock and no second
 //! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm).
 
-use crate::programs::{command, has_target, output, skipped, target_folder};
+use crate::programs::{command, has_target, output, skipped, target_folder, test};
 use std::path::Path;
 use std::process::Command;
 
@@ -19,8 +19,7 @@ pub fn run(root: &Path) -> Result<(), String> {
         skipped(&format!("what was built for WebAssembly was not run: {why}"));
         return Ok(());
     }
-    // All packages are named, so that nothing is built but what the tests have built.
-    command(root, &["cargo", "test", "--release", "--workspace", "--test", "answers"])?;
+    test(root, "answers", &[], &[])?;
     let target = target_folder(root);
     let native = target.join("tmp/answers.txt");
     let native =

@@ -7,7 +7,6 @@
 
 use super::query_families::{Batch, Form, Known, Query};
 use super::{Counts, Place, fewest};
-use crate::AttackKind;
 use ccd::any::Session;
 use ccd::geometry::Motion;
 use ccd::{Bodies, Contact, Kind, Mesh, Options, Pair, Real, State, TOI_TOLERANCE, Verdict};
@@ -36,7 +35,6 @@ pub struct Case {
 }
 
 impl super::Case for Case {
-    const KIND: AttackKind = AttackKind::Queries;
     const NAME: &str = "queries";
 
     fn make(place: &Place, number: u64, mut random: Random, _: &mut Counts) -> Self {
@@ -102,7 +100,6 @@ impl super::Case for Case {
     }
 }
 
-#[cfg(test)]
 impl Case {
     /// Its first certain contact is said to be none, if it has one.
     pub fn with_a_lie(mut self) -> Option<Self> {

@@ -2,7 +2,6 @@
 //! force: two calls on one broad phase, so that what it keeps meets other boxes.
 
 use super::{Counts, Place, fewest};
-use crate::AttackKind;
 use ccd::any::{BroadPhase, Error};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Scheduling};
 use ccd_testkit::brute;
@@ -102,7 +101,6 @@ fn brute(a: &[Aabb<f32>], b: Option<&[Aabb<f32>]>) -> Vec<Pair> {
 }
 
 impl super::Case for Case {
-    const KIND: AttackKind = AttackKind::Boxes;
     const NAME: &str = "boxes";
 
     fn make(place: &Place, number: u64, mut random: Random, counts: &mut Counts) -> Self {
