@@ -246,11 +246,11 @@ fn ask<R: ccd::Real>(kind: Kind, [t0, t1]: [[[R; 3]; 4]; 2], d: R) -> Verdict<R>
 /// along an axis. Rounded differences keep the order of exact ones, so this is exact.
 fn are_apart(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4], n: usize, d: f64) -> bool {
     let bounds = |from: usize, to: usize, axis: usize| {
-        let of = |x: &[[f64; 3]; 4]| {
+        let extent = |x: &[[f64; 3]; 4]| {
             let all = x[from..to].iter().map(|p| p[axis]);
             (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
         };
-        let (a, b) = (of(t0), of(t1));
+        let (a, b) = (extent(t0), extent(t1));
         (a.0.min(b.0), a.1.max(b.1))
     };
     (0..3).any(|axis| {

@@ -73,9 +73,10 @@ impl super::Case for Case {
 
     /// One query if one is enough, of the least numbers with which it still fails.
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
-        let of = |batch: Batch| Self { batch, all_exactly: true, ..self.clone() };
-        let with =
-            |queries: &[Query]| of(Batch { queries: queries.to_vec(), ..self.batch.clone() });
+        let with_batch = |batch: Batch| Self { batch, all_exactly: true, ..self.clone() };
+        let with = |queries: &[Query]| {
+            with_batch(Batch { queries: queries.to_vec(), ..self.batch.clone() })
+        };
         let mut best = with(&fewest(&self.batch.queries, |queries| fails(&with(queries))));
         let mut smaller = true;
         while smaller {
@@ -91,7 +92,7 @@ impl super::Case for Case {
                     }
                 }
             }
-            let unit = of(Batch { unit: best.batch.unit / 2, ..best.batch.clone() });
+            let unit = with_batch(Batch { unit: best.batch.unit / 2, ..best.batch.clone() });
             if best.batch.unit != 0 && fails(&unit) {
                 (best, smaller) = (unit, true);
             }
@@ -156,9 +157,9 @@ fn mesh(batch: &Batch) -> Result<(Mesh, Bodies), String> {
     }
     let n = batch.queries.len() as u32;
     let mesh = Mesh::with_edges(4 * n as usize, &faces, &edges).map_err(|e| e.to_string())?;
-    let of: Vec<u32> = (0..4 * n).map(|v| v / 4).collect();
+    let bodies: Vec<u32> = (0..4 * n).map(|v| v / 4).collect();
     let worlds: Vec<u32> = (0..n).collect();
-    Ok((mesh, Bodies::new(&of, &[], true).with_worlds(&worlds)))
+    Ok((mesh, Bodies::new(&bodies, &[], true).with_worlds(&worlds)))
 }
 
 fn together<R: ccd::Coordinate>(

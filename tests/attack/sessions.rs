@@ -44,7 +44,7 @@ impl super::Case for Case {
     }
 
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
-        let of = |changes: &[u64]| Self { first: self.first, changes: changes.to_vec() };
-        of(&fewest(&self.changes, |changes| fails(&of(changes))))
+        let with_changes = |changes: &[u64]| Self { first: self.first, changes: changes.to_vec() };
+        with_changes(&fewest(&self.changes, |changes| fails(&with_changes(changes))))
     }
 }

@@ -41,8 +41,8 @@ fn compare(native: &str, wasm: &str) -> Result<usize, String> {
         return Err(format!("{line}: that shows nothing"));
     }
     if let Some(i) = (0..ours.len().max(theirs.len())).find(|&i| ours.get(i) != theirs.get(i)) {
-        let of = |lines: &[&str]| lines.get(i).map_or("nothing".to_owned(), |l| format!("{l:?}"));
-        return Err(format!("WebAssembly says {}, this machine {}", of(&theirs), of(&ours)));
+        let line = |lines: &[&str]| lines.get(i).map_or("nothing".to_owned(), |l| format!("{l:?}"));
+        return Err(format!("WebAssembly says {}, this machine {}", line(&theirs), line(&ours)));
     }
     let n = ours.iter().filter(|line| !line.starts_with("scene")).count();
     if n > 0 { Ok(n) } else { Err("there are no answers to compare".into()) }

@@ -29,10 +29,10 @@ pub struct Effort {
     pub enough: Duration,
 }
 
-/// Steps before those that are timed: a front has room after the first, is made in the second, and
-/// begun with in the third.
+/// Steps before those that are timed: the first finds out how long a front is, the second makes
+/// it, and the third begins at it.
 pub const WARM: usize = 2;
-/// Steps after those, in which it is asked where time goes: one where all together take long.
+/// Steps after those, whose parts are timed: one where all together take long.
 pub const WATCHED: usize = 2;
 /// A step of all schedulers that takes longer than this takes long.
 const LONG: Duration = Duration::from_secs(3);
@@ -115,11 +115,11 @@ impl Structure {
     /// From the roots where a backend has that, else from a cut.
     pub fn method(self, backend: &str) -> BroadPhaseMethod {
         let Self::Tree(volume) = self else { return BroadPhaseMethod::Blocks };
-        let of = |traversal| {
+        let tree = |traversal| {
             BroadPhaseMethod::Tree(TreeOptions::default().volume(volume).traversal(traversal))
         };
-        let from_roots = of(Traversal::SIMULTANEOUS);
-        if from_roots.lacking(backend).is_none() { from_roots } else { of(Traversal::CUT) }
+        let from_roots = tree(Traversal::SIMULTANEOUS);
+        if from_roots.lacking(backend).is_none() { from_roots } else { tree(Traversal::CUT) }
     }
 }
 
