@@ -35,11 +35,11 @@ fn pairs() -> (VertexFace<f64>, VertexFace<f64>, EdgeEdge<f64>) {
 /// The filters in `f32`, each by itself and as a cascade, and the decision in `f64`.
 fn narrow_phase(c: &mut Criterion) {
     let (hit, miss, edges) = pairs();
-    let of = |q: &VertexFace<f64>| {
+    let points = |q: &VertexFace<f64>| {
         let [t0, t1] = [q.t0, q.t1].map(|x| x.map(|p| p.map(|c| c as f32)));
         Motion::new(Patch::Triangle, &t0, &t1, 0.0)
     };
-    let (through, above) = (of(&hit), of(&miss));
+    let (through, above) = (points(&hit), points(&miss));
     let by_plane = |m: &Motion<f32>| Coplanarity::new(m).clearance(0.0) > 0.0;
     let by_direction = |m: &Motion<f32>| beside(m, Patch::Triangle, 0.0) > 0.0;
     let by_all = |m: &Motion<f32>| apart(m, Patch::Triangle, 0.0);
@@ -168,7 +168,7 @@ fn device(c: &mut Criterion) {
     });
     let values: Vec<u32> = (0..100_000).collect();
     let keys: Vec<u32> = values.iter().map(|&i| ccd::scenes::pcg(i)).collect();
-    let mut sorter = gpu::Sorter::new(&device, 100_000).expect("room");
+    let mut sorter = gpu::Sorter::new(&device, 100_000).expect("memory");
     c.bench_function("GPU: radix sort, 100,000 keys", |b| {
         b.iter(|| {
             let (sorted, _) = sorter.sort(black_box(&keys), &values).expect("sorted");

@@ -23,8 +23,8 @@ const DISTANCE: f64 = 0.005;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let height = |x: f32, z: f32| 0.5 * (0.7 * x).sin() * (0.9 * z).cos();
     let at = |k: usize| CELL * (k as f32 - 0.5 * (N - 1) as f32);
-    let of = |i: usize| Vec3::new(at(i % N), height(at(i % N), at(i / N)), at(i / N));
-    let mut rest: Vec<Vec3> = (0..N * N).map(of).collect();
+    let vertex = |i: usize| Vec3::new(at(i % N), height(at(i % N), at(i / N)), at(i / N));
+    let mut rest: Vec<Vec3> = (0..N * N).map(vertex).collect();
     let mut faces = Vec::new();
     grid(&mut faces, N, 0);
     let first = rest.len() as u32;

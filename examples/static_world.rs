@@ -18,10 +18,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let n = n_large + small.mesh.n_vertices();
     let mesh = Mesh::new(n, &faces)?;
     let body: Vec<u32> = (0..n).map(|v| (v >= n_large) as u32).collect();
-    let of = |fixed: bool| Bodies::new(&body, &[fixed], true).with_excluded_bodies(&[[0, 0]]);
+    let bodies = |fixed: bool| Bodies::new(&body, &[fixed], true).with_excluded_bodies(&[[0, 0]]);
     println!("{} edges, {} of them moving", mesh.edges().len(), small.mesh.edges().len());
     let mut found = Vec::new();
-    for (name, bodies) in [("without self-contact", of(false)), ("fixed", of(true))] {
+    for (name, bodies) in [("without self-contact", bodies(false)), ("fixed", bodies(true))] {
         let options = Options::default().with_threads(1).with_bodies(bodies);
         let mut session = Session::new(mesh.clone(), options)?;
         let (ms, contacts) = run(&mut session, &large, &small)?;

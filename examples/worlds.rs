@@ -11,11 +11,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut numbers = std::env::args().skip(1).map(|n| n.parse::<usize>());
     let n = numbers.next().unwrap_or(Ok(512))?;
     let side = numbers.next().unwrap_or(Ok(32))?;
-    let one = crumpled_sheet(side, 5);
-    let (all, bodies) = copies(&one, n);
-    println!("a cloth of {} edges, {n} worlds", one.mesh.edges().len());
+    let sheet = crumpled_sheet(side, 5);
+    let (all, bodies) = copies(&sheet, n);
+    println!("a cloth of {} edges, {n} worlds", sheet.mesh.edges().len());
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let of_one = best(backend, &one, None, 200);
+        let of_one = best(backend, &sheet, None, 200);
         let of_all = best(backend, &all, Some(bodies.clone()), 7);
         match (of_one, of_all) {
             (Ok((one, n_one, place)), Ok((all, n_all, _))) => println!(

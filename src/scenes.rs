@@ -42,13 +42,14 @@ pub fn debris_boxes() -> Vec<Aabb<f32>> {
     /// Found by bisection, for the number of pairs. The corridor is 1 wide, 1 high and 8 long.
     const LARGEST: f32 = 0.3372;
     let make = |i: u32| {
-        let of = |k: u32| unit(origin(7).wrapping_add(16 * i + k));
+        let number = |k: u32| unit(origin(7).wrapping_add(16 * i + k));
         // Inward from either wall, up from the floor, along the corridor.
-        let inward = 0.5 * of(0) * of(1);
-        let x = if of(2) < 0.5 { inward } else { 1.0 - inward };
-        let centre = [x, of(3) * of(4), 8.0 * of(5)];
-        let size = LARGEST / (1.0 + 7.0 * of(6));
-        let half: [f32; 3] = std::array::from_fn(|k| size * (1.0 + 2.0 * of(7 + k as u32)) / 6.0);
+        let inward = 0.5 * number(0) * number(1);
+        let x = if number(2) < 0.5 { inward } else { 1.0 - inward };
+        let centre = [x, number(3) * number(4), 8.0 * number(5)];
+        let size = LARGEST / (1.0 + 7.0 * number(6));
+        let half: [f32; 3] =
+            std::array::from_fn(|k| size * (1.0 + 2.0 * number(7 + k as u32)) / 6.0);
         Aabb {
             min: std::array::from_fn(|k| centre[k] - half[k]),
             max: std::array::from_fn(|k| centre[k] + half[k]),

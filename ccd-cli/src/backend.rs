@@ -1,30 +1,22 @@
 //! Options of the commands that can use a GPU, and the choice that they make.
 
+use super::method::{Choices, choice};
 use super::{Failure, output};
-use ccd::any::{self, Choice};
+use ccd::any::{self, Backend, Choice};
 use ccd::gpu::{self, Compilation, Device, DeviceOptions};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::path::PathBuf;
 
-/// What runs the work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Backend {
-    /// Threads of this machine
-    Cpu,
-    /// A GPU; an error if there is none
-    Gpu,
-    /// A GPU if there is one, and work enough for it; else the CPU
-    Auto,
-}
+const BACKENDS: Choices<Backend, 3> = [
+    ("cpu", "Threads of this machine", Backend::Cpu),
+    ("gpu", "A GPU; an error if there is none", Backend::Gpu),
+    ("auto", "A GPU if there is one, and work enough for it; else the CPU", Backend::Auto),
+];
 
-/// How shaders reach the driver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Shaders {
-    /// SPIR-V as compiled, Vulkan only
-    Passthrough,
-    /// WGSL, every GPU API
-    Wgsl,
-}
+const SHADERS: Choices<gpu::Path, 2> = [
+    ("passthrough", "SPIR-V as compiled, Vulkan only", gpu::Path::Passthrough),
+    ("wgsl", "WGSL, every GPU API", gpu::Path::Wgsl),
+];
 
 /// Options of every command that can use a GPU.
 #[derive(Args)]
@@ -34,18 +26,14 @@ pub struct AdapterOptions {
     #[arg(long, value_name = "GPU")]
     adapter: Option<String>,
     /// How shaders reach the driver; without it the first that is possible
-    #[arg(long, value_enum)]
-    shaders: Option<Shaders>,
+    #[arg(long, value_parser = choice(SHADERS))]
+    shaders: Option<gpu::Path>,
 }
 
 impl AdapterOptions {
     fn of_device(&self) -> DeviceOptions {
-        let path = self.shaders.map(|s| match s {
-            Shaders::Passthrough => gpu::Path::Passthrough,
-            Shaders::Wgsl => gpu::Path::Wgsl,
-        });
-        let kernel_folder = kernel_folder();
-        DeviceOptions { adapter: self.adapter.clone(), path, narrow: false, kernel_folder }
+        let (adapter, path, kernel_folder) = (self.adapter.clone(), self.shaders, kernel_folder());
+        DeviceOptions { adapter, path, narrow: false, kernel_folder }
     }
 
     /// The device, or why there is none.
@@ -93,7 +81,7 @@ pub fn print_compilation(compilation: Option<Compilation>) {
 #[derive(Args)]
 pub struct BackendOptions {
     /// What runs the work
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    #[arg(long, value_parser = choice(BACKENDS), default_value = "auto")]
     backend: Backend,
     #[command(flatten)]
     adapter: AdapterOptions,
@@ -105,12 +93,7 @@ impl BackendOptions {
         if self.backend == Backend::Cpu && self.adapter.adapter.is_some() {
             return Err(Failure("--adapter names a GPU, --backend cpu uses none".into()));
         }
-        let backend = match self.backend {
-            Backend::Cpu => any::Backend::Cpu,
-            Backend::Gpu => any::Backend::Gpu,
-            Backend::Auto => any::Backend::Auto,
-        };
-        let choice = backend.choose_with(size, &self.adapter.of_device());
+        let choice = self.backend.choose_with(size, &self.adapter.of_device());
         let choice = choice.map_err(|e| Failure(format!("--backend gpu: {e}")))?;
         Ok(choice.with_notice(|why| eprintln!("ccd: {why}; going on with the CPU")))
     }

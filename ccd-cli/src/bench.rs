@@ -87,9 +87,8 @@ const PAIRS: [(usize, usize); 4] =
 #[derive(Serialize)]
 struct Json<'a> {
     machine: String,
-    backend: &'static str,
-    adapter: Option<&'a str>,
-    threads: Option<usize>,
+    #[serde(flatten)]
+    place: output::Place<'a>,
     runs: u32,
     rows: Vec<Row>,
 }
@@ -110,7 +109,7 @@ impl Bench {
         // The choice stands: numbers of two backends must not mix.
         let choice = self.backend.choose(usize::MAX)?.fixed();
         let place = BroadPhase::new(&choice, self.threads, BroadPhaseMethod::Blocks)?.place();
-        let (backend, machine) = (place.backend(), machine());
+        let machine = machine();
         if !self.json {
             output::line("machine", &machine);
             output::line("runs on", &place);
@@ -147,9 +146,7 @@ impl Bench {
         if self.json {
             output::json(&Json {
                 machine,
-                backend,
-                adapter: place.adapter(),
-                threads: place.threads(),
+                place: output::Place::new(&place, None),
                 runs: self.runs,
                 rows,
             })?;
@@ -173,7 +170,8 @@ impl Bench {
         let step = crumpled_sheet(want.n, SEED);
         let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
-        let mut session = Session::new(choice, mesh, self.options()?)?;
+        let options = self.method.set(Options::default().with_threads(self.threads))?;
+        let mut session = Session::new(choice, mesh, options)?;
         let pairs = |n: PerKind| {
             format!(
                 "{} vf, {} ee",
@@ -206,16 +204,6 @@ impl Bench {
         })?;
         self.put(rows, &scene, "earliest", timed);
         Ok(())
-    }
-
-    fn options(&self) -> Result<Options, Failure> {
-        let (broad_phase, pipeline) = (self.method.method()?, self.method.pipeline()?);
-        let (threads, scheduling) = (self.threads, self.method.scheduling()?);
-        Ok(Options::default()
-            .with_threads(threads)
-            .with_broad_phase(broad_phase)
-            .with_pipeline(pipeline)
-            .with_scheduling(scheduling))
     }
 
     fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {

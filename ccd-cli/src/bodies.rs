@@ -42,9 +42,9 @@ impl BodyOptions {
             match fixed.get_mut(body as usize) {
                 Some(fixed) => *fixed = true,
                 None => {
-                    let there = most
+                    let last = most
                         .map_or("there is none".into(), |most| format!("the last one is {most}"));
-                    return Err(Failure(format!("--fixed: there is no body {body}; {there}")));
+                    return Err(Failure(format!("--fixed: there is no body {body}; {last}")));
                 }
             }
         }

@@ -4,7 +4,7 @@ use super::backend::BackendOptions;
 use super::method::MethodOptions;
 use super::{Failure, Outcome, backend, files, in_file, output};
 use ccd::Aabb;
-use ccd::any::{BroadPhase, Choice, Error, Pairs};
+use ccd::any::{BroadPhase, Error, Pairs};
 use clap::Args;
 use serde::Serialize;
 use std::io::{BufWriter, Write};
@@ -42,9 +42,8 @@ pub struct Boxes {
 struct Json<'a> {
     boxes: [usize; 2],
     pairs: usize,
-    backend: &'static str,
-    adapter: Option<&'a str>,
-    threads: Option<usize>,
+    #[serde(flatten)]
+    place: output::Place<'a>,
     runs: u32,
     times_ms: Times,
 }
@@ -71,7 +70,8 @@ impl Boxes {
         let b = self.b.as_deref().map(read).transpose()?;
         let load = start.elapsed().as_secs_f64() * 1e3;
         let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
-        let mut broad = self.broad_phase(&choice)?;
+        let (method, scheduling) = (self.method.method()?, self.method.scheduling()?);
+        let mut broad = BroadPhase::scheduled(&choice, self.threads, method, scheduling)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         for _ in 0..self.runs {
@@ -90,16 +90,8 @@ impl Boxes {
         let boxes = [a.len(), b.as_ref().map_or(0, Vec::len)];
         let place = broad.place();
         if self.json {
-            let (backend, adapter, threads) = (place.backend(), place.adapter(), place.threads());
-            output::json(&Json {
-                boxes,
-                pairs: n_pairs,
-                backend,
-                adapter,
-                threads,
-                runs: self.runs,
-                times_ms: times,
-            })?;
+            let (place, runs) = (output::Place::new(&place, None), self.runs);
+            output::json(&Json { boxes, pairs: n_pairs, place, runs, times_ms: times })?;
         } else if !pairs_path.is_some_and(files::is_stdout) {
             match boxes {
                 [n, 0] if b.is_none() => output::line("boxes", n),
@@ -115,13 +107,6 @@ impl Boxes {
         }
         output::flush();
         Ok(n_pairs > 0)
-    }
-}
-
-impl Boxes {
-    fn broad_phase(&self, choice: &Choice) -> Result<BroadPhase, Failure> {
-        let (method, scheduling) = (self.method.method()?, self.method.scheduling()?);
-        Ok(BroadPhase::scheduled(choice, self.threads, method, scheduling)?)
     }
 }
 

@@ -207,8 +207,8 @@ impl Canvas {
         }
     }
 
-    /// A mark of a radius in samples; `hidden`: how much of it is seen if something is before its
-    /// centre. A mark is seen as a whole or hidden as a whole: surfaces do not cut it.
+    /// A mark of a radius in samples. `hidden`: its opacity if something is before its centre;
+    /// surfaces do not cut it.
     pub fn mark(&mut self, at: [f64; 3], shape: Shape, radius: f64, colour: Colour, hidden: f64) {
         let [cx, cy, depth] = self.view.project(at);
         let at = |c: f64, size: usize| (c >= 0.0 && c < size as f64).then_some(c as usize);
@@ -264,7 +264,7 @@ mod tests {
     }
     #[test]
     fn pictures_are_the_same_at_every_scale() {
-        let of = |unit: f64| {
+        let picture = |unit: f64| {
             let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.2, 1.0]];
             let corners = corners.map(|p| scale(p, unit));
             let mut canvas = Canvas::new(View::of(corners.into_iter(), 0.0));
@@ -272,10 +272,10 @@ mod tests {
             canvas.pixels()
         };
         // Powers of two, so that nothing is rounded otherwise.
-        let want = of(1.0);
+        let want = picture(1.0);
         assert!(want.iter().any(|&c| c < 180), "the triangle is there");
         for power in [-900, 320] {
-            assert!(of(2f64.powi(power)) == want, "2^{power}");
+            assert!(picture(2f64.powi(power)) == want, "2^{power}");
         }
     }
 

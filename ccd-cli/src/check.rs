@@ -9,6 +9,7 @@ use ccd::{Kind, Mesh};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -42,10 +43,8 @@ struct Json<'a> {
     /// Of the first frame with itself.
     intersections: &'a Intersections,
     toi: Option<f64>,
-    backend: &'static str,
-    adapter: Option<&'a str>,
-    precision: &'static str,
-    threads: Option<usize>,
+    #[serde(flatten)]
+    place: output::Place<'a>,
     /// What kernels took to compile, on a GPU.
     compile_ms: Option<f64>,
     times_ms: TimesMs,
@@ -92,17 +91,14 @@ impl Check {
         if self.options.json {
             let place = session.place();
             output::json(&Json {
-                mesh: mesh.into(),
+                mesh: MeshSize::of(mesh),
                 candidates: report.candidates.into(),
                 contacts: contacts.into(),
                 undecided: report.undecided,
                 at_start: output::at_start(report),
                 intersections: &start,
                 toi: report.toi,
-                backend: place.backend(),
-                adapter: place.adapter(),
-                precision: self.options.precision.name(),
-                threads: place.threads(),
+                place: output::Place::new(&place, Some(precision)),
                 compile_ms: compilation.map(|done| done.time.as_secs_f64() * 1e3),
                 times_ms: TimesMs::new(load, report),
                 intersections_ms: start.ms,
@@ -145,7 +141,7 @@ fn print(
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
     output::say!("{}", start::sentence(report, start));
-    output::line("mesh", MeshSize::from(mesh));
+    output::line("mesh", MeshSize::of(mesh));
     if mesh.n_degenerate() > 0 {
         output::line(
             "",
@@ -250,31 +246,17 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
             ));
         }
     }
-    if let Some(i) = (0..a.faces.len()).find(|&i| a.faces[i] != b.faces[i]) {
-        return Err(in_file(
-            path_b,
-            format_args!(
-                "triangle {} (counted from 1) is {:?}, in {} it is {:?}",
-                i + 1,
-                b.faces[i],
-                path_a.display(),
-                a.faces[i]
-            ),
-        ));
-    }
-    if let Some(i) = (0..a.edges.len()).find(|&i| a.edges[i] != b.edges[i]) {
-        return Err(in_file(
-            path_b,
-            format_args!(
-                "edge {} (counted from 1) is {:?}, in {} it is {:?}",
-                i + 1,
-                b.edges[i],
-                path_a.display(),
-                a.edges[i]
-            ),
-        ));
-    }
-    Ok(())
+    let other = other("triangle", &a.faces, &b.faces).or(other("edge", &a.edges, &b.edges));
+    other.map_or(Ok(()), |(what, [x, y])| {
+        let path_a = path_a.display();
+        Err(in_file(path_b, format_args!("{what} is {y}, in {path_a} it is {x}")))
+    })
+}
+
+/// The first element that two frames do not share: its name, and its vertices in each.
+fn other<T: PartialEq + Debug>(name: &str, a: &[T], b: &[T]) -> Option<(String, [String; 2])> {
+    let i = a.iter().zip(b).position(|(a, b)| a != b)?;
+    Some((format!("{name} {} (counted from 1)", i + 1), [&a[i], &b[i]].map(|v| format!("{v:?}"))))
 }
 
 /// The mesh of a frame with the path in its errors.

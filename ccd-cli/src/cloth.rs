@@ -77,20 +77,10 @@ impl Cloth {
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
         let bodies = Bodies::new(&body, &[false, true], true);
         let choice = backend.choose(mesh.edges().len())?;
-        let (broad_phase, pipeline) = (method.method()?, method.pipeline()?);
-        let scheduling = method.scheduling()?;
+        let options = method.set(Options::default().with_bodies(Some(bodies)))?;
         let session = |min_distance| {
-            let bodies = Some(bodies.clone());
-            Session::new(
-                &choice,
-                mesh.clone(),
-                Options::default()
-                    .with_min_distance(min_distance)
-                    .with_bodies(bodies)
-                    .with_broad_phase(broad_phase)
-                    .with_pipeline(pipeline)
-                    .with_scheduling(scheduling),
-            )
+            let options = options.clone().with_min_distance(min_distance);
+            Session::new(&choice, mesh.clone(), options)
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
         let springs = springs(&faces[..n_faces_cloth], &x);

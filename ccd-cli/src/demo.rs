@@ -47,7 +47,7 @@ impl Demo {
         }
         let mut cloth = Cloth::new(&self.backend, &self.method)?;
         self.write_frame(0, &cloth)?;
-        output::line("scene", output::MeshSize::from(&cloth.mesh));
+        output::line("scene", output::MeshSize::of(&cloth.mesh));
         let bar = output::progress(self.frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());
         let mut n_calls = 0;

@@ -64,7 +64,7 @@ pub fn summarise(steps: &[Step]) -> Summary {
     let mut times: Vec<f64> = steps.iter().map(step_ms).collect();
     times.sort_unstable_by(f64::total_cmp);
     // Lines that were changed by hand may hold any numbers.
-    let sum = |of: fn(&Step) -> u64| steps.iter().map(of).fold(0, u64::saturating_add);
+    let sum = |number: fn(&Step) -> u64| steps.iter().map(number).fold(0, u64::saturating_add);
     Summary {
         steps: steps.len(),
         contacts: sum(|s| s.contacts.total()),

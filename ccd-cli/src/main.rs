@@ -216,12 +216,9 @@ impl StepOptions {
             .with_min_distance(self.min_distance)
             .with_bodies(self.bodies.of(&mesh)?)
             .with_threads(self.threads)
-            .with_max_memory(self.max_memory)
-            .with_broad_phase(self.method.method()?)
-            .with_pipeline(self.method.pipeline()?)
-            .with_scheduling(self.method.scheduling()?);
+            .with_max_memory(self.max_memory);
         let choice = self.backend.choose(mesh.edges().len())?;
-        let session = ccd::any::Session::new(&choice, mesh, options);
+        let session = ccd::any::Session::new(&choice, mesh, self.method.set(options)?);
         let mut session = session.map_err(|e| match e {
             ccd::any::Error::Input(ccd::Error::MixedBodies { element, at, bodies: [a, b] }) => {
                 let element = if element == "face" { "triangle" } else { element };

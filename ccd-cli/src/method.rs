@@ -3,11 +3,11 @@
 
 use super::{Failure, Outcome, output};
 use ccd::{
-    BroadPhaseMethod, Builder, Catalogued, Descent, Front, Pipeline, Row, Scheduler, Scheduling,
-    Traversal, TreeOptions, Volume,
+    BroadPhaseMethod, Builder, Catalogued, Descent, Front, Options, Pipeline, Row, Scheduler,
+    Scheduling, Traversal, TreeOptions, Volume,
 };
+use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 /// Options of every command that looks for pairs.
@@ -44,15 +44,15 @@ pub struct MethodOptions {
     pipeline: Option<Pipeline>,
     /// Whether --pipeline triangles skips triangles that share a vertex, and tests their features
     /// from a list
-    #[arg(long, value_enum)]
-    orphans: Option<OnOff>,
+    #[arg(long, value_parser = choice(ON_OFF))]
+    orphans: Option<bool>,
     /// Whether --pipeline triangles skips regions that certainly do not touch themselves: their
     /// pairs are no candidates, and none of them is undecided
-    #[arg(long, value_enum)]
-    cones: Option<OnOff>,
+    #[arg(long, value_parser = choice(ON_OFF))]
+    cones: Option<bool>,
     /// Which of two nodes --traversal simultaneous and cut expand
-    #[arg(long, value_enum)]
-    descent: Option<DescentName>,
+    #[arg(long, value_parser = choice(DESCENTS))]
+    descent: Option<Descent>,
     /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
     /// simultaneous and cut
     #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
@@ -66,19 +66,26 @@ pub struct MethodOptions {
     idle: Option<u32>,
 }
 
-/// Which of two nodes is expanded.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum DescentName {
-    /// The larger one
-    Larger,
-    /// Both
-    Both,
-}
+/// Names of values, each with its line of help, which may be empty.
+pub type Choices<T, const N: usize> = [(&'static str, &'static str, T); N];
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum OnOff {
-    On,
-    Off,
+const DESCENTS: Choices<Descent, 2> =
+    [("larger", "The larger one", Descent::Larger), ("both", "Both", Descent::Both)];
+const ON_OFF: Choices<bool, 2> = [("on", "", true), ("off", "", false)];
+
+/// A parser of the names of values.
+pub fn choice<T, const N: usize>(choices: Choices<T, N>) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let names = choices.map(|(name, help, _)| {
+        let value = PossibleValue::new(name);
+        if help.is_empty() { value } else { value.help(help) }
+    });
+    PossibleValuesParser::new(names).try_map(move |name| {
+        let found = choices.iter().find(|choice| choice.0 == name);
+        found.map(|choice| choice.2).ok_or("not in the table")
+    })
 }
 
 /// The names of a table, each with its line.
@@ -89,19 +96,27 @@ fn named<T: Catalogued + Send + Sync>() -> impl TypedValueParser<Value = T> {
 }
 
 impl MethodOptions {
-    /// What was chosen; without an option the default.
+    /// Options of a session with all that was chosen.
+    pub fn set(&self, options: Options) -> Result<Options, Failure> {
+        Ok(options
+            .with_broad_phase(self.method()?)
+            .with_pipeline(self.pipeline()?)
+            .with_scheduling(self.scheduling()?))
+    }
+
+    /// The broad phase that was chosen, or the default.
     pub fn method(&self) -> Result<BroadPhaseMethod, Failure> {
         Ok(self.chosen()?.unwrap_or_default())
     }
 
-    /// What was chosen, if anything was.
+    /// The broad phase that was chosen, if one was.
     pub fn chosen(&self) -> Result<Option<BroadPhaseMethod>, Failure> {
-        let Some(of_tree) = self.first_of_tree() else { return Ok(self.broad_phase) };
+        let Some(option) = self.first_of_tree() else { return Ok(self.broad_phase) };
         match self.broad_phase {
             None | Some(BroadPhaseMethod::Tree(_)) => {}
             Some(other) => {
                 let name = other.row().name;
-                let why = format!("{of_tree} is for --broad-phase tree; {name} has none");
+                let why = format!("{option} is for --broad-phase tree; {name} has none");
                 return Err(Failure(why));
             }
         }
@@ -114,14 +129,17 @@ impl MethodOptions {
 
     /// What is paired first.
     pub fn pipeline(&self) -> Result<Pipeline, Failure> {
-        let (orphans, cones) = [self.orphans, self.cones].map(|o| o.map(|o| o == OnOff::On)).into();
+        let (orphans, cones) = (self.orphans, self.cones);
         match self.pipeline.unwrap_or_default() {
-            Pipeline::Triangles(own) => Ok(Pipeline::Triangles(
-                own.orphans(orphans.unwrap_or(own.orphans)).cones(cones.unwrap_or(own.cones)),
-            )),
+            Pipeline::Triangles(options) => {
+                let orphans = orphans.unwrap_or(options.orphans);
+                let cones = cones.unwrap_or(options.cones);
+                Ok(Pipeline::Triangles(options.orphans(orphans).cones(cones)))
+            }
             other if orphans.or(cones).is_some() => {
-                let (name, of) = (if orphans.is_some() { "orphans" } else { "cones" }, other.row());
-                Err(Failure(format!("--{name} is for --pipeline triangles, not {}", of.name)))
+                let option = if orphans.is_some() { "orphans" } else { "cones" };
+                let name = other.row().name;
+                Err(Failure(format!("--{option} is for --pipeline triangles, not {name}")))
             }
             other => Ok(other),
         }
@@ -184,16 +202,13 @@ impl MethodOptions {
     fn traversal(&self) -> Result<Traversal, Failure> {
         let traversal = self.traversal.unwrap_or_default();
         let name = traversal.row().name;
-        let descent = self.descent.map(|descent| match descent {
-            DescentName::Larger => Descent::Larger,
-            DescentName::Both => Descent::Both,
-        });
-        match (traversal, self.cut, descent) {
-            (Traversal::Simultaneous(own), None, descent) => {
-                Ok(Traversal::Simultaneous(descent.unwrap_or(own)))
+        match (traversal, self.cut, self.descent) {
+            (Traversal::Simultaneous(default), None, descent) => {
+                Ok(Traversal::Simultaneous(descent.unwrap_or(default)))
             }
-            (Traversal::Cut { nodes, descent: own }, cut, descent) => {
-                Ok(Traversal::Cut { nodes: cut.unwrap_or(nodes), descent: descent.unwrap_or(own) })
+            (Traversal::Cut { nodes, descent: default }, cut, descent) => {
+                let (nodes, descent) = (cut.unwrap_or(nodes), descent.unwrap_or(default));
+                Ok(Traversal::Cut { nodes, descent })
             }
             (_, None, None) => Ok(traversal),
             (_, Some(_), _) => Err(Failure(format!("--cut is for --traversal cut, not {name}"))),
@@ -261,9 +276,9 @@ impl List {
             print::<Traversal>("Traversals of trees, --traversal NAME", &all.traversals);
             print::<Volume>("Volumes of trees, --volume NAME", &all.volumes);
             print::<Pipeline>("Pipelines, --pipeline NAME", &all.pipelines);
-            let of = "of blocks, and of trees by pairs of nodes";
-            print::<Scheduler>(&format!("Schedulers {of}, --scheduler NAME"), &all.schedulers);
-            print::<Front>(&format!("Fronts {of}, --front NAME"), &all.fronts);
+            let users = "of blocks, and of trees by pairs of nodes";
+            print::<Scheduler>(&format!("Schedulers {users}, --scheduler NAME"), &all.schedulers);
+            print::<Front>(&format!("Fronts {users}, --front NAME"), &all.fronts);
             output::say!("* what is used without the option");
             output::say!("+ in this command; of the library by the feature `catalogue` alone");
         }
@@ -273,13 +288,13 @@ impl List {
 }
 
 fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
-    let of_default = T::default().row().name;
+    let default = T::default().row().name;
     output::say!("{title}");
     for Entry { name, about, source, backends, catalogue } in entries {
         let source = source.map_or(String::new(), |source| format!(" [{source}]"));
         let mark = match catalogue {
             true => '+',
-            false if *name == of_default => '*',
+            false if *name == default => '*',
             false => ' ',
         };
         output::say!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));

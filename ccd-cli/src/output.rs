@@ -1,12 +1,11 @@
 //! What commands print: text and JSON.
 
-use super::Failure;
-use ccd::any::Place;
+use super::{Failure, Precision};
+use ccd::any;
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
 use std::path::{Component, Path};
-use std::sync::Arc;
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
 macro_rules! say {
@@ -88,21 +87,36 @@ pub struct MeshSize {
     pub faces: usize,
 }
 
-impl From<&Mesh> for MeshSize {
-    fn from(mesh: &Mesh) -> Self {
+impl MeshSize {
+    pub fn of(mesh: &Mesh) -> Self {
         Self { vertices: mesh.n_vertices(), edges: mesh.edges().len(), faces: mesh.faces().len() }
-    }
-}
-
-impl From<&Arc<Mesh>> for MeshSize {
-    fn from(mesh: &Arc<Mesh>) -> Self {
-        Self::from(&**mesh)
     }
 }
 
 impl std::fmt::Display for MeshSize {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} vertices, {} edges, {} faces", self.vertices, self.edges, self.faces)
+    }
+}
+
+/// Where work ran, and the precision of its coordinates where there is a choice.
+#[derive(Serialize)]
+pub struct Place<'a> {
+    backend: &'static str,
+    adapter: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    precision: Option<&'static str>,
+    threads: Option<usize>,
+}
+
+impl<'a> Place<'a> {
+    pub fn new(place: &'a any::Place, precision: Option<Precision>) -> Self {
+        Self {
+            backend: place.backend(),
+            adapter: place.adapter(),
+            precision: precision.map(Precision::name),
+            threads: place.threads(),
+        }
     }
 }
 
@@ -178,7 +192,7 @@ pub fn thousands(n: usize) -> String {
 
 /// What a picture is of and where it was computed: the end of the first path, with the folders that
 /// say which scene it is, and the names of the others.
-pub fn title(files: &[&Path], place: &Place) -> String {
+pub fn title(files: &[&Path], place: &any::Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
         // Without `..` and the like, which name no scene.

@@ -161,7 +161,7 @@ fn size_of_features(scene: &Scene) -> f64 {
         let d = sub(x[a as usize], x[b as usize]);
         dot(d, d).sqrt()
     };
-    let of = |c: &Contact| {
+    let size = |c: &Contact| {
         let v = c.vertices(mesh);
         if c.kind.n_first() == 1 {
             length(v[1], v[2]).max(length(v[2], v[3])).max(length(v[3], v[1]))
@@ -169,7 +169,7 @@ fn size_of_features(scene: &Scene) -> f64 {
             length(v[0], v[1]).max(length(v[2], v[3]))
         }
     };
-    let mut sizes: Vec<f64> = scene.contacts.iter().map(of).collect();
+    let mut sizes: Vec<f64> = scene.contacts.iter().map(size).collect();
     sizes.sort_unstable_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }

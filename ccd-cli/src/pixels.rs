@@ -4,8 +4,6 @@
 
 use super::{Failure, files, in_file};
 use ab_glyph::{Font, FontRef, ScaleFont, point};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder};
 use plotters::backend::BitMapBackend;
 use plotters::drawing::DrawingArea;
 use plotters::style::{FontStyle, register_font};
@@ -25,9 +23,12 @@ pub type Failed = Box<dyn std::error::Error>;
 /// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
 pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
     let mut png = Vec::new();
-    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive)
-        .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
-        .map_err(|e| in_file(path, e))?;
+    let mut encoder = png::Encoder::new(&mut png, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    encoder.set_filter(png::Filter::Adaptive);
+    let written = encoder.write_header().and_then(|mut to| to.write_image_data(&pixels));
+    written.map_err(|e| in_file(path, e))?;
     let mut to = files::create(path, "png")?;
     to.write_all(&png).and_then(|()| to.done()).map_err(|e| files::failed(path, e))
 }

@@ -1,10 +1,11 @@
 //! `ccd queries`: elemental queries against the answers in their files.
 
+use super::method::{Choices, choice};
 use super::rows::{self, Rows};
 use super::{Failure, Outcome, Precision, files, interrupt, output};
 use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
 use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -18,8 +19,8 @@ pub struct Queries {
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     precision: Precision,
     /// What the files hold; without it their paths tell
-    #[arg(long, value_enum)]
-    kind: Option<KindName>,
+    #[arg(long, value_parser = choice(KINDS))]
+    kind: Option<Kind>,
     /// Contact means a distance of at most D; answers of files are about touching: with D above 0
     /// hits that they call misses are not counted as false
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
@@ -33,14 +34,8 @@ pub struct Queries {
     json: bool,
 }
 
-/// A kind of query.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum KindName {
-    /// Vertex-face
-    Vf,
-    /// Edge-edge
-    Ee,
-}
+const KINDS: Choices<Kind, 2> =
+    [("vf", "Vertex-face", Kind::VertexFace), ("ee", "Edge-edge", Kind::EdgeEdge)];
 
 #[derive(Clone, Default, Serialize)]
 struct Counts {
@@ -88,8 +83,7 @@ impl Queries {
             interrupt::check()?;
             let queries = match self.kind {
                 None => read_queries(path)?,
-                Some(KindName::Vf) => read_queries_of(path, Kind::VertexFace)?,
-                Some(KindName::Ee) => read_queries_of(path, Kind::EdgeEdge)?,
+                Some(kind) => read_queries_of(path, kind)?,
             };
             let start = Instant::now();
             let decide = |query| decide(query, self.precision, self.min_distance);
@@ -252,11 +246,11 @@ fn ask<R: ccd::Real>(kind: Kind, [t0, t1]: [[[R; 3]; 4]; 2], d: R) -> Verdict<R>
 /// along an axis. Rounded differences keep the order of exact ones, so this is exact.
 fn are_apart(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4], n: usize, d: f64) -> bool {
     let bounds = |from: usize, to: usize, axis: usize| {
-        let of = |x: &[[f64; 3]; 4]| {
+        let extent = |x: &[[f64; 3]; 4]| {
             let all = x[from..to].iter().map(|p| p[axis]);
             (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
         };
-        let (a, b) = (of(t0), of(t1));
+        let (a, b) = (extent(t0), extent(t1));
         (a.0.min(b.0), a.1.max(b.1))
     };
     (0..3).any(|axis| {

@@ -87,13 +87,14 @@ impl<'a> Rows<'a> {
     /// Appends pairs of one kind, kind, a, b, sorted.
     pub fn pairs(
         &mut self,
-        of: Kind,
+        kind: Kind,
         pairs: impl Iterator<Item = ccd::Pair>,
     ) -> Result<(), Failure> {
         let mut pairs: Vec<(u32, u32)> = pairs.map(|pair| (pair.a, pair.b)).collect();
         pairs.sort_unstable();
+        let kind = self::kind(kind);
         for (a, b) in pairs {
-            self.row(format_args!("{},{a},{b}", kind(of)))?;
+            self.row(format_args!("{kind},{a},{b}"))?;
         }
         self.flush()
     }
@@ -109,9 +110,9 @@ fn n_vertices(kind: Kind) -> usize {
 }
 
 /// The first `n`; the others are empty.
-fn only(n: usize, mut of: [String; 4]) -> [String; 4] {
-    of[n..].iter_mut().for_each(String::clear);
-    of
+fn only(n: usize, mut cells: [String; 4]) -> [String; 4] {
+    cells[n..].iter_mut().for_each(String::clear);
+    cells
 }
 
 pub fn kind(kind: Kind) -> &'static str {

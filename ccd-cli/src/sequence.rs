@@ -39,10 +39,8 @@ pub struct Sequence {
 #[derive(Serialize)]
 struct Json<'a> {
     mesh: MeshSize,
-    backend: &'static str,
-    adapter: Option<&'a str>,
-    precision: &'static str,
-    threads: Option<usize>,
+    #[serde(flatten)]
+    place: output::Place<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<Share>,
     steps: Vec<Step>,
@@ -142,22 +140,11 @@ impl Sequence {
         let any = summary.contacts > 0 || start.as_ref().is_some_and(|start| start.pairs > 0);
         let place = session.place();
         if self.options.json {
-            let (backend, precision) = (place.backend(), self.options.precision.name());
-            let (mesh, adapter, threads) =
-                (session.mesh().into(), place.adapter(), place.threads());
-            output::json(&Json {
-                mesh,
-                backend,
-                adapter,
-                precision,
-                threads,
-                part,
-                steps,
-                summary,
-                intersections: start,
-            })?;
+            let mesh = MeshSize::of(session.mesh());
+            let place = output::Place::new(&place, Some(self.options.precision));
+            output::json(&Json { mesh, place, part, steps, summary, intersections: start })?;
         } else if self.json_lines {
-            let mesh = session.mesh().into();
+            let mesh = MeshSize::of(session.mesh());
             output::json(&LastLine { summary, mesh, part, intersections: start })?;
         } else if self.options.prints_text() {
             output::say!("{}", sentence(&steps, start.as_ref()));
@@ -214,7 +201,7 @@ fn name(step: &Step) -> std::borrow::Cow<'_, str> {
 }
 
 fn print_head(session: &Session, share: Option<Share>) {
-    output::line("mesh", MeshSize::from(session.mesh()));
+    output::line("mesh", MeshSize::of(session.mesh()));
     if let Some(Share { part, all_steps }) = share {
         let steps = part.steps(all_steps);
         let text = match steps.is_empty() {

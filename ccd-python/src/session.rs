@@ -150,7 +150,7 @@ impl Session {
     ) -> PyResult<Bound<'py, PyTuple>> {
         let all = self.with(py, x0, x1, Candidates)?;
         let arrays: Vec<_> =
-            all.into_iter().map(|of| pair_array(py, of)).collect::<PyResult<_>>()?;
+            all.into_iter().map(|pairs| pair_array(py, pairs)).collect::<PyResult<_>>()?;
         PyTuple::new(py, arrays)
     }
 

@@ -134,7 +134,15 @@ impl Engine {
         }
     }
 
-    /// The GPU's session, for what only a GPU does; `None` on the CPU.
+    /// The CPU's session, for calls that only the CPU has; `None` on a GPU.
+    pub fn cpu(&mut self) -> Option<&mut crate::Session> {
+        match &mut self.0 {
+            Either::Cpu(on) => Some(on),
+            Either::Gpu { .. } => None,
+        }
+    }
+
+    /// The GPU's session, for calls that only a GPU has; `None` on the CPU.
     #[cfg(feature = "gpu")]
     pub fn gpu(&mut self) -> Option<&mut gpu::Session> {
         match &mut self.0 {

@@ -169,13 +169,13 @@ pub fn n_body(n_bodies: usize, n: usize) -> Sequence {
     }
     let body = (0..n_bodies * n * n).map(|i| (i / (n * n)) as u32).collect();
     Sequence::new(body, &faces, move |frame| {
-        let of = |(from, speed, radius): &([f64; 3], [f64; 3], f64)| {
+        let spheres = |(from, speed, radius): &([f64; 3], [f64; 3], f64)| {
             let centre = |k: usize| to_and_fro(from[k] + 64.0 + speed[k] * frame);
             let middle: [f64; 3] = std::array::from_fn(centre);
             let place = |p: &[f64; 3]| std::array::from_fn(|k| middle[k] + radius * p[k]);
             unit.iter().map(place).collect::<Vec<[f64; 3]>>()
         };
-        paths.iter().flat_map(of).collect()
+        paths.iter().flat_map(spheres).collect()
     })
 }
 

@@ -188,19 +188,19 @@ fn checked(words: &[u32]) -> Result<(Vec<u32>, usize), String> {
                 let mut chain = i.to_vec();
                 let mut ty = known.get(known.get(i[3])?[1])?[3];
                 for at in 4..i.len() {
-                    let (index, of) = (i[at], known.get(ty)?);
+                    let (index, list) = (i[at], known.get(ty)?);
                     let constant = known.constant(index);
-                    let length = match op(of) {
+                    let length = match op(list) {
                         TYPE_STRUCT => {
-                            ty = of[2 + constant.ok_or("a member that is no constant")? as usize];
+                            ty = list[2 + constant.ok_or("a member that is no constant")? as usize];
                             continue;
                         }
-                        TYPE_ARRAY if constant.is_some() && constant < known.constant(of[3]) => {
-                            ty = of[2];
+                        TYPE_ARRAY if constant.is_some() && constant < known.constant(list[3]) => {
+                            ty = list[2];
                             continue;
                         }
-                        TYPE_VECTOR if constant.is_some_and(|i| i < of[3]) => continue,
-                        TYPE_ARRAY => of[3],
+                        TYPE_VECTOR if constant.is_some_and(|i| i < list[3]) => continue,
+                        TYPE_ARRAY => list[3],
                         TYPE_RUNTIME_ARRAY => {
                             let [base, member] = match at {
                                 4 => known.owner(i[3])?,
@@ -211,7 +211,7 @@ fn checked(words: &[u32]) -> Result<(Vec<u32>, usize), String> {
                         }
                         other => return Err(format!("an index into a type of opcode {other}")),
                     };
-                    ty = of[2];
+                    ty = list[2];
                     let fits = new.value(LESS, boolean, &[index, length]);
                     chain[at] = new.value(SELECT, uint, &[fits, index, zero]);
                     let failed = new.value(SELECT, uint, &[fits, zero, one]);

@@ -242,9 +242,9 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_is_told_once() {
+    fn a_circle_is_reported_once() {
         let two = |a: &str, b: &str| (format!("src/{a}.rs"), format!("use crate::{b}::X;\n"));
-        let told = check(&[two("a", "b"), two("b", "a")]);
-        assert_eq!(told, ["a circle of files: src/a.rs, src/b.rs"]);
+        let problems = check(&[two("a", "b"), two("b", "a")]);
+        assert_eq!(problems, ["a circle of files: src/a.rs, src/b.rs"]);
     }
 }

@@ -35,9 +35,9 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
     let wanted = |part| only.is_empty() || only.contains(&part);
     let dir = if wanted(Part::Scenes) { Some(data_dir()?) } else { None };
     let scenes = || {
-        let there =
+        let exists =
             |(s, dir): &(&'static Scene, &PathBuf)| dir.join("scenes").join(s.name).is_dir();
-        dir.iter().flat_map(|dir| SCENES.iter().map(move |s| (s, dir))).filter(there)
+        dir.iter().flat_map(|dir| SCENES.iter().map(move |s| (s, dir))).filter(exists)
     };
     let mut text = String::from(
         "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. \
@@ -352,10 +352,14 @@ fn measure_sort(device: &Device, runs: usize, text: &mut String) -> Result<(), c
         let stages: Vec<(&str, f64)> =
             (0..names.len()).map(|i| (names[i], median(kernels.iter().map(|k| k[i].1)))).collect();
         let total: f64 = stages.iter().map(|s| s.1).sum();
-        let of =
+        let sum =
             |name: &str| stages.iter().filter(|s| s.0.starts_with(name)).map(|s| s.1).sum::<f64>();
-        let parts =
-            format!("{:.3}, {:.3}, {:.3}", of("sort_count"), of("sort_scan"), of("sort_scatter"));
+        let parts = format!(
+            "{:.3}, {:.3}, {:.3}",
+            sum("sort_count"),
+            sum("sort_scan"),
+            sum("sort_scatter")
+        );
         let floor = n as f64 * 80.0 / COPY * 1e3;
         let _ = writeln!(
             text,

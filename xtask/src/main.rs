@@ -3,8 +3,6 @@
 
 #[cfg(feature = "report")]
 mod algorithms;
-#[cfg(feature = "attack")]
-mod attack;
 mod checked;
 mod ci;
 mod circles;
@@ -13,8 +11,6 @@ mod compile_times;
 mod gpu;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]
 mod instructions;
-#[cfg(feature = "loom")]
-mod interleavings;
 #[cfg(any(feature = "report", test))]
 mod markdown;
 #[cfg(feature = "report")]
@@ -62,20 +58,19 @@ enum Task {
     /// Model checks of the deques that workers steal from: interleavings, within bounds that
     /// docs/SCHEDULING.md states; the printed algorithms must be refuted
     Loom {
-        /// Only models whose name contains this
-        #[arg(default_value = "")]
-        name: String,
         /// Within the bounds of docs/SCHEDULING.md, which takes minutes, instead of two preemptions
         #[arg(long)]
         whole: bool,
-        /// Run this one in this process
-        #[arg(long, hide = true)]
-        here: bool,
+        /// Only models whose name contains this, and other arguments of a test program
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
     },
-    /// Search for wrong answers: boxes by every method against brute force, queries that are nearly
-    /// degenerate against exact answers, sessions in which everything changes and fails against
-    /// new ones; what is found is shrunk and written as a test
-    Attack(AttackOptions),
+    /// Search for wrong answers (--help lists its options)
+    #[command(disable_help_flag = true)]
+    Attack {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
     /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to
     /// ccd-gpu/shaders
     Shaders {
@@ -142,46 +137,6 @@ enum Task {
     },
 }
 
-/// What is searched, where, and for how long.
-#[derive(Clone, Debug, clap::Args)]
-struct AttackOptions {
-    /// How long, all kinds together
-    #[arg(long, default_value_t = 10.0)]
-    minutes: f64,
-    /// Where the work under test runs: the GPU through both paths, with and without f64, in turn
-    /// (CCD_ADAPTER chooses one; an error if there is none)
-    #[arg(long, value_enum, default_value = "cpu")]
-    backend: AttackedBackend,
-    /// This kind alone
-    #[arg(long, value_enum)]
-    kind: Option<AttackKind>,
-    /// What cases are made of
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// This case alone: a file that a find was written to, or with --kind its number
-    #[arg(long, value_name = "FILE|NUMBER")]
-    case: Option<String>,
-    /// The folder for what is found
-    #[arg(long, default_value = "target/attack")]
-    out: std::path::PathBuf,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum AttackedBackend {
-    Cpu,
-    Gpu,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum AttackKind {
-    /// Pairs of boxes by every method and scheduler
-    Boxes,
-    /// Queries of families that are nearly degenerate
-    Queries,
-    /// Sessions in which everything changes between steps
-    Sessions,
-}
-
 /// What the report of schedulers measures.
 #[derive(Clone, Debug, clap::Args)]
 struct SchedulersOptions {
@@ -235,8 +190,6 @@ fn main() -> ExitCode {
 /// The feature that a task needs, and whether this program is built with it.
 fn feature_of(task: &Task) -> Option<(&'static str, bool)> {
     Some(match task {
-        Task::Loom { .. } => ("loom", cfg!(feature = "loom")),
-        Task::Attack(_) => ("attack", cfg!(feature = "attack")),
         Task::Shaders { checked: false, .. } => ("shaders", cfg!(feature = "shaders")),
         Task::Report { .. } => ("report", cfg!(feature = "report")),
         Task::Soak { .. } => ("soak", cfg!(feature = "soak")),
@@ -263,12 +216,13 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         Task::Ci { whole } => ci::run(root, whole),
         Task::Tidy => tidy::run(root),
         Task::Mutants { names } => mutants::run(root, &names),
-        #[cfg(feature = "loom")]
-        Task::Loom { name, here: true, whole } => interleavings::here(&name, whole),
-        #[cfg(feature = "loom")]
-        Task::Loom { name, whole, .. } => interleavings::run(&name, whole),
-        #[cfg(feature = "attack")]
-        Task::Attack(options) => attack::run(root, &options),
+        Task::Loom { whole, args } => {
+            let env: &[_] = if whole { &[("CCD_WHOLE", "1")] } else { &[] };
+            programs::test(root, "interleavings", &args, env)
+        }
+        Task::Attack { args } => {
+            programs::test(root, "attack", &[vec!["search".into()], args].concat(), &[])
+        }
         Task::Shaders { checked: true, .. } => checked::run(root),
         #[cfg(feature = "shaders")]
         Task::Shaders { check, .. } => shaders::run(root, check),

@@ -1,5 +1,6 @@
 //! What all reports measure with: places, times, medians.
 
+use ccd::any::Choice;
 use ccd::gpu::{Device, DeviceOptions};
 use std::time::{Duration, Instant};
 
@@ -24,6 +25,19 @@ impl Place {
                 None
             }
         }
+    }
+
+    /// The choice by which a session or a broad phase runs here and nowhere else.
+    pub fn choice(&self) -> Choice {
+        match self {
+            Self::Cpu { .. } => Choice::default(),
+            Self::Gpu { device, .. } => Choice::of_device(device, false),
+        }
+    }
+
+    /// Threads of the CPU; 0 for a GPU.
+    pub fn threads(&self) -> usize {
+        if let Self::Cpu { threads } = self { *threads } else { 0 }
     }
 
     pub fn backend(&self) -> &'static str {

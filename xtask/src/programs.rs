@@ -32,6 +32,14 @@ pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result
     }
 }
 
+/// Runs a test program of the workspace. All packages are named, so that dependencies have the
+/// features that `cargo test --workspace` gives them and nothing is built twice.
+pub fn test(root: &Path, name: &str, args: &[String], env: &[(&str, &str)]) -> Result<(), String> {
+    let test = ["cargo", "test", "--release", "--workspace", "--test", name, "--"];
+    let args = args.iter().map(String::as_str);
+    command_with(root, &test.into_iter().chain(args).collect::<Vec<_>>(), env)
+}
+
 /// Where cargo builds.
 pub fn target_folder(root: &Path) -> std::path::PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))

@@ -22,15 +22,15 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(name: &'static str, of: scenes::Sequence, with_bodies: bool) -> Self {
-        let bodies = with_bodies.then(|| Bodies::new(&of.body, &[], false));
-        let frames = (0..4).map(|i| of.frame(i)).collect();
-        Self { name, mesh: of.mesh.into(), bodies, min_distance: 0.0, frames }
+    fn new(name: &'static str, sequence: scenes::Sequence, with_bodies: bool) -> Self {
+        let bodies = with_bodies.then(|| Bodies::new(&sequence.body, &[], false));
+        let frames = (0..4).map(|i| sequence.frame(i)).collect();
+        Self { name, mesh: sequence.mesh.into(), bodies, min_distance: 0.0, frames }
     }
 
-    fn of_step(name: &'static str, of: scenes::Step, min_distance: f64) -> Self {
-        let frames = vec![of.x0.clone(), of.x1, of.x0];
-        Self { name, mesh: of.mesh.into(), bodies: None, min_distance, frames }
+    fn of_step(name: &'static str, step: scenes::Step, min_distance: f64) -> Self {
+        let frames = vec![step.x0.clone(), step.x1, step.x0];
+        Self { name, mesh: step.mesh.into(), bodies: None, min_distance, frames }
     }
 
     fn all() -> Vec<Self> {
@@ -49,8 +49,8 @@ impl Scene {
 
 /// Runs for so many minutes, and one cycle after the warm-up at least.
 pub fn run(minutes: f64, backend: &str) -> Result<(), String> {
-    let of = if backend == "gpu" { Backend::Gpu } else { Backend::Cpu };
-    let choice = of.choose(usize::MAX).map_err(|e| e.to_string())?;
+    let kind = if backend == "gpu" { Backend::Gpu } else { Backend::Cpu };
+    let choice = kind.choose(usize::MAX).map_err(|e| e.to_string())?;
     let scenes = Scene::all();
     let options = Options::default().with_bodies(scenes[0].bodies.clone());
     let session = Session::new(&choice, scenes[0].mesh.clone(), options);

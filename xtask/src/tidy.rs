@@ -44,8 +44,8 @@ const OWNERS: [(&str, &[&str]); 4] = [
     ("write_buffer", &["ccd-gpu/src/device.rs", "examples/", "tests/"]),
 ];
 
-/// What two backends do alike stands in files of one name: the core's first, which needs no twin.
-const ROOMS: [&str; 4] = [
+/// Folders in which twins have one name: the core's first, whose files need none.
+const TWIN_FOLDERS: [&str; 4] = [
     "ccd-core/src/backend/broad_phase/",
     "ccd-cpu/src/broad_phase/",
     "ccd-gpu/src/broad_phase/",
@@ -82,26 +82,26 @@ pub fn run(root: &Path) -> Result<(), String> {
     }
 }
 
-/// Files of these rooms whose name no other room has and whose head does not say why, in a line
+/// Files of these folders whose name no other folder has and whose head does not say why, in a line
 /// that begins with [`TWIN`]; that of a folder's `mod.rs` holds for all files of the folder.
 fn check_twins(files: &[(String, String)]) -> Vec<String> {
-    let in_rooms = files.iter().filter_map(|(name, text)| {
-        let room = ROOMS.iter().find(|room| name.starts_with(**room))?;
-        let own = name.strip_suffix("/mod.rs").or(name.strip_suffix(".rs"))?.rsplit('/').next()?;
-        Some((*room, own, name.as_str(), text.lines().any(|line| line.starts_with(TWIN))))
+    let twins = files.iter().filter_map(|(name, text)| {
+        let side = TWIN_FOLDERS.iter().find(|side| name.starts_with(**side))?;
+        let stem = name.strip_suffix("/mod.rs").or(name.strip_suffix(".rs"))?.rsplit('/').next()?;
+        Some((*side, stem, name.as_str(), text.lines().any(|line| line.starts_with(TWIN))))
     });
-    let all: Vec<_> = in_rooms.collect();
+    let all: Vec<_> = twins.collect();
     let says_why = |name: &str| {
         let (folder, _) = name.rsplit_once('/').unwrap_or_default();
-        let of_folder = format!("{folder}/mod.rs");
-        all.iter().any(|file| file.3 && (file.2 == name || file.2 == of_folder))
+        let head = format!("{folder}/mod.rs");
+        all.iter().any(|file| file.3 && (file.2 == name || file.2 == head))
     };
-    let lonely = all.iter().filter(|(room, own, name, _)| {
-        let has_twin = all.iter().any(|other| other.1 == *own && other.0 != *room);
-        *room != ROOMS[0] && !own.ends_with("tests") && !has_twin && !says_why(name)
+    let lonely = all.iter().filter(|(side, stem, name, _)| {
+        let has_twin = all.iter().any(|other| other.1 == *stem && other.0 != *side);
+        *side != TWIN_FOLDERS[0] && !stem.ends_with("tests") && !has_twin && !says_why(name)
     });
-    let told = |name: &str| format!("{name}: no other room has this name, and no `{TWIN} ..`");
-    lonely.map(|file| told(file.2)).collect()
+    let problem = |name: &str| format!("{name}: no other side has this name, and no `{TWIN} ..`");
+    lonely.map(|file| problem(file.2)).collect()
 }
 
 /// Keys that a text cites: words in brackets that begin with a name and end with a year, as in
@@ -229,9 +229,9 @@ mod tests {
     }
 
     #[test]
-    fn rooms_have_the_same_names_or_say_why() {
+    fn twins_have_the_same_names_or_say_why() {
         let file = |at: usize, name: &str, text: &str| {
-            (format!("{}{name}", ROOMS[at]), format!("//! A.\n{text}"))
+            (format!("{}{name}", TWIN_FOLDERS[at]), format!("//! A.\n{text}"))
         };
         let check = |files: &[(String, String)]| check_twins(files).len();
         let lonely = file(1, "tree/half.rs", "");

@@ -1,7 +1,7 @@
 //! `cargo xtask wasm`: the CPU's path built for WebAssembly, where there is no clock and no second
 //! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm).
 
-use crate::programs::{command, has_target, output, skipped, target_folder};
+use crate::programs::{command, has_target, output, skipped, target_folder, test};
 use std::path::Path;
 use std::process::Command;
 
@@ -19,8 +19,7 @@ pub fn run(root: &Path) -> Result<(), String> {
         skipped(&format!("what was built for WebAssembly was not run: {why}"));
         return Ok(());
     }
-    // All packages are named, so that nothing is built but what the tests have built.
-    command(root, &["cargo", "test", "--release", "--workspace", "--test", "answers"])?;
+    test(root, "answers", &[], &[])?;
     let target = target_folder(root);
     let native = target.join("tmp/answers.txt");
     let native =
@@ -42,8 +41,8 @@ fn compare(native: &str, wasm: &str) -> Result<usize, String> {
         return Err(format!("{line}: that shows nothing"));
     }
     if let Some(i) = (0..ours.len().max(theirs.len())).find(|&i| ours.get(i) != theirs.get(i)) {
-        let of = |lines: &[&str]| lines.get(i).map_or("nothing".to_owned(), |l| format!("{l:?}"));
-        return Err(format!("WebAssembly says {}, this machine {}", of(&theirs), of(&ours)));
+        let line = |lines: &[&str]| lines.get(i).map_or("nothing".to_owned(), |l| format!("{l:?}"));
+        return Err(format!("WebAssembly says {}, this machine {}", line(&theirs), line(&ours)));
     }
     let n = ours.iter().filter(|line| !line.starts_with("scene")).count();
     if n > 0 { Ok(n) } else { Err("there are no answers to compare".into()) }

@@ -131,9 +131,9 @@ fn uniform_load(
         place = base;
     }
     let Expression::GlobalVariable(global) = function.expressions[place] else { return None };
-    let of = |expression| matches!(function.expressions[expression], Expression::Load { .. });
+    let is_load = |e: Handle<_>| matches!(function.expressions[e], Expression::Load { .. });
     if globals[global].space != AddressSpace::WorkGroup
-        || range.clone().filter(|&e| of(e)).count() > 1
+        || range.clone().filter(|&e| is_load(e)).count() > 1
     {
         return None;
     }

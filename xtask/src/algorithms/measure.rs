@@ -49,7 +49,7 @@ fn on_cpu(
     let mut broad = BroadPhase::new(threads, method).map_err(Failure::Refused)?;
     let mut times = Vec::new();
     let start = Instant::now();
-    // The first finds room for everything.
+    // The first allocates every buffer.
     for run in 0..=runs {
         let found = match &case.against {
             None => broad.self_pairs(&case.boxes),
@@ -91,12 +91,12 @@ fn on_gpu(
         Err(e) => return Err(e.to_string()),
     }
     broad.set_timing(Timing::Stages).map_err(|e| e.to_string())?;
-    let of = |stages: &[(&str, f64)], search: bool| {
+    let sum = |stages: &[(&str, f64)], search: bool| {
         stages.iter().filter(|s| s.0.contains("pairs") == search).map(|s| s.1).sum::<f64>()
     };
     let times = warm(runs, || {
         broad.again()?;
-        Ok([of(broad.stages(), false), of(broad.stages(), true)])
+        Ok([sum(broad.stages(), false), sum(broad.stages(), true)])
     });
     let times = times.map_err(|e: ccd::gpu::Error| e.to_string())?;
     let [build, search] = [0, 1].map(|k| median(times.iter().map(|t| t[k])));

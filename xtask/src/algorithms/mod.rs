@@ -17,12 +17,12 @@ use scenes::Case;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-type Of = fn(&Measured) -> f64;
+type Ms = fn(&Measured) -> f64;
 
 /// Of every case a table: methods with their names, at every place.
 struct Section {
     what: &'static str,
-    of: Of,
+    ms: Ms,
     rows: Vec<(String, BroadPhaseMethod)>,
     /// Columns of figures that no place changes, by one thread.
     figures: &'static [&'static str],
@@ -64,9 +64,9 @@ fn tree(builder: Builder, traversal: Traversal) -> BroadPhaseMethod {
 /// Every broad phase on every scene, whole calls.
 fn methods() -> Section {
     let rows = BroadPhaseMethod::ROWS.iter().map(|row| (row.name.to_owned(), row.value)).collect();
-    let of = |m: &Measured| m.build + m.search;
+    let ms = |m: &Measured| m.build + m.search;
     let plot = Some(("Methods", "methods"));
-    Section { what: "ms, build and search", of, rows, figures: &[], plot }
+    Section { what: "ms, build and search", ms, rows, figures: &[], plot }
 }
 
 /// Recursive, iterative, leaf order, half: the ladder of [Karras 2012b].
@@ -74,7 +74,7 @@ fn ladder() -> Section {
     let rungs = [Traversal::Recursive, Traversal::Iterative, Traversal::LeafOrder, Traversal::Half];
     let row = |t: Traversal| (t.row().name.to_owned(), tree(Builder::Lbvh, t));
     let (rows, plot) = (rungs.map(row).into(), Some(("The ladder", "ladder")));
-    Section { what: "ms, search alone", of: |m| m.search, rows, figures: &[], plot }
+    Section { what: "ms, search alone", ms: |m| m.search, rows, figures: &[], plot }
 }
 
 /// Simultaneous against independent traversal, in visits and in time.
@@ -88,22 +88,23 @@ fn simultaneous() -> Section {
         ("cut of 256, both", Traversal::CUT),
     ];
     let rows = rows.map(|(name, t)| (name.to_owned(), tree(Builder::Lbvh, t))).into();
-    Section { what: "ms, search alone", of: |m| m.search, rows, figures: &["visits"], plot: None }
+    Section { what: "ms, search alone", ms: |m| m.search, rows, figures: &["visits"], plot: None }
 }
 
 /// Build time, cost and visited nodes of every builder.
 fn builders() -> Section {
     let row = |row: &ccd::Row<Builder>| (row.name.to_owned(), tree(row.value, Traversal::Half));
     let (rows, figures) = (Builder::ROWS.iter().map(row).collect(), &OF_TREE[..]);
-    Section { what: "ms, build alone", of: |m| m.build, rows, figures, plot: None }
+    Section { what: "ms, build alone", ms: |m| m.build, rows, figures, plot: None }
 }
 
 const OF_TREE: [&str; 3] = ["cost", "nodes a query", "depth"];
 
 /// Boxes along the axes against oriented ones, in visits and in time.
 fn volumes() -> [Section; 2] {
-    let of: [(_, Of); 2] = [("ms, build alone", |m| m.build), ("ms, search alone", |m| m.search)];
-    of.map(|(what, of)| {
+    let columns: [(_, Ms); 2] =
+        [("ms, build alone", |m| m.build), ("ms, search alone", |m| m.search)];
+    columns.map(|(what, ms)| {
         let traversals = [Traversal::Half, Traversal::CUT];
         let rows = traversals.into_iter().flat_map(|traversal| {
             Volume::ROWS.iter().map(move |row| {
@@ -112,18 +113,18 @@ fn volumes() -> [Section; 2] {
                 (name, BroadPhaseMethod::Tree(options))
             })
         });
-        Section { what, of, rows: rows.collect(), figures: &["visits"], plot: None }
+        Section { what, ms, rows: rows.collect(), figures: &["visits"], plot: None }
     })
 }
 
 /// The table of [Tian and Wan].
 fn cloth_and_sphere() -> [Section; 2] {
-    let of: [(_, Of); 2] = [("build, ms", |m| m.build), ("collision, ms", |m| m.search)];
-    of.map(|(what, of)| {
+    let columns: [(_, Ms); 2] = [("build, ms", |m| m.build), ("collision, ms", |m| m.search)];
+    columns.map(|(what, ms)| {
         let pairs = Builder::NearestPair { limit: u32::MAX };
         let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
         let row = |b: Builder| (b.row().name.to_owned(), tree(b, Traversal::Half));
-        Section { what, of, rows: builders.map(row).into(), figures: &[], plot: None }
+        Section { what, ms, rows: builders.map(row).into(), figures: &[], plot: None }
     })
 }
 
@@ -148,21 +149,21 @@ impl Report {
     }
 
     fn section(&self, case: &Case, section: &Section, text: &mut String) -> Result<(), String> {
-        let &Section { what, of, ref rows, figures, plot } = section;
+        let &Section { what, ms, ref rows, figures, plot } = section;
         let places = self.names.iter().map(String::as_str);
         let mut table = Table::new([what].into_iter().chain(figures.iter().copied()).chain(places));
         let mut bars = Bars::new(format!("{}, {what}", case.name), self.names.clone());
         for (name, method) in rows {
             let mut cells = vec![name.clone()];
             if !figures.is_empty() {
-                let one = measure(&Place::Cpu { threads: 1 }, *method, case, 1)?.ok();
-                cells.extend(of_one_thread(one, figures));
+                let measured = measure(&Place::Cpu { threads: 1 }, *method, case, 1)?.ok();
+                cells.extend(of_one_thread(measured, figures));
             }
             let mut values = Vec::new();
             for place in &self.places {
                 let measured = measure(place, *method, case, self.runs)?;
-                cells.push(measured.as_ref().map_or_else(|why| (*why).into(), |m| digits(of(m))));
-                values.push(measured.ok().as_ref().map(of));
+                cells.push(measured.as_ref().map_or_else(|why| (*why).into(), |m| digits(ms(m))));
+                values.push(measured.ok().as_ref().map(ms));
             }
             table.row(cells);
             bars.add(name, values);
@@ -178,11 +179,11 @@ impl Report {
 }
 
 /// Cells of figures: visits, or those of the tree.
-fn of_one_thread(one: Option<Measured>, figures: &[&str]) -> Vec<String> {
+fn of_one_thread(measured: Option<Measured>, figures: &[&str]) -> Vec<String> {
     if figures != OF_TREE {
-        return vec![one.map_or("-".into(), |m| m.visits.to_string())];
+        return vec![measured.map_or("-".into(), |m| m.visits.to_string())];
     }
-    let tree = one.and_then(|m| m.tree);
+    let tree = measured.and_then(|m| m.tree);
     let cells =
         tree.map(|t| [digits(t.sah_cost), digits(t.visited_per_query), t.depth.to_string()]);
     cells.unwrap_or_default().into()

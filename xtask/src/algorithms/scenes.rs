@@ -60,11 +60,11 @@ pub fn all() -> Result<Vec<Case>, String> {
 /// sphere of radius 1 and hangs down where that is not below it.
 pub fn cloths_on_spheres() -> Result<Vec<Case>, String> {
     let triangles = |faces: &[[u32; 3]], x: &[[f64; 3]]| -> Vec<Aabb<f32>> {
-        let of = |f: &[u32; 3]| {
+        let face = |f: &[u32; 3]| {
             let boxes = f.map(|v| Aabb::of_point(x[v as usize]));
             boxes[0].union(&boxes[1]).union(&boxes[2]).inflated(1e-3).round_out()
         };
-        faces.iter().map(of).collect()
+        faces.iter().map(face).collect()
     };
     let mut cases = Vec::new();
     for (n_sphere, n_cloth) in [(32, 24), (64, 48), (128, 64)] {

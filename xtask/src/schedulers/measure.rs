@@ -3,10 +3,12 @@
 
 use super::scenes::{Counts, Scene};
 use crate::measure::{Place, median};
+use ccd::any::{self, Session};
 use ccd::{
-    BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Report, Scheduling, Session,
-    Traversal, TreeOptions, Volume, gpu,
+    BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Scheduling, Traversal, TreeOptions,
+    Volume, gpu,
 };
+use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 /// What is descended.
@@ -27,10 +29,10 @@ pub struct Effort {
     pub enough: Duration,
 }
 
-/// Steps before those that are timed: a front has room after the first, is made in the second, and
-/// begun with in the third.
+/// Steps before those that are timed: the first finds out how long a front is, the second makes
+/// it, and the third begins at it.
 pub const WARM: usize = 2;
-/// Steps after those, in which it is asked where time goes: one where all together take long.
+/// Steps after those, whose parts are timed: one where all together take long.
 pub const WATCHED: usize = 2;
 /// A step of all schedulers that takes longer than this takes long.
 const LONG: Duration = Duration::from_secs(3);
@@ -113,83 +115,52 @@ impl Structure {
     /// From the roots where a backend has that, else from a cut.
     pub fn method(self, backend: &str) -> BroadPhaseMethod {
         let Self::Tree(volume) = self else { return BroadPhaseMethod::Blocks };
-        let of = |traversal| {
+        let tree = |traversal| {
             BroadPhaseMethod::Tree(TreeOptions::default().volume(volume).traversal(traversal))
         };
-        let from_roots = of(Traversal::SIMULTANEOUS);
-        if from_roots.lacking(backend).is_none() { from_roots } else { of(Traversal::CUT) }
+        let from_roots = tree(Traversal::SIMULTANEOUS);
+        if from_roots.lacking(backend).is_none() { from_roots } else { tree(Traversal::CUT) }
     }
 }
 
-/// A session at either place.
-enum Runner {
-    Cpu(Box<Session>),
-    Gpu(Box<gpu::Session>),
+/// A session at a place; `None`: the place does not have these options.
+fn open(place: &Place, scene: &Scene, options: Options) -> Result<Option<Session>, any::Error> {
+    let options = options.with_threads(place.threads());
+    match Session::new(&place.choice(), scene.mesh.clone(), options) {
+        Ok(session) => Ok(Some(session)),
+        Err(any::Error::Input(Error::Method { .. }) | any::Error::Unavailable { .. }) => Ok(None),
+        Err(e) => Err(e),
+    }
 }
 
-impl Runner {
-    /// `None`: this place does not have it.
-    fn new(place: &Place, scene: &Scene, options: Options) -> Result<Option<Self>, String> {
-        let mesh = scene.mesh.clone();
-        match place {
-            Place::Cpu { threads } => match Session::new(mesh, options.with_threads(*threads)) {
-                Ok(session) => Ok(Some(Self::Cpu(Box::new(session)))),
-                Err(Error::Method { .. }) => Ok(None),
-                Err(e) => Err(e.to_string()),
-            },
-            Place::Gpu { device, .. } => match gpu::Session::new(device, mesh, options) {
-                Ok(session) => Ok(Some(Self::Gpu(Box::new(session)))),
-                Err(gpu::Error::Input(Error::Method { .. }) | gpu::Error::Unavailable { .. }) => {
-                    Ok(None)
-                }
-                Err(e) => Err(e.to_string()),
-            },
+/// Sets what is timed in each step: all of it, or, if `watched`, also its parts.
+fn set_timing(session: &mut Session, watched: bool) -> Result<(), any::Error> {
+    match session.gpu() {
+        Some(on) if watched => on.set_timing(gpu::Timing::Stages),
+        Some(on) => on.set_timing(gpu::Timing::Whole),
+        None => {
+            session.cpu().into_iter().for_each(|on| on.set_timed(watched));
+            Ok(())
         }
     }
+}
 
-    fn watch(&mut self) -> Result<(), String> {
-        match self {
-            Self::Cpu(session) => session.set_timed(true),
-            Self::Gpu(session) => {
-                session.set_timing(gpu::Timing::Stages).map_err(|e| e.to_string())?;
-            }
-        }
-        Ok(())
-    }
+/// Milliseconds of the last step.
+fn ms(session: &mut Session) -> f64 {
+    let on_cpu = session.report().times.total;
+    session.gpu().map_or(on_cpu, |on| on.stages().iter().map(|stage| stage.1).sum())
+}
 
-    fn begin(&mut self) -> Result<(), String> {
-        match self {
-            Self::Cpu(_) => Ok(()),
-            Self::Gpu(session) => session.set_timing(gpu::Timing::Whole).map_err(|e| e.to_string()),
-        }
-    }
-
-    fn step(&mut self, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Result<&Report, String> {
-        match self {
-            Self::Cpu(session) => session.step(x0, x1).map_err(|e| e.to_string()),
-            Self::Gpu(session) => session.step(x0, x1).map_err(|e| e.to_string()),
-        }
-    }
-
-    /// Of the last step.
-    fn ms(&self) -> f64 {
-        match self {
-            Self::Cpu(session) => session.report().times.total,
-            Self::Gpu(session) => session.stages().iter().map(|stage| stage.1).sum(),
-        }
-    }
-
-    /// Of the last step, which was watched.
-    fn shares(&mut self) -> Result<Shares, String> {
-        match self {
-            Self::Cpu(session) => Ok(of_cpu(session)),
-            Self::Gpu(session) => of_gpu(session),
-        }
+/// Shares of the last step, which was watched.
+fn shares(session: &mut Session) -> Result<Shares, any::Error> {
+    match session.gpu() {
+        Some(on) => of_gpu(on),
+        None => Ok(session.cpu().map(|on| of_cpu(on)).unwrap_or_default()),
     }
 }
 
 /// Of workers in parallel, what the clock would show if they shared everything evenly.
-fn of_cpu(session: &Session) -> Shares {
+fn of_cpu(session: &ccd::Session) -> Shares {
     let times = session.report().times;
     let descents = session.descent_times().unwrap_or_default();
     let n = session.threads() as f64;
@@ -207,7 +178,7 @@ fn of_cpu(session: &Session) -> Shares {
 }
 
 /// By the names of the device's stages.
-fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
+fn of_gpu(session: &mut gpu::Session) -> Result<Shares, any::Error> {
     let mut shares = Shares::default();
     for &(name, ms) in session.stages() {
         let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
@@ -227,9 +198,9 @@ fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
 
 /// Of all turns of all threads, if every worker went on for as long as the last, those that
 /// expanded a pair, or helped to; `None` without workers.
-fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, String> {
+fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, any::Error> {
     let n_kinds = if session.options().pipeline == Pipeline::Features { 2 } else { 1 };
-    let counts = session.worker_counts().map_err(|e| e.to_string())?;
+    let counts = session.worker_counts()?;
     let (mut expanded, mut turns) = (0, 0);
     for kind in counts.chunks((counts.len() / n_kinds).max(1)) {
         let last = kind.iter().map(|worker| worker.turns as u64).max().unwrap_or(0);
@@ -253,14 +224,14 @@ pub fn measure(
     let options = |&scheduling: &Scheduling| {
         scene.options().with_broad_phase(broad_phase).with_scheduling(scheduling)
     };
-    let failed = |scheduling: &Scheduling, why: String| {
+    let failed = |scheduling: &Scheduling, why: &dyn Display| {
         format!("{}, {}, {broad_phase}, {scheduling}: {why}", scene.name, place.name())
     };
-    let mut runners = Vec::new();
+    let mut sessions = Vec::new();
     for scheduling in all {
-        let runner = Runner::new(place, scene, options(scheduling));
-        let runner = runner.map_err(|e| failed(scheduling, e))?;
-        runners.push(runner.map(|runner| (runner, Measured::default(), Vec::new())));
+        let session = open(place, scene, options(scheduling));
+        let session = session.map_err(|e| failed(scheduling, &e))?;
+        sessions.push(session.map(|session| (session, Measured::default(), Vec::new())));
     }
     let n_steps = scene.frames.len() - 1;
     let (mut start, mut n_timed, mut n_watched) = (Instant::now(), 0, 0);
@@ -279,26 +250,26 @@ pub fn measure(
         if i == WARM {
             start = Instant::now();
         }
-        for (runner, scheduling) in runners.iter_mut().zip(all) {
-            let Some((runner, measured, shares)) = runner else { continue };
-            let why = |e| failed(scheduling, e);
-            if i == 0 {
-                runner.begin().map_err(why)?;
-            } else if !warm && !is_timed {
-                // From zero before each step.
-                runner.watch().map_err(why)?;
+        for (session, scheduling) in sessions.iter_mut().zip(all) {
+            let Some((session, measured, all_shares)) = session else { continue };
+            let why = |e| failed(scheduling, &e);
+            // Watched from zero before each step.
+            let is_watched = !warm && !is_timed;
+            if i == 0 || is_watched {
+                set_timing(session, is_watched).map_err(why)?;
             }
-            let report = runner.step(&x[0], &x[1]).map_err(why)?;
+            let report = session.step(&x[0], &x[1]).map_err(why)?;
             let found = Counts::of(report);
             if found != *want {
-                return Err(failed(scheduling, format!("step {i}: {found:?}, right is {want:?}")));
+                let what = format!("step {i}: {found:?}, right is {want:?}");
+                return Err(failed(scheduling, &what));
             }
             if is_timed {
                 measured.fronts.extend(report.front);
                 measured.n_rebuilt += report.rebuilt as usize;
-                measured.steps.push(runner.ms());
+                measured.steps.push(ms(session));
             } else if !warm {
-                shares.push(runner.shares().map_err(why)?);
+                all_shares.push(shares(session).map_err(why)?);
             }
         }
         n_timed += is_timed as usize;
@@ -307,9 +278,9 @@ pub fn measure(
             break;
         }
     }
-    let done = |(_, measured, shares): (Runner, Measured, Vec<Shares>)| Measured {
+    let done = |(_, measured, shares): (Session, Measured, Vec<Shares>)| Measured {
         shares: Shares::mean(&shares),
         ..measured
     };
-    Ok(runners.into_iter().map(|runner| runner.map(done)).collect())
+    Ok(sessions.into_iter().map(|session| session.map(done)).collect())
 }

@@ -77,7 +77,7 @@ pub struct Row {
     pub scheduling: Scheduling,
 }
 
-/// What was measured of one structure at one place: a cell each row.
+/// Measurements of one structure at one place, a cell each row.
 pub struct Group {
     pub structure: Structure,
     /// Number of the place.
@@ -93,14 +93,14 @@ pub struct Results<'s> {
     pub features: Vec<Option<Measured>>,
 }
 
-/// What a backend has: by itself, and every scheduler with a front and without.
+/// The schedulings of a backend: by itself, and every scheduler with a front and without.
 fn rows(backend: &str) -> Vec<Row> {
-    let of = |scheduling: Scheduling| Row {
+    let row = |scheduling: Scheduling| Row {
         name: scheduling.to_string().replace("-front", ", front"),
         scheduling,
     };
     let by_itself = Row { name: "by itself".into(), scheduling: Scheduling::default() };
-    std::iter::once(by_itself).chain(Scheduling::every(backend).map(of)).collect()
+    std::iter::once(by_itself).chain(Scheduling::every(backend).map(row)).collect()
 }
 
 impl<'s> Results<'s> {
@@ -141,10 +141,10 @@ impl<'s> Results<'s> {
         group.rows.iter().find(|(row, _)| row.name == name)?.1.as_ref()
     }
 
-    /// What a session does at this place unless it is told otherwise.
+    /// The default of a session at this place.
     pub fn default(&self, place: usize) -> Option<&Measured> {
-        let own = || self.cell(place, Structure::Blocks, "by itself");
-        self.features[place].as_ref().or_else(own)
+        let default = || self.cell(place, Structure::Blocks, "by itself");
+        self.features[place].as_ref().or_else(default)
     }
 
     /// The fastest cell at a place, with its name.

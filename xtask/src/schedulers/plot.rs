@@ -22,11 +22,11 @@ pub fn all(all: &[Results], places: &[(usize, &str)], folder: &Path) -> Result<S
         let series = ["default", "tree, lazy stealing, front", "tree, balanced, front", "fastest"];
         let mut bars = Bars::new(format!("A step, {place}, ms"), series.map(str::to_owned).into());
         for results in all {
-            let of = |name: &str| results.cell(k, TREE, name).map(Measured::ms);
+            let ms = |name: &str| results.cell(k, TREE, name).map(Measured::ms);
             let values = vec![
                 results.default(k).map(Measured::ms),
-                of("lazy-stealing, front"),
-                of("balanced, front"),
+                ms("lazy-stealing, front"),
+                ms("balanced, front"),
                 results.best(k).map(|(_, best)| best.ms()),
             ];
             bars.add(&results.scene.name, values);
@@ -40,9 +40,9 @@ pub fn all(all: &[Results], places: &[(usize, &str)], folder: &Path) -> Result<S
         let mut bars = Bars::new(format!("{title}, ms a step"), series);
         let mut stacks = Vec::new();
         for name in names(&chart.groups) {
-            let of = |structure| chart.cell(k, structure, name);
-            bars.add(name, Structure::ALL.map(|s| of(s).map(Measured::ms)).into());
-            if let Some(m) = of(TREE).filter(|_| name.ends_with(", front")) {
+            let cell = |structure| chart.cell(k, structure, name);
+            bars.add(name, Structure::ALL.map(|s| cell(s).map(Measured::ms)).into());
+            if let Some(m) = cell(TREE).filter(|_| name.ends_with(", front")) {
                 stacks.push((name.to_owned(), m.shares.parts));
             }
         }

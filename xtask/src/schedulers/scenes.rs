@@ -5,16 +5,32 @@ use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
 use ccd::{Bodies, Mesh, Options, PerKind, Pipeline, Session};
 use ccd_testkit::data::data_dir;
 
-/// What the dissertation reports of a scene.
+/// Figures of the dissertation for a scene; NaN where it has none.
 #[derive(Clone, Copy, Debug)]
 pub struct Published {
     /// Milliseconds a frame by lazy work stealing on a GTS 450 and a GT 520, table 4.1.
-    pub lazy: [Option<f64>; 2],
+    pub lazy: [f64; 2],
     /// The same by gProximity, table 4.4.
-    pub gproximity: [Option<f64>; 2],
+    pub gproximity: [f64; 2],
     /// Front nodes a frame, table 4.3.
     pub front: f64,
 }
+
+/// A scene of the dissertation: its name, its maker, whether bodies touch themselves, and
+/// milliseconds by lazy work stealing and by gProximity, then front nodes.
+type Row = (&'static str, fn() -> Sequence, bool, [f64; 2], [f64; 2], f64);
+
+const DISSERTATION: [Row; 7] = [
+    ("BART64", || interpenetrating(64), false, [2.6, 1.6], [3.1, 1.6], 807.996),
+    ("BART256", || interpenetrating(256), false, [3.4, 3.5], [3.6, 3.1], 9.15953e3),
+    ("BART1024", || interpenetrating(1024), false, [8.4, 19.7], [7.5, 14.7], 127.394e3),
+    ("BART4096", || interpenetrating(4096), false, [51.3, 169.9], [47.6, 173.4], 2.15626e6),
+    ("funnel", || funnel(87), true, [17.4, 48.2], [16.3, 49.0], 493.391e3),
+    ("cloth on ball", || cloth_on_ball(152), true, [77.3, 225.7], [68.6, 238.3], 2.48204e6),
+    ("N-body", || n_body(285, 17), false, [f64::NAN, 1172.2], [f64::NAN, 1269.5], 18.3137e6),
+];
+const FUNNEL: &str = "funnel, features";
+const DEBRIS: &str = "debris-wall, features";
 
 /// A scene, its frames, and how many pairs the default finds between two of them.
 pub struct Scene {
@@ -27,7 +43,7 @@ pub struct Scene {
     pub published: Option<Published>,
 }
 
-/// What must be the same by whatever scheduler.
+/// Numbers of pairs, the same by every scheduler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
     pub candidates: PerKind,
@@ -41,75 +57,24 @@ impl Counts {
     }
 }
 
-/// The seven of the dissertation by pairs of triangles, and two by pairs of features, which is what
-/// a session does unless it is told otherwise. `n_frames`: frames of each.
+/// The seven of the dissertation by pairs of triangles, and two by pairs of features, which is the
+/// default of a session. `n_frames`: frames of each.
 pub fn all(wanted: &dyn Fn(&str) -> bool, n_frames: usize) -> Result<Vec<Scene>, String> {
-    type Make = fn() -> Sequence;
-    let published = |lazy, gproximity, front| Some(Published { lazy, gproximity, front });
-    let both = |a, b| [Some(a), Some(b)];
-    let triangles = Pipeline::TRIANGLES;
-    // Name, maker, pipeline, whether bodies touch themselves, and the dissertation's figures.
-    let rows: [(&str, Make, Pipeline, bool, Option<Published>); 8] = [
-        (
-            "BART64",
-            || interpenetrating(64),
-            triangles,
-            false,
-            published(both(2.6, 1.6), both(3.1, 1.6), 807.996),
-        ),
-        (
-            "BART256",
-            || interpenetrating(256),
-            triangles,
-            false,
-            published(both(3.4, 3.5), both(3.6, 3.1), 9.15953e3),
-        ),
-        (
-            "BART1024",
-            || interpenetrating(1024),
-            triangles,
-            false,
-            published(both(8.4, 19.7), both(7.5, 14.7), 127.394e3),
-        ),
-        (
-            "BART4096",
-            || interpenetrating(4096),
-            triangles,
-            false,
-            published(both(51.3, 169.9), both(47.6, 173.4), 2.15626e6),
-        ),
-        (
-            "funnel",
-            || funnel(87),
-            triangles,
-            true,
-            published(both(17.4, 48.2), both(16.3, 49.0), 493.391e3),
-        ),
-        (
-            "cloth on ball",
-            || cloth_on_ball(152),
-            triangles,
-            true,
-            published(both(77.3, 225.7), both(68.6, 238.3), 2.48204e6),
-        ),
-        (
-            "N-body",
-            || n_body(285, 17),
-            triangles,
-            false,
-            published([None, Some(1172.2)], [None, Some(1269.5)], 18.3137e6),
-        ),
-        ("funnel, features", || funnel(87), Pipeline::Features, true, None),
-    ];
+    let frames = |scene: &Sequence| (0..n_frames).map(|i| scene.frame(i)).collect();
     let mut scenes = Vec::new();
-    for (name, make, pipeline, self_contact, published) in rows {
-        if !wanted(name) {
-            continue;
+    for (name, make, self_contact, lazy, gproximity, front) in DISSERTATION {
+        if wanted(name) {
+            let scene = make();
+            let bodies = (!self_contact).then(|| Bodies::new(&scene.body, &[], false));
+            let published = Some(Published { lazy, gproximity, front });
+            let (frames, pipeline) = (frames(&scene), Pipeline::TRIANGLES);
+            scenes.push(Scene::new(name, scene.mesh, pipeline, bodies, frames, published)?);
         }
-        let scene = make();
-        let frames = (0..n_frames).map(|i| scene.frame(i)).collect();
-        let bodies = (!self_contact).then(|| Bodies::new(&scene.body, &[], false));
-        scenes.push(Scene::new(name, scene.mesh, pipeline, bodies, frames, published)?);
+    }
+    if wanted(FUNNEL) {
+        let (scene, pipeline) = (funnel(87), Pipeline::Features);
+        let frames = frames(&scene);
+        scenes.push(Scene::new(FUNNEL, scene.mesh, pipeline, None, frames, None)?);
     }
     if wanted(DEBRIS) {
         match debris(n_frames) {
@@ -119,8 +84,6 @@ pub fn all(wanted: &dyn Fn(&str) -> bool, n_frames: usize) -> Result<Vec<Scene>,
     }
     Ok(scenes)
 }
-
-const DEBRIS: &str = "debris-wall, features";
 
 /// Debris that falls against a wall, from the test data.
 fn debris(n_frames: usize) -> Result<Scene, String> {
@@ -165,7 +128,7 @@ impl Scene {
         Self::new(&self.name, mesh, Pipeline::Features, self.bodies.clone(), frames, None)
     }
 
-    /// What every session of the scene has.
+    /// Options of every session of the scene.
     pub fn options(&self) -> Options {
         Options::default().with_pipeline(self.pipeline).with_bodies(self.bodies.clone())
     }

@@ -7,7 +7,7 @@ use crate::measure::Place;
 use ccd::Volume;
 use std::fmt::Write;
 
-/// The columns of all structures at a place.
+/// Trees with boxes along the axes.
 const TREE: Structure = Structure::Tree(Volume::Aabb);
 /// The dissertation's own scheduler and the one it is compared with, as it has them.
 const LAZY: &str = "lazy-stealing, front";
@@ -21,8 +21,9 @@ fn ms(cell: Option<&Measured>) -> String {
     })
 }
 
-fn given(x: Option<f64>) -> String {
-    x.map_or("-".into(), |x| x.to_string())
+/// A published figure.
+fn published(x: f64) -> String {
+    if x.is_nan() { "-".into() } else { x.to_string() }
 }
 
 /// Tables 4.1 and 4.4: lazy stealing and lists that are balanced, on trees with fronts, beside the
@@ -49,8 +50,8 @@ pub fn summary(all: &[Results], places: &[String]) -> String {
     let columns = ["", "lazy, GTS 450", "GT 520", "gProximity, GTS 450", "GT 520"];
     let mut table = Table::new(columns);
     for results in all {
-        let Some(of) = results.scene.published else { continue };
-        let [[a, b], [c, d]] = [of.lazy, of.gproximity].map(|two| two.map(given));
+        let Some(figures) = results.scene.published else { continue };
+        let [[a, b], [c, d]] = [figures.lazy, figures.gproximity].map(|ms| ms.map(published));
         table.row([results.scene.name.clone(), a, b, c, d]);
     }
     let _ = write!(text, "The dissertation's, ms:\n\n{table}");
@@ -59,10 +60,7 @@ pub fn summary(all: &[Results], places: &[String]) -> String {
 
 /// Tables 4.2 and 4.5: how many times as fast the most threads are as the fewest.
 pub fn speedup(all: &[Results], places: &[Place]) -> String {
-    let threads = |k: &usize| match places[*k] {
-        Place::Cpu { threads } => threads,
-        Place::Gpu { .. } => 0,
-    };
+    let threads = |k: &usize| places[*k].threads();
     let cpus = || (0..places.len()).filter(|k| threads(k) > 0);
     let (Some(few), Some(many)) = (cpus().min_by_key(threads), cpus().max_by_key(threads)) else {
         return String::new();
@@ -71,13 +69,14 @@ pub fn speedup(all: &[Results], places: &[Place]) -> String {
     let columns = [&title, "lazy", "balanced", "default", "lazy, there", "gProximity, there"];
     let mut table = Table::new(columns);
     for results in all {
-        let of = |few: Option<&Measured>, many: Option<&Measured>| {
+        let speedup = |few: Option<&Measured>, many: Option<&Measured>| {
             few.zip(many)
                 .map_or(String::new(), |(few, many)| format!("{:.2}", few.ms() / many.ms()))
         };
-        let cell = |name: &str| of(results.cell(few, TREE, name), results.cell(many, TREE, name));
-        let there = |two: Option<[Option<f64>; 2]>| match two {
-            Some([Some(a), Some(b)]) => format!("{:.2}", b / a),
+        let cell =
+            |name: &str| speedup(results.cell(few, TREE, name), results.cell(many, TREE, name));
+        let ratio = |ms: Option<[f64; 2]>| match ms {
+            Some([a, b]) if a > 0.0 => format!("{:.2}", b / a),
             _ => "-".into(),
         };
         let published = results.scene.published;
@@ -85,9 +84,9 @@ pub fn speedup(all: &[Results], places: &[Place]) -> String {
             results.scene.name.clone(),
             cell(LAZY),
             cell(BALANCED),
-            of(results.default(few), results.default(many)),
-            there(published.map(|p| p.lazy)),
-            there(published.map(|p| p.gproximity)),
+            speedup(results.default(few), results.default(many)),
+            ratio(published.map(|p| p.lazy)),
+            ratio(published.map(|p| p.gproximity)),
         ]);
     }
     table.to_string()
@@ -102,14 +101,14 @@ pub fn fronts(all: &[Results]) -> String {
     for results in all {
         let cell = |structure| results.cell(0, structure, LAZY);
         let pairs = |s| cell(s).map(Measured::front_pairs).map_or(String::new(), thousands);
-        let there = results.scene.published.map_or("-".into(), |p| thousands(p.front));
+        let published = results.scene.published.map_or("-".into(), |p| thousands(p.front));
         let of_tree = cell(TREE).map(|m| {
             let begun = format!("{} of {}", m.n_begun(), m.steps.len());
             [digits(m.front_mib()), begun, m.n_rebuilt.to_string()]
         });
         let name = [results.scene.name.clone()];
         let fronts = Structure::ALL.map(pairs);
-        table.row([&name[..], &fronts, &[there], &of_tree.unwrap_or_default()].concat());
+        table.row([&name[..], &fronts, &[published], &of_tree.unwrap_or_default()].concat());
     }
     table.to_string()
 }

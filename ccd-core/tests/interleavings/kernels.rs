@@ -132,7 +132,7 @@ impl Worker {
         if let Some(taken) = taken {
             workers.done(&self.words, taken);
         }
-        // All above one item are there for others, if there is room.
+        // All above one item go to the deque, if it has capacity.
         if self.stack.len() > 1
             && let Some(slot) = workers.deque(self.me).reserve(&self.words)
         {

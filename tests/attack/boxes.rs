@@ -2,7 +2,6 @@
 //! force: two calls on one broad phase, so that what it keeps meets other boxes.
 
 use super::{Counts, Place, fewest};
-use crate::AttackKind;
 use ccd::any::{BroadPhase, Error};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Scheduling};
 use ccd_testkit::brute;
@@ -22,7 +21,7 @@ const SHAPES: [(&str, Shape); 12] = [
     ("anywhere", |r, _, n| cube(corner(r), 0.7 / (n as f32 + 1.0).cbrt())),
     ("points", |r, _, _| cube(corner(r).map(|c| (c * 8.0).trunc()), 0.0)),
     ("equal", |_, _, _| cube([0.25; 3], 0.5)),
-    ("line", |r, i, _| Aabb { min: [i as f32, 0.0, 0.0], max: [i as f32 + one(r), 0.0, 0.0] }),
+    ("line", |r, i, _| Aabb { min: [i as f32, 0.0, 0.0], max: [i as f32 + length(r), 0.0, 0.0] }),
     ("sheets", |r, i, _| {
         let at = [i as f32 % 16.0, (i / 16) as f32, (r.below(3)) as f32];
         Aabb { min: at, max: [at[0] + 1.0, at[1] + 1.0, at[2]] }
@@ -61,7 +60,7 @@ fn corner(r: &mut Random) -> [f32; 3] {
     std::array::from_fn(|_| r.unit() as f32)
 }
 
-fn one(r: &mut Random) -> f32 {
+fn length(r: &mut Random) -> f32 {
     [0.5, 1.0, 1.5][r.below(3)]
 }
 
@@ -102,7 +101,6 @@ fn brute(a: &[Aabb<f32>], b: Option<&[Aabb<f32>]>) -> Vec<Pair> {
 }
 
 impl super::Case for Case {
-    const KIND: AttackKind = AttackKind::Boxes;
     const NAME: &str = "boxes";
 
     fn make(place: &Place, number: u64, mut random: Random, counts: &mut Counts) -> Self {
@@ -142,8 +140,8 @@ impl super::Case for Case {
             if let Some(two) = found.windows(2).find(|two| two[0] == two[1]) {
                 return Err(failed(format!("a pair twice: {:?}", two[0])));
             }
-            let without = |all: &[Pair], of: &[Pair]| {
-                of.iter().find(|p| all.binary_search_by_key(&key(p), key).is_err()).copied()
+            let without = |all: &[Pair], pairs: &[Pair]| {
+                pairs.iter().find(|p| all.binary_search_by_key(&key(p), key).is_err()).copied()
             };
             if let Some(pair) = without(&found, &want) {
                 return Err(failed(format!("a pair is missing: {pair:?}")));
@@ -163,19 +161,19 @@ impl super::Case for Case {
 
     /// Fewer calls, then fewer boxes.
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
-        let of = |calls: &[_]| Self { calls: calls.to_vec(), ..self.clone() };
-        let mut calls = fewest(&self.calls, |calls| fails(&of(calls)));
+        let with_calls = |calls: &[_]| Self { calls: calls.to_vec(), ..self.clone() };
+        let mut calls = fewest(&self.calls, |calls| fails(&with_calls(calls)));
         for i in 0..calls.len() {
             let with = |a: &[_], b: Option<&[_]>| {
                 let mut less = calls.clone();
                 less[i] = (a.to_vec(), b.map(<[_]>::to_vec));
-                of(&less)
+                with_calls(&less)
             };
             let (a, b) = calls[i].clone();
             let a = fewest(&a, |a| fails(&with(a, b.as_deref())));
             let b = b.map(|b| fewest(&b, |b| fails(&with(&a, Some(b)))));
             calls[i] = (a, b);
         }
-        of(&calls)
+        with_calls(&calls)
     }
 }

@@ -115,11 +115,11 @@ impl<'a> State<'a> {
             return None;
         }
         let fixed: Vec<bool> = (0..N_BODIES).map(|_| random.below(4) == 0).collect();
-        let (own, moves) = (random.below(2) == 0, random.below(4) == 0);
-        let mut all = Bodies::new(&self.body_of, &fixed, own).with_fixed_motion(moves);
-        let there: Vec<u32> = (0..N_BODIES).filter(|b| self.body_of.contains(b)).collect();
-        for &b in &there {
-            let (other, number) = (there[random.below(there.len())], random.below(4) as u32);
+        let (self_contact, moves) = (random.below(2) == 0, random.below(4) == 0);
+        let mut all = Bodies::new(&self.body_of, &fixed, self_contact).with_fixed_motion(moves);
+        let used: Vec<u32> = (0..N_BODIES).filter(|b| self.body_of.contains(b)).collect();
+        for &b in &used {
+            let (other, number) = (used[random.below(used.len())], random.below(4) as u32);
             all = match random.below(10) {
                 0 => all.with_sleeping(b, true),
                 1 => all.with_self_contact(b, true),

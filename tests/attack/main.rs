@@ -1,9 +1,10 @@
-//! `cargo xtask attack`: searches for wrong answers that know what is right from brute force, exact
-//! arithmetic or construction.
+//! Searches for wrong answers. What is right is known from brute force, exact arithmetic or
+//! construction.
 //!
-//! A search makes cases from a seed and a number each, so that a case is replayed by its number
-//! alone. The first one that fails ends its search: it is shrunk, and written as JSON, which is
-//! replayed too. What was found once stands in `tests/attack_cases` and is replayed by every run.
+//! `cargo xtask attack` searches for minutes; as a test this program takes the first cases of a
+//! seed. A case is made from a seed and a number, so its number alone replays it. The first case
+//! that fails ends the search of its kind: it is shrunk and written as JSON, which can be replayed
+//! too. Cases that failed once stand in `tests/attack_cases` and are replayed before every search.
 
 mod boxes;
 mod queries;
@@ -13,25 +14,71 @@ mod session_faults;
 mod session_steps;
 mod sessions;
 
-use crate::{AttackKind, AttackOptions, AttackedBackend};
 use ccd::any::Choice;
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::{BroadPhaseMethod, Scheduler, Scheduling};
 use ccd_testkit::grazing::random::Random;
+use clap::Parser;
+use libtest_mimic::{Arguments, Failed, Trial};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{IsTerminal, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// What was found once, in the repository.
-const CASES: &str = "tests/attack_cases";
+/// Cases that failed once.
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/attack_cases");
+/// Consecutive cases on one device: an emulated one compiles for half a minute.
+const IN_A_ROW: u64 = 16;
+const KINDS: [Kind; 3] =
+    [Kind::of::<boxes::Case>(), Kind::of::<queries::Case>(), Kind::of::<sessions::Case>()];
 
-/// A case of a search: what is asked of a place, as data.
+/// Searches for wrong answers: boxes by every method against brute force, nearly degenerate queries
+/// against exact answers, changing and failing sessions against new ones. A case that fails is
+/// shrunk and written as JSON.
+#[derive(Parser)]
+#[command(name = "cargo xtask attack")]
+struct Options {
+    /// How long, all kinds together
+    #[arg(long, default_value_t = 10.0)]
+    minutes: f64,
+    /// Where the work under test runs: the GPU through both paths, with and without f64, in turn
+    /// (CCD_ADAPTER chooses one; an error if there is none)
+    #[arg(long, default_value = "cpu", value_parser = ["cpu", "gpu"])]
+    backend: String,
+    /// This kind alone
+    #[arg(long, value_parser = KINDS.map(|kind| kind.name))]
+    kind: Option<String>,
+    /// The seed of all cases
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// This case alone: a file that a search has written, or with --kind its number
+    #[arg(long, value_name = "FILE|NUMBER")]
+    case: Option<String>,
+    /// The folder for cases that fail
+    #[arg(long, default_value = "target/attack")]
+    out: PathBuf,
+}
+
+/// A kind of cases.
+struct Kind {
+    name: &'static str,
+    search: fn(&Options, &[Place], Duration) -> Result<(), String>,
+    replay: fn(&Value, &Place) -> Result<(), String>,
+}
+
+impl Kind {
+    const fn of<C: Case>() -> Self {
+        Self { name: C::NAME, search: search::<C>, replay: replay::<C> }
+    }
+}
+
+/// A case: a call or a sequence of calls, as data.
 trait Case: Clone + Serialize + DeserializeOwned {
-    const KIND: AttackKind;
     const NAME: &str;
     fn make(place: &Place, number: u64, random: Random, counts: &mut Counts) -> Self;
     /// What is wrong, if anything is.
@@ -39,13 +86,13 @@ trait Case: Clone + Serialize + DeserializeOwned {
     /// A smaller case that fails too.
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self;
 
-    /// The same, quietly; a panic is wrong too.
+    /// The same without counting; a panic is wrong too.
     fn again(&self, place: &Place) -> Result<(), String> {
         caught(|| self.check(place, &mut Counts::default()))
     }
 }
 
-/// What was found, as it is written: what is wrong in a line, how to find it again, and the case.
+/// A case that fails, as it is written: what is wrong, the command that replays it, and the case.
 #[derive(Serialize, Deserialize)]
 struct Found<C> {
     what: String,
@@ -66,7 +113,7 @@ impl Place {
         if self.choice.device().is_some() { "gpu" } else { "cpu" }
     }
 
-    /// What a method does by itself, and every scheduling that it takes; stealing needs SPIR-V.
+    /// The default scheduling and all others that a method takes; stealing needs SPIR-V.
     fn schedulings(&self, method: BroadPhaseMethod) -> Vec<Scheduling> {
         let device = self.choice.device();
         let native = device.is_none_or(|device| device.info().path == gpu::Path::Passthrough);
@@ -78,16 +125,13 @@ impl Place {
     }
 }
 
-/// Numbers by name, for the line at the end.
+/// Numbers by name, printed at the end of a search.
 #[derive(Default)]
 struct Counts(BTreeMap<String, u64>);
 
 impl Counts {
     fn add(&mut self, name: &str, n: u64) {
-        match self.0.get_mut(name) {
-            Some(sum) => *sum += n,
-            None => _ = self.0.insert(name.to_owned(), n),
-        }
+        *self.0.entry(name.to_owned()).or_default() += n;
     }
 }
 
@@ -98,36 +142,75 @@ impl std::fmt::Display for Counts {
     }
 }
 
-/// Cases on one device before the next: an emulated one compiles for half a minute.
-const IN_A_ROW: u64 = 16;
-
-pub fn run(root: &Path, options: &AttackOptions) -> Result<(), String> {
-    // What is caught is told with what is found.
+fn main() -> ExitCode {
+    // A panic that is caught is reported with its case.
     std::panic::set_hook(Box::new(|_| {}));
+    if std::env::args().nth(1).is_none_or(|arg| arg != "search") {
+        return libtest_mimic::run(&Arguments::from_args(), trials()).exit_code();
+    }
+    match run(&Options::parse_from(std::env::args().skip(1))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("error: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The first cases of each kind on the CPU, for seconds.
+fn trials() -> Vec<Trial> {
+    let first = |kind: Kind| {
+        Trial::test(format!("first_{}", kind.name), move || {
+            let options = Options::parse_from(["attack"]);
+            Ok((kind.search)(&options, &places("cpu")?, Duration::from_secs(2))?)
+        })
+    };
+    let mut all = Vec::from(KINDS.map(first));
+    all.push(Trial::test("cases_that_failed_once_pass", || {
+        assert!(std::fs::read_dir(CASES)?.count() > 2);
+        Ok(replay_folder(Path::new(CASES), &places("cpu")?)?)
+    }));
+    all.push(Trial::test("a_wrong_answer_is_found", a_wrong_answer_is_found));
+    all
+}
+
+/// A query that is said to meet nothing fails, alone and in a session, shrinks to itself, and fails
+/// again as data.
+fn a_wrong_answer_is_found() -> Result<(), Failed> {
+    let place = &places("cpu")?[0];
+    let made = |n| queries::Case::make(place, n, Random::new(n), &mut Counts::default());
+    let cases = (0..1024).map(made).filter_map(queries::Case::with_a_lie);
+    let found: Vec<_> = cases.filter(|case| case.again(place).is_err()).take(8).collect();
+    assert_eq!(found.len(), 8);
+    for case in found {
+        let few = case.shrunk(&|case| case.again(place).is_err());
+        assert_eq!(few.n_queries(), 1);
+        let data = serde_json::to_value(&few)?;
+        replay::<queries::Case>(&data, place).unwrap_err();
+    }
+    Ok(())
+}
+
+fn run(options: &Options) -> Result<(), String> {
     if let Some(file) = options.case.as_ref().filter(|case| case.parse::<u64>().is_err()) {
         return replay_file(Path::new(file), None);
     }
-    let places = places(options.backend)?;
+    let places = places(&options.backend)?;
     if options.case.is_none() {
-        replay_folder(&root.join(CASES), &places)?;
+        replay_folder(Path::new(CASES), &places)?;
     }
-    let wanted = |kind| options.kind.is_none_or(|k| k == kind);
-    let n = [boxes::Case::KIND, queries::Case::KIND, sessions::Case::KIND];
-    let n = n.into_iter().filter(|&kind| wanted(kind)).count() as f64;
-    let share = Duration::try_from_secs_f64(options.minutes * 60.0 / n)
+    let is_wanted = |kind: &&Kind| options.kind.as_ref().is_none_or(|name| name == kind.name);
+    let kinds: Vec<&Kind> = KINDS.iter().filter(is_wanted).collect();
+    let share = Duration::try_from_secs_f64(options.minutes * 60.0 / kinds.len() as f64)
         .map_err(|e| format!("--minutes {}: {e}", options.minutes))?;
-    let found = [
-        search::<boxes::Case>(options, &places, share)?,
-        search::<queries::Case>(options, &places, share)?,
-        search::<sessions::Case>(options, &places, share)?,
-    ];
-    let found: Vec<String> = found.into_iter().flatten().collect();
+    let search = |kind: &Kind| (kind.search)(options, &places, share).err();
+    let found: Vec<String> = kinds.into_iter().filter_map(search).collect();
     if found.is_empty() { Ok(()) } else { Err(found.join("\n")) }
 }
 
 /// The CPU, or a device of each path with and without `f64`.
-fn places(backend: AttackedBackend) -> Result<Vec<Place>, String> {
-    if backend == AttackedBackend::Cpu {
+fn places(backend: &str) -> Result<Vec<Place>, String> {
+    if backend == "cpu" {
         return Ok(vec![Place { name: "cpu", choice: Choice::default() }]);
     }
     let mut all = Vec::new();
@@ -154,17 +237,11 @@ fn places(backend: AttackedBackend) -> Result<Vec<Place>, String> {
     }
 }
 
-/// Cases of one kind until its time is over; returns what was found.
-fn search<C: Case>(
-    options: &AttackOptions,
-    places: &[Place],
-    share: Duration,
-) -> Result<Option<String>, String> {
-    if options.kind.is_some_and(|kind| kind != C::KIND) {
-        return Ok(None);
-    }
+/// Cases of one kind until its time is over, or the one that `--case` names; the first that fails
+/// is an error.
+fn search<C: Case>(options: &Options, places: &[Place], share: Duration) -> Result<(), String> {
     let (name, seed) = (C::NAME, options.seed);
-    let (start, mut told) = (Instant::now(), Instant::now());
+    let (start, mut shown) = (Instant::now(), Instant::now());
     let mut counts = Counts::default();
     let only: Option<u64> = options.case.as_ref().and_then(|case| case.parse().ok());
     let mut number = only.unwrap_or(0);
@@ -182,14 +259,14 @@ fn search<C: Case>(
         if only.is_some() || start.elapsed() >= share {
             break None;
         }
-        if told.elapsed().as_secs() >= 10 && std::io::stdout().is_terminal() {
+        if shown.elapsed().as_secs() >= 10 && std::io::stdout().is_terminal() {
             print!("\r{name}: case {number}, {} s", start.elapsed().as_secs());
             let _ = std::io::stdout().flush();
-            told = Instant::now();
+            shown = Instant::now();
         }
     };
     println!("{name}: {counts}, in {:.1} s", start.elapsed().as_secs_f64());
-    let Some((place, case, what)) = found else { return Ok(None) };
+    let Some((place, case, what)) = found else { return Ok(()) };
     let case = case.shrunk(&|case| case.again(place).is_err());
     let what = case.again(place).err().unwrap_or(what);
     let what = format!("{name}, {}: {what}", place.name);
@@ -198,17 +275,16 @@ fn search<C: Case>(
         "cargo xtask attack --backend {backend} --kind {name} --seed {seed} --case {number}"
     );
     let path = options.out.join(format!("{backend}_{name}_{seed}_{number}.json"));
-    let told = format!("{what}\nagain: {again}\nwritten to {}", path.display());
+    let report = format!("{what}\nagain: {again}\nwritten to {}", path.display());
     let found = Found { what, again, kind: name.into(), backend: backend.into(), case };
     let text = serde_json::to_string_pretty(&found).map_err(|e| e.to_string())?;
     std::fs::create_dir_all(&options.out)
         .and_then(|()| std::fs::write(&path, text + "\n"))
-        .map_err(|e| format!("{}: {e}\n{told}", path.display()))?;
-    Ok(Some(told))
+        .map_err(|e| format!("{}: {e}\n{report}", path.display()))?;
+    Err(report)
 }
 
-/// Every case of a folder that is of the backend of these places; outside of a checkout there are
-/// none.
+/// Replays every case of a folder at the places of its backend; without the folder there is none.
 fn replay_folder(folder: &Path, places: &[Place]) -> Result<(), String> {
     let Ok(files) = std::fs::read_dir(folder) else { return Ok(()) };
     let mut files: Vec<_> = files.flatten().map(|file| file.path()).collect();
@@ -216,35 +292,26 @@ fn replay_folder(folder: &Path, places: &[Place]) -> Result<(), String> {
     files.iter().try_for_each(|file| replay_file(file, Some(places)))
 }
 
-/// The case of a file at every place of its backend.
+/// Replays the case of a file at every place of its backend, which is opened if none is given.
 fn replay_file(path: &Path, places: Option<&[Place]>) -> Result<(), String> {
     let failed = |e: String| format!("{}: {e}", path.display());
     let text = std::fs::read(path).map_err(|e| failed(e.to_string()))?;
-    let found: Found<serde_json::Value> =
-        serde_json::from_slice(&text).map_err(|e| failed(e.to_string()))?;
-    let opened = match (places, found.backend.as_str()) {
-        (Some(_), _) => Vec::new(),
-        (None, "gpu") => self::places(AttackedBackend::Gpu)?,
-        (None, _) => self::places(AttackedBackend::Cpu)?,
-    };
+    let found: Found<Value> = serde_json::from_slice(&text).map_err(|e| failed(e.to_string()))?;
+    let kind = KINDS.iter().find(|kind| kind.name == found.kind);
+    let kind = kind.ok_or_else(|| failed(format!("no kind of cases is `{}`", found.kind)))?;
+    let opened = if places.is_some() { Vec::new() } else { self::places(&found.backend)? };
     for place in places.unwrap_or(&opened).iter().filter(|p| p.backend() == found.backend) {
-        match found.kind.as_str() {
-            boxes::Case::NAME => replay::<boxes::Case>(&found.case, place),
-            queries::Case::NAME => replay::<queries::Case>(&found.case, place),
-            sessions::Case::NAME => replay::<sessions::Case>(&found.case, place),
-            other => Err(format!("no kind of cases is `{other}`")),
-        }
-        .map_err(|e| failed(format!("{}: {e}", place.name)))?;
+        (kind.replay)(&found.case, place).map_err(|e| failed(format!("{}: {e}", place.name)))?;
         println!("{}, {}: as it should be", path.display(), place.name);
     }
     Ok(())
 }
 
-fn replay<C: Case>(case: &serde_json::Value, place: &Place) -> Result<(), String> {
+fn replay<C: Case>(case: &Value, place: &Place) -> Result<(), String> {
     C::deserialize(case).map_err(|e| e.to_string())?.again(place)
 }
 
-/// What `work` says; a panic in it is an error.
+/// The result of `work`; a panic in it is an error.
 fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|why| {
         let text = why.downcast_ref::<String>().cloned();
@@ -253,7 +320,7 @@ fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     })
 }
 
-/// The fewest of these with which it still fails, nearly: parts are left out for as long as it
+/// Nearly the least part of `all` with which it still fails: parts are left out for as long as it
 /// does, for at most half a minute.
 fn fewest<T: Clone>(all: &[T], fails: impl Fn(&[T]) -> bool) -> Vec<T> {
     let mut kept = all.to_vec();
@@ -269,37 +336,4 @@ fn fewest<T: Clone>(all: &[T], fails: impl Fn(&[T]) -> bool) -> Vec<T> {
         part /= 2;
     }
     kept
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn cpu() -> Vec<Place> {
-        places(AttackedBackend::Cpu).unwrap()
-    }
-
-    #[test]
-    fn what_was_found_once_is_right_now() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(CASES);
-        assert!(std::fs::read_dir(&folder).unwrap().count() > 2);
-        replay_folder(&folder, &cpu()).unwrap();
-    }
-
-    /// A query that is said to meet nothing fails, alone and in a session, shrinks to itself, and
-    /// fails again as data.
-    #[test]
-    fn a_wrong_answer_is_found() {
-        let place = &cpu()[0];
-        let made = |n| queries::Case::make(place, n, Random::new(n), &mut Counts::default());
-        let cases = (0..64).map(made).filter_map(queries::Case::with_a_lie);
-        let found: Vec<_> = cases.filter(|case| case.again(place).is_err()).take(8).collect();
-        assert_eq!(found.len(), 8);
-        for case in found {
-            let few = case.shrunk(&|case| case.again(place).is_err());
-            assert_eq!(few.n_queries(), 1);
-            let data = serde_json::to_value(&few).unwrap();
-            replay::<queries::Case>(&data, place).unwrap_err();
-        }
-    }
 }

@@ -7,7 +7,6 @@
 
 use super::query_families::{Batch, Form, Known, Query};
 use super::{Counts, Place, fewest};
-use crate::AttackKind;
 use ccd::any::Session;
 use ccd::geometry::Motion;
 use ccd::{Bodies, Contact, Kind, Mesh, Options, Pair, Real, State, TOI_TOLERANCE, Verdict};
@@ -36,7 +35,6 @@ pub struct Case {
 }
 
 impl super::Case for Case {
-    const KIND: AttackKind = AttackKind::Queries;
     const NAME: &str = "queries";
 
     fn make(place: &Place, number: u64, mut random: Random, _: &mut Counts) -> Self {
@@ -75,9 +73,10 @@ impl super::Case for Case {
 
     /// One query if one is enough, of the least numbers with which it still fails.
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
-        let of = |batch: Batch| Self { batch, all_exactly: true, ..self.clone() };
-        let with =
-            |queries: &[Query]| of(Batch { queries: queries.to_vec(), ..self.batch.clone() });
+        let with_batch = |batch: Batch| Self { batch, all_exactly: true, ..self.clone() };
+        let with = |queries: &[Query]| {
+            with_batch(Batch { queries: queries.to_vec(), ..self.batch.clone() })
+        };
         let mut best = with(&fewest(&self.batch.queries, |queries| fails(&with(queries))));
         let mut smaller = true;
         while smaller {
@@ -93,7 +92,7 @@ impl super::Case for Case {
                     }
                 }
             }
-            let unit = of(Batch { unit: best.batch.unit / 2, ..best.batch.clone() });
+            let unit = with_batch(Batch { unit: best.batch.unit / 2, ..best.batch.clone() });
             if best.batch.unit != 0 && fails(&unit) {
                 (best, smaller) = (unit, true);
             }
@@ -102,7 +101,6 @@ impl super::Case for Case {
     }
 }
 
-#[cfg(test)]
 impl Case {
     /// Its first certain contact is said to be none, if it has one.
     pub fn with_a_lie(mut self) -> Option<Self> {
@@ -159,9 +157,9 @@ fn mesh(batch: &Batch) -> Result<(Mesh, Bodies), String> {
     }
     let n = batch.queries.len() as u32;
     let mesh = Mesh::with_edges(4 * n as usize, &faces, &edges).map_err(|e| e.to_string())?;
-    let of: Vec<u32> = (0..4 * n).map(|v| v / 4).collect();
+    let bodies: Vec<u32> = (0..4 * n).map(|v| v / 4).collect();
     let worlds: Vec<u32> = (0..n).collect();
-    Ok((mesh, Bodies::new(&of, &[], true).with_worlds(&worlds)))
+    Ok((mesh, Bodies::new(&bodies, &[], true).with_worlds(&worlds)))
 }
 
 fn together<R: ccd::Coordinate>(

@@ -7,7 +7,6 @@
 
 use super::session_steps::State;
 use super::{Counts, Place, fewest};
-use crate::AttackKind;
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd_testkit::grazing::random::Random;
 use serde::{Deserialize, Serialize};
@@ -23,7 +22,6 @@ pub struct Case {
 }
 
 impl super::Case for Case {
-    const KIND: AttackKind = AttackKind::Sessions;
     const NAME: &str = "sessions";
 
     fn make(_: &Place, _: u64, mut random: Random, _: &mut Counts) -> Self {
@@ -46,7 +44,7 @@ impl super::Case for Case {
     }
 
     fn shrunk(self, fails: &dyn Fn(&Self) -> bool) -> Self {
-        let of = |changes: &[u64]| Self { first: self.first, changes: changes.to_vec() };
-        of(&fewest(&self.changes, |changes| fails(&of(changes))))
+        let with_changes = |changes: &[u64]| Self { first: self.first, changes: changes.to_vec() };
+        with_changes(&fewest(&self.changes, |changes| fails(&with_changes(changes))))
     }
 }

@@ -1,8 +1,9 @@
-//! `cargo xtask loom`: all interleavings of owners and thieves, within stated bounds, at the deques
-//! of `ccd-core`; and at the printed ones, which the checker must refute.
+//! All interleavings of owners and thieves, within stated bounds, at the deques of `ccd-core`; and
+//! at the printed ones, which the checker must refute.
 //!
 //! Every model runs in a process of its own, so that one that is refuted, or takes too long, ends
-//! without the others; two at a time.
+//! without the others. With `CCD_WHOLE=1` (`cargo xtask loom --whole`) the bounds are those of
+//! docs/SCHEDULING.md, which takes minutes, instead of two preemptions.
 
 mod kernels;
 mod models;
@@ -11,20 +12,22 @@ mod words;
 
 use ccd_core::backend::scheduling::stealing::Workers;
 use kernels::{ENOUGH, Fault, Round, kernel};
+use libtest_mimic::{Arguments, Failed, Trial};
 use models::{EXECUTIONS, Ring, Steals, deque, workers};
 use printed::{Lazy, Task};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::process::{Command, Output, Stdio};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::process::{Command, ExitCode, Stdio};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Time for all models, on two idle cores.
 const LIMIT: Duration = Duration::from_secs(300);
-/// What the process of a model says when all executions were as they should be.
+/// Printed by a model when all executions were as they should be.
 const SOUND: &str = "every item once";
-/// Preemptions of sound models unless all is asked for: each defect below is seen with fewer.
+/// Preemptions of sound models without `CCD_WHOLE`: each defect below is seen with fewer.
 const FEW: usize = 2;
+/// The name of a model, for the process that runs it.
+const MODEL: &str = "CCD_MODEL";
 
 /// A model: what is run, within which bounds, and what must come of it.
 struct Model {
@@ -52,8 +55,8 @@ const fn refuted(
 }
 
 impl Model {
-    fn bound(&self, whole: bool) -> Option<usize> {
-        match (self.refuted, whole) {
+    fn bound(&self) -> Option<usize> {
+        match (self.refuted, std::env::var("CCD_WHOLE").is_ok_and(|v| v == "1")) {
             (None, false) => Some(self.preemptions.map_or(FEW, |n| n.min(FEW))),
             _ => self.preemptions,
         }
@@ -64,7 +67,7 @@ impl Model {
 const ROUND: Round =
     Round { workers: of(2), depth: 2, most: 0, patience: 2, turns: ENOUGH, fault: None };
 
-/// Workers with room for two batches of one item each in a deque.
+/// Workers whose deques hold two batches of one item each.
 const fn of(n: u32) -> Workers {
     Workers { n, batches: 2, batch: 1 }
 }
@@ -120,101 +123,63 @@ const MODELS: &[Model] = &[
     }),
 ];
 
-/// Runs all models whose name contains `name`; an error if one does not answer as it must.
-pub fn run(name: &str, whole: bool) -> Result<(), String> {
-    let chosen: Vec<&Model> = MODELS.iter().filter(|m| m.name.contains(name)).collect();
-    if chosen.is_empty() {
-        return Err(format!("no model has a name that contains `{name}`"));
-    }
-    let (start, next, problems) = (Instant::now(), AtomicUsize::new(0), Mutex::new(Vec::new()));
-    println!("{:28} {:>11} {:>10} {:>8}  answer", "model", "preemptions", "executions", "time");
-    std::thread::scope(|scope| {
-        for _ in 0..2 {
-            scope.spawn(|| {
-                while let Some(model) = chosen.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if let Err(e) = judge(model, whole, start) {
-                        problems.lock().expect("no panic").push(format!("{}: {e}", model.name));
-                    }
-                }
-            });
+fn main() -> ExitCode {
+    match std::env::var(MODEL) {
+        Ok(name) => here(MODELS.iter().find(|m| m.name == name).expect("a model's name")),
+        Err(_) => {
+            let start = Instant::now();
+            let trial = |m: &'static Model| Trial::test(m.name, move || judge(m, start));
+            let trials = MODELS.iter().map(trial).collect();
+            libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
         }
-    });
-    let problems = problems.into_inner().expect("no panic");
-    let n = chosen.len();
-    println!("{n} models in {:.1} s", start.elapsed().as_secs_f64());
-    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
+    }
 }
 
-/// Runs one model in a process and compares its answer.
-fn judge(model: &Model, whole: bool, start: Instant) -> Result<(), String> {
+/// Runs a model in a process and compares its answer.
+fn judge(model: &Model, start: Instant) -> Result<(), Failed> {
     let began = Instant::now();
-    let output = process(model, whole, start)?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    let executions = text.lines().find_map(|l| l.strip_prefix("executions: ")).unwrap_or("none");
-    let preemptions = model.bound(whole).map_or("all".into(), |n| n.to_string());
-    let time = began.elapsed().as_secs_f64();
-    let sound = output.status.success() && text.contains(SOUND);
-    let line = |answer: &str| {
-        println!("{:28} {preemptions:>11} {executions:>10} {time:>6.1} s  {answer}", model.name);
-    };
-    match model.refuted {
-        None if sound => line(SOUND),
-        Some(what) if !sound && text.contains(what) => {
-            let story: Vec<&str> = text.lines().skip(1).collect();
-            line(&format!("refuted, as it must be:\n    {}", story.join("\n    ")));
-        }
-        want => {
-            return Err(format!(
-                "wanted {}\n{text}\n{}",
-                want.unwrap_or(SOUND),
-                String::from_utf8_lossy(&output.stderr)
-            ));
-        }
-    }
-    Ok(())
-}
-
-fn process(model: &Model, whole: bool, start: Instant) -> Result<Output, String> {
-    let exe = std::env::current_exe().map_err(|e| e.to_string())?;
-    let mut child = Command::new(exe)
-        .args(["loom", "--here", model.name])
-        .args(whole.then_some("--whole"))
+    let mut child = Command::new(std::env::current_exe()?)
+        .env(MODEL, model.name)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
-        .spawn()
-        .map_err(|e| e.to_string())?;
-    // What a model says fits into a pipe, so that it can be waited for before it is read.
-    while child.try_wait().map_err(|e| e.to_string())?.is_none() {
+        .spawn()?;
+    // The output of a model fits into a pipe, so that it can be waited for before it is read.
+    while child.try_wait()?.is_none() {
         if start.elapsed() > LIMIT {
-            child.kill().map_err(|e| e.to_string())?;
-            return Err(format!("not finished when all models had taken {LIMIT:?}"));
+            child.kill()?;
+            return Err(format!("not finished when all models had taken {LIMIT:?}").into());
         }
         std::thread::sleep(Duration::from_millis(20));
     }
-    child.wait_with_output().map_err(|e| e.to_string())
+    let output = child.wait_with_output()?;
+    let [text, error] = [output.stdout, output.stderr].map(String::from_utf8);
+    let (text, error) = (text?, error?);
+    let sound = output.status.success() && text.contains(SOUND);
+    let as_wanted = model.refuted.map_or(sound, |what| !sound && text.contains(what));
+    if !as_wanted {
+        return Err(format!("wanted {}\n{text}\n{error}", model.refuted.unwrap_or(SOUND)).into());
+    }
+    print!("{}, {:.1} s: {text}", model.name, began.elapsed().as_secs_f64());
+    Ok(())
 }
 
-/// Runs one model in this process; says what it came to.
-pub fn here(name: &str, whole: bool) -> Result<(), String> {
-    let model = MODELS.iter().find(|m| m.name == name).ok_or("no such model")?;
+/// Runs one model in this process and prints the result.
+fn here(model: &Model) -> ExitCode {
     let mut builder = loom::model::Builder::new();
-    builder.preemption_bound = model.bound(whole);
+    builder.preemption_bound = model.bound();
     builder.max_branches = 100_000;
     // Either would end a check before all is seen, and say nothing.
     (builder.max_permutations, builder.max_duration) = (None, None);
     let run = model.run;
     let result = catch_unwind(AssertUnwindSafe(|| builder.check(run)));
-    println!("executions: {}", EXECUTIONS.load(Ordering::Relaxed));
-    match result {
-        Ok(()) => {
-            println!("{SOUND}");
-            Ok(())
-        }
-        Err(panic) => {
-            let text = panic.downcast_ref::<String>().cloned();
-            let text = text.or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()));
-            println!("{}\n{}", text.unwrap_or_default(), words::story());
-            Err("refuted".into())
-        }
-    }
+    let preemptions = builder.preemption_bound.map_or("all".into(), |n| n.to_string());
+    print!("{preemptions} preemptions, {} executions: ", EXECUTIONS.load(Ordering::Relaxed));
+    let Err(panic) = result else {
+        println!("{SOUND}");
+        return ExitCode::SUCCESS;
+    };
+    let text = panic.downcast_ref::<String>().cloned();
+    let text = text.or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()));
+    println!("refuted, {}\n{}", text.unwrap_or_default(), words::story());
+    ExitCode::FAILURE
 }

@@ -18,7 +18,7 @@ pub trait Scheme: Copy + Send + Sync + 'static {
     }
     /// What a word is called in a story.
     fn name(i: usize) -> &'static str;
-    /// Whether there was room for a batch.
+    /// Whether the deque had capacity for a batch.
     fn push(self, words: &Traced, items: &[Item]) -> bool;
     /// Nothing if it is empty.
     fn pop(self, words: &Traced) -> Vec<Item>;
@@ -37,7 +37,7 @@ pub struct Ring {
 }
 
 impl Ring {
-    /// With room for so many batches of so many items.
+    /// A deque of so many batches of so many items.
     pub fn of(batches: u32, batch: u32) -> Self {
         Self { deque: Deque { base: 0, batches, batch }, early: false, weak: false }
     }
@@ -200,7 +200,7 @@ fn work(shape: Workers, words: &Traced, me: u32, steals: Steals) -> Vec<u32> {
                 continue;
             }
             stack.extend([[depth - 1, 2 * number], [depth - 1, 2 * number + 1]]);
-            // All above one item are there for others, if there is room.
+            // All above one item go to the deque, if it has capacity.
             if shape.deque(me).push(words, &stack[..1]).is_ok() {
                 stack.remove(0);
             }
