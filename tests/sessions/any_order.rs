@@ -287,6 +287,9 @@ fn check_any_order(seed: u32, first: usize) -> usize {
                 [&x0, &x1].map(|x| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>());
             let found = session.step(&narrow[0], &narrow[1]).unwrap().contacts.clone();
             assert_eq!(found, fresh.step(&narrow[0], &narrow[1]).unwrap().contacts, "{what}");
+            let [y0, y1] = narrow.map(|x| x.iter().map(|p| p.map(f64::from)).collect::<Vec<_>>());
+            let want = every_pair(mesh, [&y0, &y1], &options, [0.0, 1.0]);
+            check_pairs(&what, &want, &found);
             let again = session.step_window(&x0, &x1, window).unwrap();
             let want = fresh.step_window(&x0, &x1, window).unwrap();
             assert_eq!(again.contacts, want.contacts, "{what}");

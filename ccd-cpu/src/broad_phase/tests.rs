@@ -202,7 +202,8 @@ fn huge_and_infinite_bounds_are_compared_as_they_are() {
                 }
             };
             // The first two are apart, the third and the fourth overlap.
-            let mut boxes = vec![apart[0], apart[1], apart[2], apart[2]];
+            let endless = Aabb { min: [f32::NEG_INFINITY; 3], max: [f32::INFINITY; 3] };
+            let mut boxes = vec![apart[0], apart[1], apart[2], apart[2], endless];
             boxes.extend((0..n).map(|_| one()));
             let others: Vec<_> = (0..n).map(|_| one()).collect();
             searches.check_some(&boxes, &others);
