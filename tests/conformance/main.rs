@@ -7,7 +7,8 @@
 //! is made again with answers that are wrong on purpose, and must fail.
 //!
 //! Schedulers and fronts have rows `.../METHOD/SCHEDULER/BACKEND`, fronts over many frames
-//! `frames/SCENE/cpu`. What is right of a generated scene is a snapshot, `recorded/SCENE`.
+//! `frames/SCENE/cpu`. What is right of a generated scene is a snapshot, `recorded/SCENE`. A scene in
+//! all units has rows `units/BACKEND`.
 //!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
@@ -18,12 +19,14 @@
 mod rows;
 mod scenes;
 mod sequences;
+mod units;
 
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Step, triangle_soup};
 use ccd::{
-    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, State,
+    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Scheduling,
+    State,
 };
 use ccd_testkit::compare::{self, agree, contact_digest, step_text};
 use ccd_testkit::data;
@@ -66,8 +69,11 @@ fn main() {
             let by_itself = methods.iter().map(|&m| (m.to_string(), of(m)));
             let all = schedulings(scene, source, backend, place, emulated);
             let scheduled = all.map(|(m, s)| (format!("{m}/{s}"), of(m).with_scheduling(s)));
-            let piped = pipelines(source, backend).into_iter();
-            let piped = piped.map(|p| (p.row().name.to_owned(), base.clone().with_pipeline(p)));
+            let piped = pipelines(source, backend).into_iter().map(|(p, s)| {
+                let name = if s == Scheduling::default() { String::new() } else { format!("/{s}") };
+                let options = base.clone().with_pipeline(p).with_scheduling(s);
+                (format!("{}{name}", p.row().name), options)
+            });
             let fast = choice.clone().and_then(|c| not_too_slow(c, source));
             for (way, options) in by_itself.chain(scheduled).chain(piped) {
                 if options.pipeline == base.pipeline {
@@ -96,6 +102,10 @@ fn main() {
             _ => Ok(sequences::check(&frames()).map(|()| Completion::Completed)?),
         };
         trials.push(Trial::ignorable_test(format!("frames/{name}/cpu"), check));
+    }
+    for (place, _, choice) in &places {
+        let units = |choice: &Choice| units::check(choice).map(|()| Completion::Completed);
+        trials.push(row_of(format!("units/{place}"), GENERATED[0].1, choice, units));
     }
     // A device of its own, which this row loses.
     let own = open(gpu::Path::Wgsl).map(|device| Choice::of_device(&device, true));

@@ -24,6 +24,11 @@ const MAX_BOXES_EMULATED: usize = 10_000;
 /// which `tests/gpu` runs every kernel and every method, it has the default and the default tree.
 pub const WHOLE: &str = "CCD_WHOLE";
 
+/// Whether nothing is left out.
+pub fn is_whole() -> bool {
+    std::env::var(WHOLE).is_ok_and(|v| v == "1")
+}
+
 /// The methods of a backend by which a scene is run.
 pub fn methods(
     source: Source,
@@ -31,7 +36,7 @@ pub fn methods(
     place: &str,
     emulated: bool,
 ) -> Vec<BroadPhaseMethod> {
-    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
+    let whole = is_whole();
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
         Source::Real(_) => usual.contains(method),
@@ -65,13 +70,18 @@ pub fn not_too_slow(choice: Choice, source: Source) -> Result<Choice, Missing> {
     }
 }
 
-/// Ways to pair features, other than by default.
-pub fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
+/// Ways to pair features, other than by default; of generated scenes on a CPU with every way to
+/// share out pairs of nodes.
+pub fn pipelines(source: Source, backend: &'static str) -> Vec<(Pipeline, Scheduling)> {
     let other = |row: &&ccd::Row<Pipeline>| row.value != Pipeline::default();
     let here = |row: &&ccd::Row<Pipeline>| row.backends.contains(&backend);
+    let rows = Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value);
+    let shared = backend == "cpu" && !matches!(source, Source::Real(_));
+    let scheduled = Scheduling::every("cpu").filter(|_| shared);
+    let all: Vec<_> = std::iter::once(Scheduling::default()).chain(scheduled).collect();
     match source {
         Source::Boxes(_) => Vec::new(),
-        _ => Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value).collect(),
+        _ => rows.flat_map(|p| all.iter().map(move |&s| (p, s))).collect(),
     }
 }
 

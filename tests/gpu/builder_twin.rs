@@ -1,4 +1,4 @@
-//! A plain twin of the builder that joins nearest pairs, and boxes that are hard for some builder.
+//! What tests of builders share: figures of a tree, and boxes that are hard for some builder.
 
 use crate::twin::{Twin, union};
 use ccd::Aabb;
@@ -9,52 +9,6 @@ use ccd_testkit::generate::uniform_boxes;
 /// Numbers of boxes by leaf, and the branches over them.
 pub type Built = (Vec<u32>, Vec<Branch>);
 
-/// A tree that a twin joins; leaves have the numbers of their boxes among all.
-#[derive(Clone, Debug)]
-enum Joined {
-    Leaf(u32),
-    Node(Box<[Joined; 2]>),
-}
-
-impl Joined {
-    fn of(a: &Self, b: &Self) -> Self {
-        Self::Node(Box::new([a.clone(), b.clone()]))
-    }
-
-    /// A walk from left to right: the order of leaves, and branches by the numbers that nodes have.
-    fn numbered(&self) -> Built {
-        fn leaves(tree: &Joined) -> usize {
-            match tree {
-                Joined::Leaf(_) => 1,
-                Joined::Node(children) => children.iter().map(leaves).sum(),
-            }
-        }
-        /// Returns the number of the node; `side`: which child it is.
-        fn visit(tree: &Joined, side: Option<usize>, n_internal: u32, out: &mut Built) -> u32 {
-            let first = out.0.len() as u32;
-            match tree {
-                Joined::Leaf(id) => {
-                    out.0.push(*id);
-                    n_internal + first
-                }
-                Joined::Node(children) => {
-                    let left = visit(&children[0], Some(0), n_internal, out);
-                    let right = visit(&children[1], Some(1), n_internal, out);
-                    let last = out.0.len() as u32 - 1;
-                    let number = side.map_or(0, |side| [last, first][side]);
-                    out.1[number as usize] = Branch { left, right, first, last };
-                    number
-                }
-            }
-        }
-        let n = leaves(self);
-        let none = Branch { left: 0, right: 0, first: 0, last: 0 };
-        let mut out = (Vec::new(), vec![none; n - 1]);
-        visit(self, None, n as u32 - 1, &mut out);
-        out
-    }
-}
-
 /// The boxes of a set in cells of the grid of all.
 pub fn in_cells(twin: &Twin, set: usize) -> Vec<Aabb> {
     let grid = MortonGrid::new(&union(twin.boxes.iter()), 10);
@@ -62,44 +16,13 @@ pub fn in_cells(twin: &Twin, set: usize) -> Vec<Aabb> {
     twin.boxes[range].iter().map(|b| grid.in_cells(b)).collect()
 }
 
-/// Half the surface of the box around two.
-fn surface(a: &Aabb, b: &Aabb) -> f32 {
-    let u = union([*a, *b].iter());
-    let [x, y, z] = [0, 1, 2].map(|k| u.max[k] - u.min[k]);
-    x * y + y * z + z * x
-}
-
-/// Nearest pairs in plain loops.
-pub fn nearest_pair_twin(twin: &Twin, set: usize) -> Built {
-    let first = twin.frame.start[set];
-    let boxes = in_cells(twin, set).into_iter().zip(first..);
-    let mut level: Vec<(Aabb, Joined)> = boxes.map(|(b, i)| (b, Joined::Leaf(i))).collect();
-    let centre = |b: &Aabb| [0, 1, 2].map(|k| b.min[k] + b.max[k]);
-    let distance = |a: &Aabb, b: &Aabb| {
-        let (a, b) = (centre(a), centre(b));
-        let [x, y, z] = [0, 1, 2].map(|k| a[k] - b[k]);
-        x * x + y * y + z * z
-    };
-    while level.len() > 1 {
-        for target in (0..level.len() - 1).step_by(2) {
-            let far = |&i: &usize| distance(&level[target].0, &level[i].0);
-            let later = target + 1..level.len();
-            let partner = later.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
-            level.swap(target + 1, partner);
-        }
-        let joined = |pair: &[(Aabb, Joined)]| match pair {
-            [a, b] => (union([a.0, b.0].iter()), Joined::of(&a.1, &b.1)),
-            alone => alone[0].clone(),
-        };
-        level = level.chunks(2).map(joined).collect();
-    }
-    level[0].1.numbered()
-}
-
 /// Levels of a tree, and its cost by surfaces, as the CPU's statistics have them.
 pub fn figures(twin: &Twin, (order, branches): &Built) -> (usize, f64) {
     let n_internal = branches.len() as u32;
-    let surface = |b: Aabb| surface(&b, &b) as f64;
+    let surface = |b: Aabb| {
+        let [x, y, z] = [0, 1, 2].map(|k| b.max[k] - b.min[k]);
+        (x * y + y * z + z * x) as f64
+    };
     let of_range = |first: u32, last: u32| {
         let leaves = &order[first as usize..=last as usize];
         surface(union(leaves.iter().map(|&i| &twin.boxes[i as usize])))

@@ -1,6 +1,7 @@
 //! Changes between steps on a device: after each, a session finds what a new one would, in the
 //! buffers that it has where they are large enough.
 
+use crate::emulated::is_thin;
 use ccd::gpu::{Device, Error, Session};
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
 use ccd::{
@@ -55,7 +56,9 @@ fn check_changes(device: &Device) {
     let of: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
     let bodies = Bodies::new(&of, &[true, false, true], false).with_fixed_motion(true);
     let mut last = Session::new(device, &small.mesh, Options::default()).expect("a session");
-    for (method, pipeline, scheduling) in all {
+    // On an emulated GPU the second, the fourth and the fifth.
+    let chosen = |k: &usize| !is_thin(device) || [1, 3, 4].contains(k);
+    for (method, pipeline, scheduling) in (0..all.len()).filter(chosen).map(|k| all[k]) {
         let what = format!("{method}, {pipeline:?}, {scheduling}");
         let options = Options::default()
             .with_broad_phase(method)

@@ -1,8 +1,10 @@
 //! What is left out where threads of this machine do the work of a GPU: tests that take longest
 //! there and show what another has shown.
 
+use ccd::BroadPhaseMethod;
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{Device, Path};
+use ccd_testkit::methods::{differences, is_near_default};
 
 /// Set to 1, this variable has nothing left out.
 const WHOLE: &str = "CCD_WHOLE";
@@ -14,8 +16,7 @@ const OF_KERNELS: [crate::Tests; 4] =
     [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS, crate::geometry::TESTS];
 
 /// The most portable is not run by tests over many boxes or steps whose kernels other tests compare
-/// there:
-/// `steps_by_every_method` has all methods.
+/// there: `rules` has all methods.
 const LONG: [&str; 9] = [
     "boxes_after_failures",
     "builders_and_hard_boxes",
@@ -28,11 +29,25 @@ const LONG: [&str; 9] = [
     "uniform_boxes",
 ];
 
+/// Whether a test leaves out what others show: threads of this machine do the work of a GPU.
+pub fn is_thin(device: &Device) -> bool {
+    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
+    !whole && device.info().adapter.device_type == DeviceType::Cpu
+}
+
+/// Every method of a GPU; on an emulated one, of trees those that differ from the default in their
+/// traversal or volume alone. Builders are in `builders.rs`, and all in the conformance table.
+pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
+    let thin = is_thin(device);
+    let is_built_so = |method| differences(method).is_none_or(|[builder, ..]| !builder);
+    let chosen = move |&method: &_| !thin || is_near_default(method) && is_built_so(method);
+    ccd::every("gpu").filter(chosen)
+}
+
 /// Why a test is left out on a device, if it is.
 pub fn left_out(name: &str, device: &Device) -> Option<String> {
     let info = device.info();
-    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
-    if whole || info.adapter.device_type != DeviceType::Cpu {
+    if !is_thin(device) {
         return None;
     }
     let of_kernels = || OF_KERNELS.iter().flat_map(|tests| tests.iter());

@@ -1,15 +1,16 @@
 //! What a caller sees when something is too short, too large, missing, or lost; and that a session
 //! goes on afterwards.
 
+use crate::emulated::methods;
 use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
 use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
-use ccd::{BroadPhaseMethod, Options, Pair};
+use ccd::{BroadPhaseMethod, Options, Pair, Pipeline, TriangleOptions};
 use ccd_core::backend::layout::{
     Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS,
 };
 use ccd_core::narrow_phase::search::Search;
-use ccd_testkit::generate::{Step, crumpled_sheet, uniform_boxes};
+use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
@@ -23,34 +24,30 @@ pub const TESTS: crate::Tests = &[
     ("crowded_cells", check_crowded),
 ];
 
-/// Lists far too short: the frame runs again until everything fits, and nothing is missing.
+/// Lists far too short, of every method and pipeline: the frame runs again until everything fits,
+/// and nothing is missing; the next one finds them long enough.
 fn check_growth(device: &Device) {
-    let step = crumpled_sheet(40, 7);
-    let (mut session, want) = check_growth_of(device, &step, Options::default(), 1);
-    let found = session.candidates(&step.x0, &step.x1).unwrap();
-    assert_eq!([found.vf.len() as u64, found.ee.len() as u64], [want.vf, want.ee]);
-}
-
-/// A step whose lists must grow so often at least; the next one finds them long enough.
-pub fn check_growth_of(
-    device: &Device,
-    step: &Step,
-    options: Options,
-    least: u32,
-) -> (Session, ccd::PerKind) {
-    let default = options.clone().with_broad_phase(BroadPhaseMethod::default());
-    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &default).unwrap();
-    let what = options.broad_phase;
-    let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
-    session.reserve(8).unwrap();
-    let got = session.step(&step.x0, &step.x1).unwrap().clone();
-    let grown = session.grown();
-    assert!(grown >= least, "{what}: few lists had to grow");
-    assert_eq!((got.candidates, got.triangles), (want.candidates, want.triangles), "{what}");
-    assert_eq!(got.contacts.len(), want.contacts.len(), "{what}");
-    session.step(&step.x0, &step.x1).unwrap();
-    assert_eq!(session.grown(), grown, "{what}: the second frame grows again");
-    (session, want.candidates)
+    let step = crumpled_sheet(24, 7);
+    let triangles = Pipeline::Triangles(TriangleOptions::default());
+    let all = methods(device).map(|method| (Pipeline::Features, 1, method));
+    for (pipeline, least, method) in all.chain(methods(device).map(|m| (triangles, 2, m))) {
+        let options = Options::default().with_pipeline(pipeline);
+        let want = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
+        let what = format!("{method}, {pipeline:?}");
+        let options = options.with_broad_phase(method);
+        let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
+        session.reserve(8).unwrap();
+        let got = session.step(&step.x0, &step.x1).unwrap().clone();
+        let grown = session.grown();
+        assert!(grown >= least, "{what}: few lists had to grow");
+        assert_eq!((got.candidates, got.triangles), (want.candidates, want.triangles), "{what}");
+        assert_eq!(got.contacts.len(), want.contacts.len(), "{what}");
+        session.step(&step.x0, &step.x1).unwrap();
+        assert_eq!(session.grown(), grown, "{what}: the second frame grows again");
+        let found = session.candidates(&step.x0, &step.x1).unwrap();
+        let [n_vf, n_ee] = [found.vf.len() as u64, found.ee.len() as u64];
+        assert_eq!([n_vf, n_ee], [want.candidates.vf, want.candidates.ee], "{what}");
+    }
 }
 
 /// Pairs that `f32` leaves open beyond the room of their list are counted and not written.

@@ -1,21 +1,17 @@
 //! The kernels that look at listed pairs, each by itself: what they keep is what those for pairs of
-//! blocks keep; and whole steps by every method, against the CPU.
+//! blocks keep.
 
 use crate::pairs::{candidates, filtered};
-use crate::scenes::{check_pairs, check_step};
-use crate::support::{bytes, capacity, entries, list, methods, paths, read, run, twin};
+use crate::scenes::check_pairs;
+use crate::support::{bytes, capacity, entries, list, paths, read, run, twin};
 use crate::twin::Twin;
+use ccd::Pair;
+use ccd::gpu::Device;
 use ccd::gpu::bind::{FilterListed, ListListed};
-use ccd::gpu::{Device, Session};
-use ccd::{Bodies, Options, Pair};
 use ccd_core::backend::layout::{Decision, Dispatch, LIST_HEADER, Params};
 use ccd_testkit::{brute, compare, generate};
 
-pub const TESTS: crate::Tests = &[
-    ("listed_pairs", check_listed),
-    ("steps_by_every_method", check_steps),
-    ("lists_of_every_method_grow", check_growth),
-];
+pub const TESTS: crate::Tests = &[("listed_pairs", check_listed)];
 
 /// All pairs of boxes that overlap, as a source lists them.
 fn overlaps(twin: &Twin, kind: u32) -> Vec<Pair> {
@@ -83,42 +79,5 @@ fn check_listed(device: &Device) {
             assert_eq!(none.len(), 4 * LIST_HEADER);
             assert_eq!(read::<u32>(&none)[0] as usize, want.len());
         }
-    }
-}
-
-/// Contacts, candidates and the earliest time by every method, with bodies and with a distance.
-fn check_steps(device: &Device) {
-    let soup = generate::triangle_soup(150, 0.2, 5);
-    let body: Vec<u32> = (0..soup.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
-    let bodies = Some(Bodies::new(&body, &[true, false, true], true).with_fixed_motion(true));
-    let sheet = generate::crumpled_sheet(20, 3);
-    for broad_phase in methods(device) {
-        let options = Options::default().with_broad_phase(broad_phase);
-        check_step(device, &soup, options.clone().with_bodies(bodies.clone()));
-        check_step(device, &sheet, options.clone().with_min_distance(0.01));
-        let mut cpu = ccd::Session::new(sheet.mesh.clone(), Options::default()).unwrap();
-        let mut gpu = Session::new(device, sheet.mesh.clone(), options).unwrap();
-        let want = cpu.candidates(&sheet.x0, &sheet.x1).unwrap();
-        let found = gpu.candidates(&sheet.x0, &sheet.x1).unwrap();
-        check_pairs(&format!("{broad_phase} vf"), want.vf.to_vec(), found.vf);
-        check_pairs(&format!("{broad_phase} ee"), want.ee.to_vec(), found.ee);
-    }
-}
-
-/// Lists far too short, of every method: nothing is missing.
-fn check_growth(device: &Device) {
-    let step = generate::crumpled_sheet(24, 7);
-    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
-    for broad_phase in methods(device) {
-        let options = Options::default().with_broad_phase(broad_phase);
-        let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
-        session.reserve(8).unwrap();
-        let got = session.step(&step.x0, &step.x1).unwrap().clone();
-        assert!(session.grown() >= 1, "{broad_phase}: nothing had to grow");
-        assert_eq!(
-            (got.candidates, got.contacts.len()),
-            (want.candidates, want.contacts.len()),
-            "{broad_phase}"
-        );
     }
 }

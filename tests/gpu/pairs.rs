@@ -1,12 +1,13 @@
 //! The kernels that find pairs, each by itself against brute
 //! force; and the broad phase made of them.
 
+use crate::emulated::methods;
 use crate::scenes::check_pairs;
-use crate::support::{bytes, capacity, entries, list, methods, paths, read, run, twin};
+use crate::support::{bytes, capacity, entries, list, paths, read, run, twin};
 use crate::twin::Twin;
 use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
-use ccd::{Aabb, BroadPhaseMethod, Builder, Pair, Verdict};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::backend::broad_phase::block_bvh;
 use ccd_core::backend::layout::{LIST_HEADER, Path};
 use ccd_testkit::brute;
@@ -17,7 +18,8 @@ pub const TESTS: crate::Tests = &[
     ("counts", check_counts),
     ("candidates", check_candidates),
     ("filters", check_filters),
-    ("uniform_boxes", |device| methods(device).for_each(|m| check_uniform(device, m))),
+    ("odd_boxes", check_odd),
+    ("uniform_boxes", check_uniform),
 ];
 
 fn check_node_pairs(device: &Device) {
@@ -189,47 +191,31 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], &wanted).verdict
 }
 
-fn is_quadratic(method: BroadPhaseMethod) -> bool {
-    let BroadPhaseMethod::Tree(tree) = method else { return false };
-    matches!(tree.builder, Builder::NearestPair { .. })
-}
-
-fn check_uniform(device: &Device, method: BroadPhaseMethod) {
-    let boxes = uniform_boxes(100_000);
-    let mut broad = BroadPhase::new(device, method).unwrap();
-    // What takes a time that grows with the square is too slow for so many, or refuses them.
-    let few = method == BroadPhaseMethod::BruteForce || is_quadratic(method);
-    let boxes = if few { &boxes[..10_000] } else { &boxes[..] };
-    let pairs = broad.self_pairs(boxes).unwrap();
-    assert!(pairs.len() == 320 || few && !pairs.is_empty(), "{} by {method}", pairs.len());
-    let mut cpu = ccd::BroadPhase::new(2, BroadPhaseMethod::Blocks).unwrap();
-    check_pairs("uniform boxes", cpu.self_pairs(boxes).unwrap().to_vec(), pairs);
-    let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
-    let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();
-    check_pairs(
-        "two sets",
-        brute::pairs(&grown(a), &grown(b)),
-        broad.pairs(&grown(a), &grown(b)).unwrap(),
-    );
-    // Sets without a pair, with one box, with none; boxes that are points; boxes as large as they
-    // may be.
-    assert!(
-        broad.self_pairs(&[]).unwrap().is_empty()
-            && broad.self_pairs(&boxes[..1]).unwrap().is_empty()
-    );
-    assert!(broad.pairs(&[], b).unwrap().is_empty());
+/// Boxes that are points, and boxes as large as they may be; what are no boxes. All others are in
+/// the conformance table.
+fn check_odd(device: &Device) {
     let odd = [
         Aabb { min: [0.0; 3], max: [0.0; 3] },
         Aabb { min: [-2.9e38; 3], max: [2.9e38; 3] },
         Aabb { min: [1e-40; 3], max: [2e-40; 3] },
     ];
-    let found = broad.self_pairs(&odd).unwrap();
-    assert!(
-        found.len() >= 2
-            && found.contains(&Pair { a: 0, b: 1 })
-            && found.contains(&Pair { a: 1, b: 2 }),
-        "{found:?}"
-    );
-    assert!(broad.self_pairs(&[Aabb { min: [f32::NAN; 3], max: [1.0; 3] }]).is_err());
-    assert!(broad.self_pairs(&[Aabb { min: [1.0; 3], max: [0.0; 3] }]).is_err());
+    for method in methods(device) {
+        let mut broad = BroadPhase::new(device, method).unwrap();
+        let found = broad.self_pairs(&odd).unwrap();
+        let [p, q] = [Pair { a: 0, b: 1 }, Pair { a: 1, b: 2 }];
+        assert!(found.contains(&p) && found.contains(&q), "{method}: {found:?}");
+        assert!(broad.self_pairs(&[Aabb { min: [f32::NAN; 3], max: [1.0; 3] }]).is_err());
+        assert!(broad.self_pairs(&[Aabb { min: [1.0; 3], max: [0.0; 3] }]).is_err());
+    }
+}
+
+/// More boxes than the conformance table has of this kind, so that trees are higher.
+fn check_uniform(device: &Device) {
+    let boxes = uniform_boxes(100_000);
+    for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE] {
+        let pairs = BroadPhase::new(device, method).unwrap().self_pairs(&boxes).unwrap();
+        assert_eq!(pairs.len(), 320, "{method}");
+        let mut cpu = ccd::BroadPhase::new(2, method).unwrap();
+        check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
+    }
 }

@@ -1,10 +1,9 @@
 //! Rules of bodies and worlds on a device: kernels against plain twins, sessions against those of
 //! the CPU, whose rules are tested against brute force.
 
+use crate::emulated::methods;
 use crate::scenes::{check_candidates, check_pairs, check_reports, check_step};
-use crate::support::{
-    bytes, capacity, check_boxes, entries, list, methods, read, run, twin, zeros,
-};
+use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, twin, zeros};
 use crate::twin::{code, union};
 use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
 use ccd::gpu::{Device, Session};
@@ -140,7 +139,10 @@ fn check_rules(device: &Device) {
         check_step(device, &step, options.clone().with_pipeline(Pipeline::TRIANGLES));
         if which == 15 {
             for method in methods(device) {
-                check_step(device, &step, options.clone().with_broad_phase(method));
+                let near = options.clone().with_min_distance(0.01).with_broad_phase(method);
+                check_step(device, &step, near.clone());
+                let mut session = Session::new(device, step.mesh.clone(), near).unwrap();
+                check_candidates(&mut session, &step.x0, &step.x1);
             }
         }
         let mut session = Session::new(device, step.mesh.clone(), options).unwrap();

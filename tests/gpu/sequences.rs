@@ -1,6 +1,7 @@
 //! Sessions over sequences by every scheduler, with a front and without one: on every frame the
 //! candidates are those of the CPU's default.
 
+use crate::emulated::is_thin;
 use ccd::gpu::{Device, Path, Session};
 use ccd::scenes::{Sequence, funnel, interpenetrating};
 use ccd::{
@@ -90,7 +91,7 @@ fn check_refused(device: &Device) {
 fn check_sequences(device: &Device) {
     // Meshes of which every step has pairs that meet and pairs that separate.
     let mut scenes = vec![("interpenetrating", interpenetrating(64), 5)];
-    if !is_emulated(device) {
+    if !is_thin(device) {
         // So much work that many workgroups take from each other.
         scenes
             .extend([("interpenetrating", interpenetrating(4096), 5), ("funnel", funnel(87), 24)]);
@@ -100,14 +101,10 @@ fn check_sequences(device: &Device) {
         let all = [tree(Volume::Aabb), tree(Volume::Obb), BroadPhaseMethod::Blocks];
         check_sequence(device, name, &scene, n, least, &all);
     }
-    if is_emulated(device) && device.info().wide {
+    if is_thin(device) && device.info().wide {
         // The smallest with pairs of blocks to expand; without f64 the kernels are the same.
         check_sequence(device, "funnel", &funnel(48), 5, 0, &[BroadPhaseMethod::Blocks]);
     }
-}
-
-fn is_emulated(device: &Device) -> bool {
-    device.info().adapter.device_type == ccd::gpu::wgpu::DeviceType::Cpu
 }
 
 fn check_sequence(

@@ -6,12 +6,11 @@ use ccd::gpu::wgpu::{
     Buffer, BufferDescriptor, BufferUsages, CommandEncoder, DeviceType, MapMode, PollType,
 };
 use ccd::gpu::{self, Device, harness};
-use ccd::{Aabb, BroadPhaseMethod, Pair};
+use ccd::{Aabb, Pair};
 use ccd_core::backend::kernel::TABLE;
 use ccd_core::backend::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
-use ccd_testkit::methods::is_near_default;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
@@ -95,13 +94,6 @@ pub fn paths(step: &Step, poison: bool) -> Vec<Path> {
 pub fn same(a: f32, b: f32) -> bool {
     let small = |x: f32| x.abs() < f32::MIN_POSITIVE;
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan() || small(a) && small(b)
-}
-
-/// Every method that the device has; where threads of this machine do the work of a GPU, of trees
-/// those that differ from the default in one choice.
-pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
-    let emulated = device.info().adapter.device_type == DeviceType::Cpu;
-    ccd::every("gpu").filter(move |&method| !emulated || is_near_default(method))
 }
 
 /// Whether quotients and roots of `f32` are those of a CPU: a GPU's are off by some units in the

@@ -4,8 +4,6 @@
 mod codimensional;
 mod geometry;
 mod separation;
-mod steps;
-mod swept_oriented;
 mod worlds;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
@@ -145,39 +143,6 @@ proptest! {
         check_consistent(single, ccd::vertex_face(&q.widen(), 0.0));
     }
 
-    #[test]
-    fn a_minimum_distance_is_kept(t0 in points(), t1 in points(), distance in 0.001..0.5f64) {
-        let times: Vec<f64> = (0..=64).map(|i| i as f64 / 64.0).collect();
-        let at = |t: f64| -> Points {
-            let coordinate = |i: usize, k: usize| t0[i][k] + t * (t1[i][k] - t0[i][k]);
-            std::array::from_fn(|i| std::array::from_fn(|k| coordinate(i, k)))
-        };
-        let verdict = ccd::vertex_face(&VertexFace { t0, t1 }, distance);
-        for &t in &times {
-            // Dense samples of the face bound the distance from above.
-            let [p, a, b, c] = at(t);
-            let mut least = f64::INFINITY;
-            for i in 0..=16 {
-                for j in 0..=16 - i {
-                    let (s, r) = (i as f64 / 16.0, j as f64 / 16.0);
-                    let apart = |k: usize| p[k] - a[k] - s * (b[k] - a[k]) - r * (c[k] - a[k]);
-                    let d2: f64 = (0..3).map(|k| apart(k).powi(2)).sum();
-                    least = least.min(d2.sqrt());
-                }
-            }
-            if least < distance * (1.0 - 1e-12) {
-                prop_assert!(
-                    verdict.toi().is_some_and(|toi| toi <= t),
-                    "distance {} at {}, but {:?}", least, t, verdict
-                );
-            }
-        }
-        // Contact itself is no later at a distance than at none.
-        if let Verdict::Hit { toi } = vf(t0, t1) {
-            let in_time = |at_distance: f64| at_distance <= toi + TOI_TOLERANCE;
-            prop_assert!(verdict.toi().is_some_and(in_time));
-        }
-    }
 }
 
 proptest! {

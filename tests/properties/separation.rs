@@ -149,23 +149,3 @@ fn what_passes_beside_is_never_closer() {
     }
     assert!(n_beside > 500 && n_seen > 50, "{n_beside} beside, {n_seen} within 0.3 more");
 }
-
-#[test]
-fn a_gap_beside_is_seen_to_a_part_of_itself() {
-    // A vertex in the plane of the face, beside each of its sides by `gap`; edges side by side.
-    let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0f32]];
-    for gap in [1e-3f32, 0.1, 2.0] {
-        let corner = 0.5 + gap * std::f32::consts::FRAC_1_SQRT_2;
-        let beside_sides = [[0.3, -gap, 0.0], [-gap, 0.3, 0.0], [corner, corner, 0.0]];
-        let vf = beside_sides.map(|v| ([v, face[0], face[1], face[2]], Patch::Triangle));
-        let edges = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.3, gap, 0.0], [0.5, gap + 1.0, 0.1]];
-        for (t0, patch) in vf.into_iter().chain([(edges, Patch::Parallelogram)]) {
-            let m = motion(&t0, &t0, patch);
-            // The length of a direction is taken as its absolute sum, up to sqrt(2) times as much
-            // in a plane: 0.7 of a gap is seen in every direction, all of it along an axis.
-            let [near, far] = [0.7, 1.001].map(|part| beside(&m, patch, part * gap));
-            assert!(near > 0.0, "{t0:?}: {near} for 0.7 of the gap of {gap}");
-            assert!(!(far > 0.0), "{t0:?}: {far} for more than the gap of {gap}");
-        }
-    }
-}

@@ -146,6 +146,8 @@ fn wrong_forms_are_refused() {
     assert_eq!(why.to_string(), "vertex 2 at t0 ends at byte 101, but there are 100 bytes");
     let why = session.step(&Posed::new(&fine, &[0, 0, 9], &[Mat4::IDENTITY]), &fine).unwrap_err();
     assert_eq!(why.to_string(), "vertex 2 at t0 is of body 9, but there are 1 matrices (0 to 0)");
+    let few = session.step(&Posed::new(&fine, &[0, 0], &[Mat4::IDENTITY]), &fine).unwrap_err();
+    assert_eq!(few, Error::BodyCount { expected: 3, found: 2 });
     let mut perspective = Mat4::IDENTITY;
     perspective.z_axis.w = -1.0;
     perspective.w_axis.w = 0.0;

@@ -1,11 +1,15 @@
-//! Sessions as programs embed them: positions of many forms, changes between steps, what searches
-//! may ask for, what there is as data, and what may go to other threads.
+//! Sessions as programs embed them: every method and pipeline, positions of many forms, changes
+//! between steps, what searches may ask for, what there is as data, and what may go to other
+//! threads.
 
 mod any_order;
-mod changes;
 mod data;
 mod ends_early;
 mod forms;
+mod found;
+mod fronts;
 mod leaving;
 mod limits;
+mod rules;
 mod send_sync;
+mod triangles;

@@ -1,8 +1,8 @@
 //! Sweeps and grids where their rules are at a border: boxes that begin at one place, that touch
 //! where cells meet, of no size, all alike, huge; and boxes that a grid refuses.
 
+use super::tests::Searches;
 use super::*;
-use ccd_core::backend::layout::Pair;
 use ccd_core::model::catalogue::every;
 
 /// Methods that sort boxes by place or by cell.
@@ -32,38 +32,9 @@ fn lattice(count: usize, n: u32, most: u32, seed: u32, at: impl Fn(u32) -> f32) 
     (0..count).map(|_| one()).collect()
 }
 
-/// Pairs of all methods are those of brute force, each once; returns how many there are.
-fn check(what: &str, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> usize {
-    let pair = |i: usize, j: usize| Pair { a: i as u32, b: j as u32 };
-    let (mut within, mut between) = (Vec::new(), Vec::new());
-    for (i, x) in a.iter().enumerate() {
-        within.extend((i + 1..a.len()).filter(|&j| x.overlaps(&a[j])).map(|j| pair(i, j)));
-        between.extend((0..b.len()).filter(|&j| x.overlaps(&b[j])).map(|j| pair(i, j)));
-    }
-    let sorted = |pairs: Pairs| {
-        let mut pairs = pairs.to_vec();
-        pairs.sort_unstable_by_key(|p| (p.a, p.b));
-        pairs
-    };
-    for method in methods() {
-        for threads in [1, 2] {
-            let mut broad = BroadPhase::new(threads, method).expect("a method that is here");
-            let got = sorted(broad.self_pairs(a).expect("no refusal"));
-            same(&format!("{what}, {method}, within {} boxes", a.len()), &got, &within, a, a);
-            let got = sorted(broad.pairs(a, b).expect("no refusal"));
-            let what = format!("{what}, {method}, {} against {} boxes", a.len(), b.len());
-            same(&what, &got, &between, a, b);
-        }
-    }
-    within.len() + between.len()
-}
-
-/// Fails with the first pair that is in one of two sorted lists and not in the other.
-fn same(what: &str, got: &[Pair], want: &[Pair], a: &[Aabb<f32>], b: &[Aabb<f32>]) {
-    let i = got.iter().zip(want).take_while(|(p, q)| p == q).count();
-    let boxes = |p: &Pair| (*p, a[p.a as usize], b[p.b as usize]);
-    let (found, right) = (got.get(i).map(boxes), want.get(i).map(boxes));
-    assert!(found.is_none() && right.is_none(), "{what}: {found:?} instead of {right:?}");
+/// Pairs of all these methods are those of brute force; returns how many there are.
+fn check(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> usize {
+    Searches::by(methods()).check(a, b).into_iter().sum()
 }
 
 #[test]
@@ -71,7 +42,7 @@ fn boxes_that_begin_at_one_place_or_touch_where_cells_meet() {
     let unit = |i: u32| i as f32;
     for (n, most) in [(2, 1), (4, 1), (6, 2), (9, 4), (24, 3)] {
         let (a, b) = (lattice(150, n, most, n, unit), lattice(90, n, most, 77, unit));
-        let found = check("lattice", &a, &b);
+        let found = check(&a, &b);
         assert!(found > 50, "{found} pairs show nothing");
     }
     // All of one size, side by side and half a side apart: borders of cells and of boxes are one.
@@ -82,31 +53,31 @@ fn boxes_that_begin_at_one_place_or_touch_where_cells_meet() {
             let cube = |b: &Aabb<f32>| Aabb { min: b.min, max: b.min.map(|c| c + 1.0) };
             boxes.iter().map(cube).collect::<Vec<_>>()
         };
-        assert!(check("cubes", &cubes(1), &cubes(2)) > 1000);
+        assert!(check(&cubes(1), &cubes(2)) > 1000);
     }
     // Enough boxes for several strips, most of them in more than one.
     for (seed, most) in [(1, 2), (2, 9)] {
         let (a, b) = (lattice(3000, 40, most, seed, unit), lattice(2500, 40, 3, 9, unit));
-        assert!(check("strips", &a, &b) > 1000);
+        assert!(check(&a, &b) > 1000);
     }
     // Zeros of both signs are one place.
     let zeros = [[-0.0, 0.0], [0.0, 0.0], [-0.0, -0.0], [-1.0, -0.0], [0.0, 1.0]];
     let boxes = zeros.map(|[min, max]| Aabb { min: [min; 3], max: [max; 3] });
-    assert_eq!(check("zeros", &boxes, &boxes), 10 + 25);
+    assert_eq!(check(&boxes, &boxes), 10 + 25);
 }
 
 #[test]
 fn boxes_of_no_size_all_alike_one_and_none() {
     let points = lattice(200, 3, 0, 5, |i| i as f32 - 1.0);
-    assert!(check("points", &points, &points[..50]) > 100);
+    assert!(check(&points, &points[..50]) > 100);
     let alike = vec![Aabb { min: [0.25; 3], max: [0.5; 3] }; 70];
-    assert_eq!(check("alike", &alike, &alike), 70 * 69 / 2 + 70 * 70);
+    assert_eq!(check(&alike, &alike), 70 * 69 / 2 + 70 * 70);
     let point = vec![Aabb::of_point([3.0, -2.0, 1e30]); 70];
-    assert_eq!(check("one point", &point, &alike), 70 * 69 / 2);
-    assert_eq!(check("one", &alike[..1], &alike[..1]), 1);
-    assert_eq!(check("none", &[], &[]), 0);
-    assert_eq!(check("none against some", &[], &points), 0);
-    assert!(check("some against none", &points, &[]) > 100);
+    assert_eq!(check(&point, &alike), 70 * 69 / 2);
+    assert_eq!(check(&alike[..1], &alike[..1]), 1);
+    assert_eq!(check(&[], &[]), 0);
+    assert_eq!(check(&[], &points), 0);
+    assert!(check(&points, &[]) > 100);
 }
 
 #[test]
@@ -114,7 +85,7 @@ fn huge_and_tiny_coordinates() {
     for (unit, origin) in [(1e37, -2.9e38), (1e-38, 0.0), (1e-44, 0.0), (0.25, 4e6), (1e25, 1e30)] {
         let at = |i: u32| origin + i as f32 * unit;
         let (a, b) = (lattice(120, 20, 3, 4, at), lattice(60, 20, 3, 8, at));
-        assert!(check("scaled", &a, &b) > 10, "{unit:e} at {origin:e}");
+        assert!(check(&a, &b) > 10, "{unit:e} at {origin:e}");
     }
     // One that holds all others, and one along each axis that is as long as the scene.
     let mut boxes = lattice(100, 40, 1, 6, |i| i as f32);
@@ -124,7 +95,7 @@ fn huge_and_tiny_coordinates() {
         (long.min[k], long.max[k]) = (0.0, 41.0);
         boxes.push(long);
     }
-    assert!(check("long", &boxes, &boxes[50..]) > 200);
+    assert!(check(&boxes, &boxes[50..]) > 200);
 }
 
 #[test]

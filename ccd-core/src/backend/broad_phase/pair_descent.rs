@@ -116,71 +116,7 @@ fn volume(b: &Aabb<f32>) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::test_trees::{Tree, boxes, shapes};
-    use std::vec::Vec;
-
-    /// All pairs of leaves below the roots, sorted, and the most children that a pair had.
-    fn pairs(rule: Descent, a: &Tree, b: Option<&Tree>) -> (Vec<NodePair>, usize) {
-        let (mut out, mut most) = (Vec::new(), 0);
-        let other = b.unwrap_or(a);
-        let mut stack = Vec::from([[0, 0]]);
-        stack.retain(|_| b.is_none() || a.nodes[0].aabb().overlaps(&other.nodes[0].aabb()));
-        while let Some([i, j]) = stack.pop() {
-            let (x, y) = (a.nodes[i as usize], other.nodes[j as usize]);
-            let Children { all, met } = expand(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
-            let is_one = |[i, j]: NodePair| b.is_none() && i == j;
-            let overlaps = |&[i, j]: &NodePair| {
-                let [x, y] = [a.nodes[i as usize], other.nodes[j as usize]];
-                is_one([i, j]) || x.aabb().overlaps(&y.aabb())
-            };
-            let all = all.into_iter().filter(|&pair| pair != NO_PAIR).filter(overlaps);
-            let children = met.into_iter().filter(|&pair| pair != NO_PAIR);
-            assert!(all.eq(children.clone()), "{rule:?}: children of {i}, {j}");
-            if x.is_leaf() && y.is_leaf() {
-                assert_eq!(children.count(), 0, "children of leaves");
-                if b.is_some() || i != j {
-                    out.push([x.left, y.left]);
-                }
-            } else {
-                let before = stack.len();
-                stack.extend(children);
-                let bound = match rule {
-                    _ if b.is_none() && i == j => 3,
-                    Descent::Both => 4,
-                    Descent::Larger => 2,
-                };
-                assert!(stack.len() - before <= bound, "{rule:?}: children of {i}, {j}");
-                most = most.max(stack.len() - before);
-            }
-        }
-        out.sort_unstable();
-        (out, most)
-    }
-
-    #[test]
-    fn trees_of_any_shape_give_the_pairs_of_brute_force() {
-        for n in [1, 2, 3, 10, 60] {
-            for (_, tree) in shapes(n, &boxes(n, 1)) {
-                let box_of = |i: u32| tree.leaf(i).aabb();
-                for rule in [Descent::Larger, Descent::Both] {
-                    let all = (0..n as u32).flat_map(|i| (i + 1..n as u32).map(move |j| [i, j]));
-                    let want: Vec<_> =
-                        all.filter(|&[i, j]| box_of(i).overlaps(&box_of(j))).collect();
-                    let (found, most) = pairs(rule, &tree, None);
-                    assert_eq!(found, want, "{rule:?} within {tree:?}");
-                    assert!(n < 60 || (want.len() > 20 && most > 1), "{}, {most}", want.len());
-                    for (_, other) in shapes(7, &boxes(7, 2)) {
-                        let all = (0..n as u32).flat_map(|i| (0..7).map(move |j| [i, j]));
-                        let overlap =
-                            |&[i, j]: &[u32; 2]| box_of(i).overlaps(&other.leaf(j).aabb());
-                        let want: Vec<_> = all.filter(overlap).collect();
-                        let (found, _) = pairs(rule, &tree, Some(&other));
-                        assert_eq!(found, want, "{rule:?}, {tree:?} against {other:?}");
-                    }
-                }
-            }
-        }
-    }
+    use crate::broad_phase::test_trees::Tree;
 
     #[test]
     fn the_larger_is_split_and_a_leaf_never() {

@@ -109,7 +109,7 @@ impl Default for Walk {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::test_trees::{Tree, boxes, shapes, splits};
+    use crate::broad_phase::test_trees::{Tree, boxes, splits};
     use std::vec::Vec;
 
     /// All that overlaps the query, in the order in which it is found; the greatest height of the
@@ -136,26 +136,6 @@ mod tests {
             greatest = greatest.max(stack.len().saturating_sub(1));
         }
         greatest
-    }
-
-    #[test]
-    fn queries_find_what_overlaps_in_trees_of_any_shape() {
-        for n in [2, 3, 4, 50] {
-            let all = boxes(n, 7);
-            for (name, tree) in shapes(n, &all) {
-                for (i, b) in all.iter().enumerate() {
-                    for after in [NONE, i as u32] {
-                        let (mut found, _, steps) = query(&tree, b, after);
-                        found.sort_unstable();
-                        let asked = |j: &u32| after == NONE || *j > after;
-                        let overlaps = |j: &u32| all[*j as usize].overlaps(b);
-                        let want: Vec<u32> = (0..n as u32).filter(asked).filter(overlaps).collect();
-                        assert_eq!(found, want, "{name}, box {i} after {after}, {all:?}");
-                        assert!(steps <= tree.branches.len(), "{name}: {steps} steps");
-                    }
-                }
-            }
-        }
     }
 
     #[test]

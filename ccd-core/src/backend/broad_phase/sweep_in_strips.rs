@@ -113,59 +113,6 @@ pub fn n_strips(first: [u32; 2], last: [u32; 2]) -> u32 {
 mod tests {
     use super::*;
     use crate::math::aabb::GREATEST;
-    use crate::random::Random;
-    use alloc::vec::Vec;
-
-    /// Strips of a box.
-    fn cells(strips: &Strips, b: &Aabb<f32>) -> Vec<[u32; 2]> {
-        let (p, q) = (strips.cell(b.min), strips.cell(b.max));
-        let mut out = Vec::new();
-        for y in p[1]..=q[1] {
-            out.extend((p[0]..=q[0]).map(|x| [x, y]));
-        }
-        assert_eq!(out.len() as u32, n_strips(p, q));
-        out
-    }
-
-    /// How many strips two boxes share, and how many of those report the pair.
-    fn reports(strips: &Strips, a: &Aabb<f32>, b: &Aabb<f32>) -> (usize, usize) {
-        let (of_a, of_b) = (cells(strips, a), cells(strips, b));
-        let common: Vec<_> = of_a.iter().filter(|c| of_b.contains(c)).collect();
-        let bits = |b: &Aabb<f32>, c: [u32; 2]| begins(strips.cell(b.min), c);
-        let once = common.iter().filter(|&&&c| bits(a, c) | bits(b, c) == BOTH).count();
-        (common.len(), once)
-    }
-
-    #[test]
-    fn one_strip_reports_each_pair() {
-        let mut random = Random::new(1);
-        let mut several = 0;
-        for (origin, unit) in [(0.0, 1.0), (1e6, 0.125), (-GREATEST, 1e37), (0.0, 1e-42)] {
-            // Bounds on a lattice of which every other line is a border of strips.
-            let mut one = || {
-                let sides: [(u32, u32); 3] = [(); 3].map(|()| (random.below(17), random.below(17)));
-                Aabb {
-                    min: sides.map(|(p, q)| origin + p.min(q) as f32 * unit),
-                    max: sides.map(|(p, q)| origin + p.max(q) as f32 * unit),
-                }
-            };
-            let boxes: Vec<_> = (0..120).map(|_| one()).collect();
-            let scene = boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
-            for (axes, n) in
-                [([1, 2], [8, 8]), ([0, 2], [1, 8]), ([0, 1], [1; 2]), ([2, 1], [7, 3])]
-            {
-                let strips = Strips::new(&scene, axes, n);
-                for (i, a) in boxes.iter().enumerate() {
-                    for b in boxes[..i].iter().filter(|b| a.overlaps(b)) {
-                        let (common, once) = reports(&strips, a, b);
-                        assert_eq!(once, 1, "{a:?} {b:?} of {common}");
-                        several += (common > 1) as usize;
-                    }
-                }
-            }
-        }
-        assert!(several > 100, "{several} pairs show nothing");
-    }
 
     #[test]
     fn strips_of_any_place_are_in_the_scene() {

@@ -49,11 +49,6 @@ impl Tree {
         }
         Self { branches, nodes }
     }
-
-    /// The node of a leaf.
-    pub fn leaf(&self, i: u32) -> &Node {
-        &self.nodes[self.branches.len() + i as usize]
-    }
 }
 
 /// Where a node over a range of leaves is split.
@@ -70,12 +65,6 @@ pub fn splits() -> Vec<(&'static str, Split)> {
         ("pairs to the right", Box::new(|first, last| (first + 1).min(last - 1))),
         ("random", Box::new(move |first, last| first + pcg(first * 977 + last) % (last - first))),
     ])
-}
-
-/// Trees of all these shapes over the same boxes, with the names of the shapes.
-pub fn shapes(n: usize, boxes: &[Aabb]) -> impl Iterator<Item = (&'static str, Tree)> {
-    assert_eq!(boxes.len(), n);
-    splits().into_iter().map(move |(name, split)| (name, Tree::new(boxes, split)))
 }
 
 /// Boxes of which some overlap.

@@ -54,7 +54,7 @@ fn slice<'a, T: Coordinate>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AsPositions, Posed, Strided, ends};
+    use super::super::{AsPositions, Strided, ends};
     use super::*;
     use alloc::vec;
 
@@ -69,25 +69,6 @@ mod tests {
             Precision::F32(x) => x.map(|x| x.iter().map(|p| p.map(f64::from)).collect()),
             Precision::F64(x) => x.map(<[_]>::to_vec),
         })
-    }
-
-    #[test]
-    fn positions_between_attributes_are_found() {
-        let words: Vec<f32> = (0..24).map(|i| i as f32).collect();
-        let bytes: &[u8] = bytemuck::cast_slice(&words);
-        let want = [[3.0, 4.0, 5.0], [11.0, 12.0, 13.0], [19.0, 20.0, 21.0f32]];
-        let of = Strided::<f32>::new(bytes, 32).offset(12);
-        let [x0, x1] = gather(&of, &want).unwrap();
-        assert_eq!((x0.len(), &x0), (3, &x1));
-        assert_eq!(gather(&of.count(2), &want[..2]).unwrap()[0], x1[..2]);
-        // At any address, also of an array of records whose last attributes are missing.
-        let mut shifted = vec![0; 5];
-        shifted.extend(&bytes[..24 * 4 - 8]);
-        let of = Strided::<f32>::new(&shifted, 32).offset(5 + 12);
-        assert_eq!(gather(&of, &want).unwrap()[0], x1);
-        let wide: Vec<f64> = (0..8).map(f64::from).collect();
-        let of = Strided::<f64>::of(bytemuck::cast_slice::<f64, [f64; 4]>(&wide)).offset(8);
-        assert_eq!(gather(&of, &of).unwrap()[1], [[1.0, 2.0, 3.0], [5.0, 6.0, 7.0]]);
     }
 
     #[test]
@@ -109,27 +90,6 @@ mod tests {
         assert!(of(12).offset(89).is_empty() && of(12).len() == 8);
         let of = of(12).offset(usize::MAX).count(0);
         assert!(gather(&of, &of).unwrap()[0].is_empty());
-    }
-
-    #[test]
-    fn matrices_move_bodies() {
-        let rest = [[1.0, 2.0, 3.0], [1.0, 0.0, 0.0f64]];
-        let turned = [[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-        let with_place = |place: [f64; 4]| [turned[0], turned[1], turned[2], place];
-        let poses = [with_place([0.0, 0.0, 0.0, 1.0]), with_place([10.0, 20.0, 30.0, 1.0])];
-        let [x0, x1] =
-            gather(&Posed::one(&rest, &poses[0]), &Posed::new(&rest, &[0, 1], &poses)).unwrap();
-        assert_eq!(x0, [[-2.0, 1.0, 3.0], [0.0, 1.0, 0.0]]);
-        assert_eq!(x1, [[-2.0, 1.0, 3.0], [10.0, 21.0, 30.0]]);
-        let refused = |of: Posed<f64>| gather(&rest, &of).unwrap_err();
-        let few = Error::BodyCount { expected: 2, found: 1 };
-        assert_eq!(refused(Posed::new(&rest, &[0], &poses)), few);
-        let pose = Error::Pose { time: 1, vertex: 1, body: 2, n_poses: 2 };
-        assert_eq!(refused(Posed::new(&rest, &[1, 2], &poses)), pose);
-        let mut poses = poses;
-        poses[1][2][3] = 0.5;
-        let row = Error::Projection { time: 1, body: 1, row: [0.0, 0.0, 0.5, 1.0] };
-        assert_eq!(refused(Posed::new(&rest, &[0, 1], &poses)), row);
     }
 
     #[test]

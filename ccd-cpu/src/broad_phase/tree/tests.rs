@@ -323,24 +323,6 @@ fn trees_may_be_as_deep_as_they_have_leaves() {
 }
 
 #[test]
-fn pairs_among_hard_boxes_are_those_of_brute_force() {
-    for (name, boxes) in sets(300) {
-        let n = boxes.len() as u32;
-        let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-        let overlap = |&(i, j): &(u32, u32)| boxes[i as usize].overlaps(&boxes[j as usize]);
-        let want: Vec<_> = pairs.filter(overlap).collect();
-        for builder in builders() {
-            let method = BroadPhaseMethod::Tree(TreeOptions::default().builder(builder));
-            let mut broad = crate::BroadPhase::new(1, method).unwrap();
-            let mut found: Vec<_> =
-                broad.self_pairs(&boxes).unwrap().iter().map(|p| (p.a, p.b)).collect();
-            found.sort_unstable();
-            assert!(found == want, "{builder:?}, {name}: {} of {}", found.len(), want.len());
-        }
-    }
-}
-
-#[test]
 fn figures_of_a_tree_are_those_of_its_definition() {
     // Four boxes on a line, of which the middle ones touch: nodes 0 (0..=3), 1 (0..=1), 2 (2..=3).
     let at = |x: f32| Aabb { min: [x, 0.0, 0.0], max: [x + 1.0, 1.0, 1.0] };

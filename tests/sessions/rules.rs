@@ -1,33 +1,13 @@
-//! Rules of bodies: by every method and pipeline, candidates and contacts are those of a session
-//! without rules, less what the rules leave out; rules that change between steps; what is fixed.
+//! Every method and pipeline, frame after frame, with rules of bodies and without: candidates and
+//! contacts are those of the default, less what the rules leave out; what is fixed.
 
-use ccd_core::backend::layout::Pair;
-use ccd_core::model::bodies::Bodies;
-use ccd_core::model::catalogue::every;
-use ccd_core::model::contact::{Contact, Kind};
-use ccd_core::model::groups::Groups;
-use ccd_core::model::mesh::Mesh;
-use ccd_core::model::method::{BroadPhaseMethod, Traversal, TreeOptions};
-use ccd_core::model::options::Options;
-use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
-use ccd_core::model::scheduling::{Front, Scheduling};
-use ccd_core::{Coordinate, Error};
-use ccd_cpu::Session;
+use super::found::Found;
+use ccd::scenes::Random;
+use ccd::{
+    Bodies, BroadPhaseMethod, Coordinate, Error, Groups, Kind, Mesh, Options, Pair, Pipeline,
+    Session, TriangleOptions,
+};
 use std::cell::Cell;
-
-/// Random numbers, the same on every machine.
-struct Random(u32);
-
-impl Random {
-    fn below(&mut self, n: u32) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (self.0 >> 8) % n
-    }
-
-    fn unit(&mut self) -> f64 {
-        self.below(1 << 24) as f64 / 16_777_216.0
-    }
-}
 
 const N_BODIES: u32 = 9;
 
@@ -40,10 +20,10 @@ struct Scene {
 
 impl Scene {
     fn new(n: usize) -> Self {
-        let mut random = Random(n as u32);
+        let mut random = Random::new(n as u32);
         let mut x = Vec::new();
         for _ in 0..n {
-            let centre = [0; 3].map(|_| random.unit());
+            let centre = random.point();
             x.extend((0..4).map(|_| centre.map(|c| c + 0.25 * random.unit())));
         }
         let strip = |i: u32| [[4 * i, 4 * i + 1, 4 * i + 2], [4 * i + 1, 4 * i + 3, 4 * i + 2]];
@@ -53,7 +33,7 @@ impl Scene {
     }
 
     fn moved(&self, seed: u32, by: f64, bodies: Option<&Bodies>) -> Vec<[f64; 3]> {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let stays = |v: usize| bodies.is_some_and(|bodies| bodies.is_fixed(v as u32));
         let go = |(v, p): (usize, &[f64; 3])| {
             let moved = p.map(|c| c + by * (random.unit() - 0.5));
@@ -64,7 +44,7 @@ impl Scene {
 
     /// Rules of all sorts; `which`: of some sorts alone.
     fn bodies(&self, which: u32) -> Bodies {
-        let mut random = Random(which + 77);
+        let mut random = Random::new(which + 77);
         let mut bodies = Bodies::new(&self.body_of, &[], true);
         for body in 0..N_BODIES {
             if which & 1 != 0 {
@@ -98,45 +78,7 @@ impl Scene {
     /// Whether rules want a pair, as they are stated.
     fn wants(&self, bodies: &Bodies, kind: Kind, a: u32, b: u32) -> bool {
         let v = self.mesh.vertices_of(kind, Pair { a, b });
-        let second = if kind == Kind::VertexFace { 1 } else { 2 };
-        bodies.wants(v[0], v[second]) && !bodies.excludes(kind, a, b)
-    }
-}
-
-/// Candidates of each kind, in order, and contacts.
-#[derive(Clone, Debug, PartialEq)]
-struct Found {
-    pairs: [Vec<Pair>; 2],
-    contacts: Vec<Contact>,
-    toi: Option<f64>,
-}
-
-const KINDS: [Kind; 2] = [Kind::VertexFace, Kind::EdgeEdge];
-
-impl Found {
-    fn of<T: Coordinate>(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Self {
-        let [x0, x1] =
-            [x0, x1].map(|x| x.iter().map(|p| p.map(T::from_f64)).collect::<Vec<[T; 3]>>());
-        let listed = session.candidates(&x0, &x1).expect("candidates");
-        let mut pairs = [listed.vf.to_vec(), listed.ee.to_vec()];
-        pairs.iter_mut().for_each(|pairs| pairs.sort_unstable());
-        let toi = session.earliest_toi(&x0, &x1).expect("a step");
-        let report = session.step(&x0, &x1).expect("a step");
-        let counts = [report.candidates.vf, report.candidates.ee];
-        assert_eq!(counts, [pairs[0].len() as u64, pairs[1].len() as u64]);
-        assert!(toi <= report.toi && toi.is_some() == report.toi.is_some());
-        Self { pairs, contacts: report.contacts.clone(), toi: report.toi }
-    }
-
-    /// Without pairs that are not wanted.
-    fn less(&self, wants: impl Fn(Kind, u32, u32) -> bool) -> Self {
-        let mut out = self.clone();
-        for (kind, pairs) in KINDS.into_iter().zip(&mut out.pairs) {
-            pairs.retain(|pair| wants(kind, pair.a, pair.b));
-        }
-        out.contacts.retain(|c| wants(c.kind, c.a, c.b));
-        out.toi = out.contacts.iter().map(|c| c.toi).reduce(f64::min);
-        out
+        bodies.wants(v[0], v[kind.n_first()]) && !bodies.excludes(kind, a, b)
     }
 }
 
@@ -152,27 +94,34 @@ fn pipelines() -> [Pipeline; 3] {
 fn check_rules<T: Coordinate>(n: usize) {
     let scene = Scene::new(n);
     let (mut n_less, mut n_left) = (0, 0);
-    for which in [1, 2, 4, 6, 8, 9, 15] {
-        let bodies = scene.bodies(which);
-        let x0 = scene.moved(2, 0.01, Some(&bodies));
-        let x1 = scene.moved(3, 0.4, Some(&bodies));
-        let x1: Vec<_> =
-            (0..x0.len()).map(|v| if bodies.is_fixed(v as u32) { x0[v] } else { x1[v] }).collect();
-        let all =
-            Found::of::<T>(&mut session(&scene, Options::default().with_threads(1)), &x0, &x1);
-        let want = all.less(|kind, a, b| scene.wants(&bodies, kind, a, b));
-        let n_pairs: usize = want.pairs.iter().map(Vec::len).sum();
-        assert!(n_pairs > 40 && want != all, "{which}: {n_pairs} pairs show nothing");
-        n_left += want.contacts.len();
-        n_less += all.contacts.len() - want.contacts.len();
-        for method in every("cpu") {
-            for pipeline in pipelines() {
-                let options = Options::default()
-                    .with_threads(1 + which as usize % 2)
-                    .with_bodies(bodies.clone())
-                    .with_broad_phase(method)
-                    .with_pipeline(pipeline);
-                let got = Found::of::<T>(&mut session(&scene, options), &x0, &x1);
+    for which in [0, 1, 2, 4, 6, 8, 9, 15] {
+        let bodies = (which > 0).then(|| scene.bodies(which));
+        let x0 = scene.moved(2, 0.01, bodies.as_ref());
+        let mut x1 = scene.moved(3, 0.4, None);
+        let is_fixed = |v: usize| bodies.as_ref().is_some_and(|of| of.is_fixed(v as u32));
+        (0..x0.len()).filter(|&v| is_fixed(v)).for_each(|v| x1[v] = x0[v]);
+        // The way back keeps the order of boxes.
+        let run = |options: Options| -> [Found; 2] {
+            let mut session = session(&scene, options);
+            [[&x0, &x1], [&x1, &x0]].map(|[x0, x1]| Found::of::<T>(&mut session, x0, x1))
+        };
+        let distance = if which % 2 == 0 { 0.01 } else { 0.0 };
+        let base = Options::default().with_min_distance(distance);
+        let all = run(base.clone().with_threads(1));
+        let wants = |kind, a, b| bodies.as_ref().is_none_or(|of| scene.wants(of, kind, a, b));
+        let want = run(base.clone().with_threads(1).with_bodies(bodies.clone()));
+        for (all, want) in all.iter().zip(&want) {
+            assert!(want.less(|_, _, _| true) == all.less(wants), "{n}, rules {which}");
+        }
+        let n_pairs: usize = want[0].pairs.iter().map(Vec::len).sum();
+        assert!(n_pairs > 40 && (want != all || which == 0), "{which}: {n_pairs} pairs");
+        n_left += want[0].contacts.len();
+        n_less += all[0].contacts.len() - want[0].contacts.len();
+        for method in ccd::every("cpu") {
+            for (k, pipeline) in pipelines().into_iter().enumerate() {
+                let options = base.clone().with_threads(1 + (which as usize + k) % 2);
+                let options = options.with_bodies(bodies.clone()).with_broad_phase(method);
+                let got = run(options.with_pipeline(pipeline));
                 assert!(got == want, "{n}, rules {which}, {method:?}, {pipeline:?}");
             }
         }
@@ -181,9 +130,20 @@ fn check_rules<T: Coordinate>(n: usize) {
 }
 
 #[test]
-fn rules_leave_out_what_they_say() {
+fn every_method_and_pipeline_keeps_the_rules() {
     check_rules::<f64>(60);
     check_rules::<f32>(90);
+}
+
+/// The control: methods list candidates in orders of their own.
+#[test]
+fn the_choice_of_a_method_is_not_ignored() {
+    let scene = Scene::new(60);
+    let [blocks, tree] = [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE].map(|method| {
+        let mut session = session(&scene, Options::default().with_broad_phase(method));
+        session.candidates(&scene.x, &scene.x).expect("candidates").ee.to_vec()
+    });
+    assert!(blocks != tree && blocks.len() == tree.len());
 }
 
 #[test]
@@ -204,63 +164,10 @@ fn filters_are_asked_of_overlaps() {
                 odd(kind, a, b)
             })
             .expect("a filter");
-        assert!(Found::of::<f64>(&mut session, &x0, &x1) == want, "{pipeline:?}");
+        let found = Found::of::<f64>(&mut session, &x0, &x1);
+        assert!(found.less(|_, _, _| true) == want, "{pipeline:?}");
         session.remove_filter();
         assert!(Found::of::<f64>(&mut session, &x0, &x1) == all, "{pipeline:?}");
-    }
-}
-
-/// A session whose rules change is as a new one; also where a front is kept.
-#[test]
-fn rules_change_between_steps() {
-    let scene = Scene::new(120);
-    let front = Scheduling::default().front(Front::ON);
-    let cut = TreeOptions::default().traversal(Traversal::CUT);
-    let cut = BroadPhaseMethod::Tree(cut);
-    let some = [
-        Options::default(),
-        Options::default().with_scheduling(front),
-        Options::default().with_broad_phase(cut).with_scheduling(front),
-        Options::default().with_pipeline(Pipeline::TRIANGLES),
-    ];
-    for options in some {
-        let options = options.with_threads(1);
-        let mut changing = session(&scene, options.clone());
-        let check = |changing: &mut Session, seed: u32, what: &str| {
-            let bodies = changing.options().bodies.clone();
-            let mut fresh = session(&scene, options.clone().with_bodies(bodies.clone()));
-            let x0 = scene.moved(seed, 0.02, bodies.as_ref());
-            let x1 = scene.moved(seed + 1, 0.2, bodies.as_ref());
-            let want = Found::of::<f64>(&mut fresh, &x0, &x1);
-            assert!(!want.contacts.is_empty());
-            let got = Found::of::<f64>(changing, &x0, &x1);
-            assert!(got == want, "{what}, {:?}", options.pipeline);
-            want
-        };
-        let mut seed = 10;
-        for which in [0, 1, 3, 9, 15, 8, 2, 1] {
-            changing.set_bodies(scene.bodies(which)).expect("bodies");
-            for _ in 0..3 {
-                seed += 2;
-                check(&mut changing, seed, &format!("rules {which}"));
-            }
-        }
-        changing.set_bodies(Bodies::new(&scene.body_of, &[], true)).expect("bodies");
-        let all = check(&mut changing, 50, "plain");
-        changing.set_sleeping(3, true).expect("body 3");
-        changing.set_fixed(5, true).expect("body 5");
-        let fewer = check(&mut changing, 50, "3 sleeps, 5 is fixed");
-        assert!(all.pairs[1].len() > fewer.pairs[1].len());
-        changing.set_sleeping(3, false).expect("body 3");
-        changing.set_fixed(5, false).expect("body 5");
-        assert!(check(&mut changing, 50, "awake again") == all);
-        assert_eq!(changing.set_sleeping(99, true), Err(Error::NoBody { body: 99 }));
-        let bad = Bodies::new(&[0, 1], &[], true);
-        assert!(matches!(changing.set_bodies(bad), Err(Error::BodyCount { .. })));
-        assert!(check(&mut changing, 50, "refused") == all);
-        changing.set_bodies(None).expect("no bodies");
-        assert_eq!(changing.set_fixed(0, true), Err(Error::NoBody { body: 0 }));
-        check(&mut changing, 60, "no bodies");
     }
 }
 
@@ -288,7 +195,7 @@ fn what_is_fixed_stands_still_or_is_moved() {
         n_contacts.set(n_contacts.get() + want.contacts.len());
     };
     let single = |x: Vec<[f64; 3]>| x.iter().map(|p| p.map(|c| c as f32 as f64)).collect();
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for step in 0..24 {
         let by = if step % 8 < 4 { 0.02 } else { 0.3 };
         let mut x1: Vec<[f64; 3]> = x0.clone();

@@ -1,84 +1,28 @@
 //! Pairs of triangles give what pairs of features give, on any mesh: non-manifold, degenerate, with
 //! wires and loose vertices; and what they say about their tests adds up.
 
-use ccd_core::backend::layout::Pair;
-use ccd_core::model::bodies::Bodies;
-use ccd_core::model::contact::{Contact, PerKind};
-use ccd_core::model::mesh::Mesh;
-use ccd_core::model::options::Options;
-use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
-use ccd_core::model::report::TriangleCounts;
-use ccd_cpu::Session;
-
-/// Random numbers, the same on every machine.
-struct Random(u32);
-
-impl Random {
-    fn bits(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        self.0 >> 8
-    }
-
-    fn below(&mut self, n: usize) -> u32 {
-        self.bits() % n as u32
-    }
-
-    /// In [0, 1).
-    fn unit(&mut self) -> f64 {
-        self.bits() as f64 / 16_777_216.0
-    }
-
-    fn point(&mut self) -> [f64; 3] {
-        [self.unit(), self.unit(), self.unit()]
-    }
-}
+use super::found::Found;
+use ccd::scenes::Random;
+use ccd::{Bodies, Mesh, Options, Pipeline, Session, TriangleCounts, TriangleOptions};
 
 /// Positions at both ends of a step.
 type Ends = [Vec<[f64; 3]>; 2];
 
-/// What a step finds.
-#[derive(Debug, PartialEq)]
-struct Found {
-    pairs: [Vec<Pair>; 2],
-    contacts: Vec<Contact>,
-    candidates: PerKind,
-    filtered: PerKind,
-    toi: Option<f64>,
-}
-
 fn run(mesh: &Mesh, x: &Ends, options: Options) -> (Found, Option<TriangleCounts>) {
     let mut session = Session::new(mesh.clone(), options).expect("a session");
-    let listed = session.candidates(&x[0], &x[1]).expect("candidates");
-    let mut pairs = [listed.vf.to_vec(), listed.ee.to_vec()];
-    pairs.iter_mut().for_each(|pairs| pairs.sort_unstable());
-    let report = session.step(&x[0], &x[1]).expect("a step").clone();
-    let earliest = session.earliest_toi(&x[0], &x[1]).expect("a step");
-    // A shorter step may have its contacts decided a little earlier.
-    assert!(earliest <= report.toi && earliest.is_some() == report.toi.is_some());
-    let counts = report.triangles;
-    if let Some(counts) = counts {
-        let sum = |p: PerKind| p.vf + p.ee;
-        assert!(sum(report.filtered) <= sum(report.candidates));
-        assert!(sum(report.candidates) <= counts.box_tests(), "{counts:?}");
+    let found = Found::of::<f64>(&mut session, &x[0], &x[1]);
+    let report = session.report();
+    if let Some(counts) = report.triangles {
+        assert!(report.filtered.total() <= report.candidates.total());
+        assert!(report.candidates.total() <= counts.box_tests(), "{counts:?}");
         assert!(counts.represented <= counts.all_tests(), "{counts:?}");
         assert!(counts.adjacent <= counts.pairs);
     }
-    let found = Found {
-        pairs,
-        contacts: report.contacts,
-        candidates: report.candidates,
-        filtered: report.filtered,
-        toi: report.toi,
-    };
-    (found, counts)
+    (found, report.triangles)
 }
 
-fn triangles(orphans: bool) -> Pipeline {
-    Pipeline::Triangles(TriangleOptions::default().orphans(orphans))
-}
-
-fn with_cones(orphans: bool) -> Pipeline {
-    Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(true))
+fn triangles(orphans: bool, cones: bool) -> Pipeline {
+    Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(cones))
 }
 
 /// All pipelines find the same; returns the number of contacts and what the one with orphans
@@ -95,19 +39,19 @@ fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, 
         };
         let (want, none) = run(mesh, x, of(Pipeline::Features, 1));
         assert_eq!(none, None);
-        let (plain, plain_counts) = run(mesh, x, of(triangles(false), 1));
-        let (got, counts) = run(mesh, x, of(triangles(true), 2));
+        let (plain, plain_counts) = run(mesh, x, of(triangles(false, false), 1));
+        let (got, counts) = run(mesh, x, of(triangles(true, false), 2));
         assert!(plain == want, "{what}, distance {min_distance}: {plain:?}\n{want:?}");
         assert!(got == want, "{what}, distance {min_distance}: {got:?}\n{want:?}");
         let (plain, counts) = (plain_counts.expect("counts"), counts.expect("counts"));
         assert_eq!((plain.pairs, plain.adjacent, plain.orphans), (counts.pairs, 0, 0), "{what}");
         let mut free = [0; 2];
         for (orphans, threads) in [(false, 2), (true, 1)] {
-            let (culled, counts) = run(mesh, x, of(with_cones(orphans), threads));
+            let (culled, counts) = run(mesh, x, of(triangles(orphans, true), threads));
             let counts = counts.expect("counts");
             free[orphans as usize] = counts.free;
             if counts.free == 0 && !orphans {
-                assert_eq!(culled.candidates, want.candidates, "{what}");
+                assert_eq!(culled.pairs, want.pairs, "{what}");
             }
             assert!(min_distance == 0.0 || counts.free == 0, "{counts:?}");
             assert_eq!((&culled.contacts, culled.toi), (&want.contacts, want.toi), "{what}");
@@ -125,10 +69,10 @@ fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, 
 
 #[test]
 fn any_mesh_gives_what_features_give() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     let (mut n, mut seen) = (0, TriangleCounts::default());
     for round in 0..80 {
-        let n_vertices = 4 + random.below(40) as usize;
+        let n_vertices = 4 + random.below(40);
         let n_faces = random.below(2 * n_vertices);
         let mut corner = || random.below(n_vertices);
         let mut faces: Vec<[u32; 3]> =
@@ -136,7 +80,7 @@ fn any_mesh_gives_what_features_give() {
         // A face twice, one with a corner twice, three at an edge, two with two edges in common.
         faces.extend([[0, 1, 2], [2, 1, 0], [0, 1, 3], [3, 3, 1], [2, 2, 2]]);
         let wires: Vec<[u32; 2]> = (0..6).map(|_| [corner(), corner()]).collect();
-        let mesh = Mesh::with_edges(n_vertices, &faces, &wires).expect("a mesh");
+        let mesh = Mesh::with_edges(n_vertices as usize, &faces, &wires).expect("a mesh");
         let x0: Vec<_> = (0..n_vertices).map(|_| random.point()).collect();
         let speed = [0.1, 0.5, 2.0][round % 3];
         let x1: Vec<[f64; 3]> = x0
@@ -157,7 +101,7 @@ fn any_mesh_gives_what_features_give() {
 
 /// A sheet of `n` by `n` vertices, rough, that folds over itself.
 fn folded(n: usize, fold: f64) -> (Mesh, Ends) {
-    let mut random = Random(9);
+    let mut random = Random::new(9);
     let mut x = Vec::new();
     for k in 0..n * n {
         let [i, j] = [k / n, k % n].map(|i| i as f64 / n as f64);
@@ -211,7 +155,7 @@ fn sheets_with_bodies_and_without() {
 /// Where orphan sets would be too long, neighbours are expanded like all others.
 #[test]
 fn fans_have_no_orphan_sets() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let n = 260;
     let faces: Vec<[u32; 3]> = (1..=n).map(|i| [0, i, i % n + 1]).collect();
     let mesh = Mesh::new(n as usize + 1, &faces).expect("a mesh");
@@ -231,10 +175,10 @@ fn comparisons_can_fail() {
     let (want, _) = run(&mesh, &x, of(Pipeline::Features));
     // A face less.
     let fewer = Mesh::new(mesh.n_vertices(), &mesh.faces()[1..]).expect("a mesh");
-    assert_ne!(run(&fewer, &x, of(triangles(true))).0, want);
+    assert_ne!(run(&fewer, &x, of(triangles(true, false))).0, want);
     // A vertex elsewhere.
     let mut y = x.clone();
     y[1][100][2] -= 0.3;
-    let (got, _) = run(&mesh, &y, of(triangles(true)));
+    let (got, _) = run(&mesh, &y, of(triangles(true, false)));
     assert_ne!(got.pairs, want.pairs);
 }
