@@ -9,6 +9,7 @@
 //! | [`math`] | numbers, vectors, boxes rounded outward, oriented boxes, space-filling codes |
 //! | [`narrow_phase`] | filters and verdicts of single queries, each with its error bound |
 //! | [`model`] | meshes, bodies, positions, options, contacts, reports, errors |
+//! | `reference` (feature `alloc`) | a step without threads or a standard library |
 //! | [`records`] | paths, pairs and contacts as they lie in a device's memory |
 //!
 //! These modules and the names below are what the crate promises; the crate `meshccd` re-exports
@@ -27,6 +28,8 @@ pub mod backend;
 pub mod math;
 pub mod model;
 pub mod narrow_phase;
+#[cfg(feature = "alloc")]
+pub mod reference;
 /// Records that an engine exchanges with a device: `u32` and `[f32; N]` fields, sizes fixed.
 pub mod records {
     #[doc(inline)]

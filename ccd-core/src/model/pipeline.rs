@@ -39,11 +39,12 @@ pub enum Pipeline {
 pub struct TriangleOptions {
     /// Skip triangles that share a vertex, and test what only they would test from a list made once
     /// per mesh [Tang 2008]. Where that list would be too long (see
-    /// [`OrphanSets::new`](crate::backend::triangle_pairs::orphans::OrphanSets::new)) they are not skipped.
+    /// [`OrphanSets::new`](crate::backend::triangle_pairs::orphans::OrphanSets::new)) they are not
+    /// skipped.
     pub orphans: bool,
     /// Skip pairs within regions of the mesh that certainly do not touch themselves during the step
-    /// [Volino 1994], see [`normal_cone`](crate::backend::triangle_pairs::normal_cone). Their pairs of
-    /// features are no candidates. Without effect where a minimum distance is asked for; refused
+    /// [Volino 1994], see [`normal_cone`](crate::backend::triangle_pairs::normal_cone). Their pairs
+    /// of features are no candidates. Without effect where a minimum distance is asked for; refused
     /// where positions never were on the host, which certifies regions.
     ///
     /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
