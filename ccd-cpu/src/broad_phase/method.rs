@@ -161,8 +161,8 @@ impl PairSource for Listed {
         let n_tasks = self.source.begin(threads, sides);
         let source = &*self.source;
         self.buffers.resize_with(workers.len(), Own::default);
-        let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
-            let Own((scratch, list)) = own;
+        let run = |k: usize, worker: &mut K::Worker, buffers: &mut Own<(Scratch, Vec<Row>)>| {
+            let Own((scratch, list)) = buffers;
             let mut hand_on = |rows: &[Row]| {
                 // A task may be all of the search.
                 if !threads.stop.is_stopped() {

@@ -99,7 +99,7 @@ impl Scheduled {
 
     /// Pairs of nodes that the last search expanded.
     pub fn visits(&self) -> u64 {
-        let by_workers = self.buffers.iter().map(|Own(own)| own.n_expanded).sum::<u64>();
+        let by_workers = self.buffers.iter().map(|Own(buffer)| buffer.n_expanded).sum::<u64>();
         self.descent.n_split + by_workers
     }
 
@@ -137,15 +137,15 @@ impl PairSource for Scheduled {
         let timed = times.is_some();
         source.descend(threads, sides, &mut |pairs| {
             descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
-                threads.each_with(workers, buffers, &|worker, Own(own)| {
+                threads.each_with(workers, buffers, &|worker, Own(buffer)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
-                    own.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
+                    buffer.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
                 });
             });
         });
         if let Some(times) = times {
-            times.add_workers(buffers.iter().map(|Own(own)| &own.times));
+            times.add_workers(buffers.iter().map(|Own(buffer)| &buffer.times));
         }
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
@@ -196,11 +196,11 @@ impl Descent {
         let Self { schedule, fronts, tasks, next, pieces, resumed, n_split } = self;
         let Pairs { tree, roots, builds } = pairs;
         // A sample leaves no front, and must not begin at one: tasks are to be the same as ever.
-        let of = fronts.as_mut().filter(|_| part == 1).map(|fronts| {
+        let fronts_at = fronts.as_mut().filter(|_| part == 1).map(|fronts| {
             let at = fronts.of(sets, builds, n_workers);
             (&mut *fronts, at)
         });
-        let front = of.as_ref().map(|(fronts, at)| fronts.at(*at));
+        let front = fronts_at.as_ref().map(|(fronts, at)| fronts.at(*at));
         let written = front.and_then(|front| front.next());
         tasks.clear();
         if let Some(kept) = front.and_then(|front| front.kept()) {
@@ -250,7 +250,7 @@ impl Descent {
         });
         watch.lap(|times| &mut times.shared_out);
         // Of a search that is not complete no front is kept; that of the one before still holds.
-        if let Some((fronts, at)) = of.filter(|_| !stop.is_stopped()) {
+        if let Some((fronts, at)) = fronts_at.filter(|_| !stop.is_stopped()) {
             fronts.end(at, stop);
         }
         watch.lap(|times| &mut times.keep);
@@ -319,9 +319,9 @@ fn every(part: usize, tasks: &mut Vec<NodePair>) {
 
 fn prepare(buffers: &mut Vec<Own<Buffers>>, n_workers: usize) {
     buffers.resize_with(n_workers, Own::default);
-    for (worker, Own(own)) in buffers.iter_mut().enumerate() {
-        (own.worker, own.n_expanded, own.times) = (worker, 0, WorkerTimes::default());
-        own.all.clear();
+    for (worker, Own(buffer)) in buffers.iter_mut().enumerate() {
+        (buffer.worker, buffer.n_expanded, buffer.times) = (worker, 0, WorkerTimes::default());
+        buffer.all.clear();
     }
 }
 
@@ -357,9 +357,9 @@ impl Buffers {
 /// All rows by leaf and block, each once: an order that depends on boxes alone.
 fn put_in_order(threads: &Threads, buffers: &mut [Own<Buffers>], rows: &mut Vec<Row>) {
     rows.clear();
-    for Own(own) in buffers {
-        if threads.stop.reserve(ROWS, rows, own.all.len()) {
-            rows.append(&mut own.all);
+    for Own(buffer) in buffers {
+        if threads.stop.reserve(ROWS, rows, buffer.all.len()) {
+            rows.append(&mut buffer.all);
         }
     }
     threads.sort(rows, |row| (row.a, row.b, row.mask));

@@ -25,8 +25,8 @@ pub struct Tasks {
 }
 
 impl Tasks {
-    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so many-th task
-    /// (1: all).
+    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so
+    /// many-th task (1: all).
     pub fn run<T: PairTree, K: PairSink>(
         &mut self,
         threads: &Threads,

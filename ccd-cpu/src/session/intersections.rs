@@ -235,8 +235,8 @@ impl<S: RowSimd> Work<S> for Fill<'_> {
             let [ax, ay, az, ..] = simd.gather(self.table, a);
             let [bx, by, bz, ..] = simd.gather(self.table, b);
             let [cx, cy, cz, ..] = simd.gather(self.table, c);
-            let of = slabs(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]], reach, error);
-            for (Slab { direction: [x, y, z], low, high }, out) in of.into_iter().zip(out) {
+            let slabs = slabs(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]], reach, error);
+            for (Slab { direction: [x, y, z], low, high }, out) in slabs.into_iter().zip(out) {
                 out.direction = [simd.store(x), simd.store(y), simd.store(z)];
                 (out.low, out.high) = (simd.store(low), simd.store(high));
             }

@@ -123,11 +123,11 @@ impl Scene<'_> {
 
 fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[u32]) -> bool {
     let swept = |v: u32| swept_box::swept(x[0][v as usize], x[1][v as usize]);
-    let of = |ids: &[u32]| {
+    let feature_box = |ids: &[u32]| {
         let all = ids.iter().skip(1).fold(swept(ids[0]), |all, &v| all.union(&swept(v)));
         all.inflated(margin(min_distance))
     };
-    of(a).overlaps(&of(b))
+    feature_box(a).overlaps(&feature_box(b))
 }
 
 /// Takes candidates.
@@ -285,6 +285,6 @@ fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], need
 
 /// `[min, max]`.
 #[inline(always)]
-fn bounds<N>(of: Aabb<N>) -> [[N; 3]; 2] {
-    [of.min, of.max]
+fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
+    [aabb.min, aabb.max]
 }
