@@ -20,7 +20,7 @@ use core::cmp::Ordering::{self, Equal, Greater, Less};
 type Point = [f64; 3];
 
 /// The space between two planes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Slab<N> {
     /// Perpendicular to both.
     pub direction: [N; 3],

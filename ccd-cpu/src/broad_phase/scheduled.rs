@@ -167,8 +167,8 @@ pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
         Scheduler::Frontier => Box::new(Frontier::default()),
         Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
-        Scheduler::Stealing => Box::new(Stealing::default()),
-        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
+        Scheduler::Stealing => Box::new(Stealing::new(Stealing::CAPACITY)),
+        Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })
 }

@@ -132,14 +132,7 @@ impl Through<'_> {
         if !scene.stop.reserve(WHAT, slabs, n) {
             return;
         }
-        slabs.resize(
-            n,
-            [Slab {
-                direction: [F32x8([0.0; WIDTH]); 3],
-                low: F32x8([0.0; WIDTH]),
-                high: F32x8([0.0; WIDTH]),
-            }; 4],
-        );
+        slabs.resize(n, [Slab::default(); 4]);
         let table = scene.table;
         let reach = table.iter().flatten().fold(0f32, |most, x| most.max(x.abs()));
         threads.chunks(slabs, &|first, out| {

@@ -136,9 +136,11 @@ pub trait Take: Send {
     /// so, contacts are sorted, else candidates are listed in the order in which they come.
     const FILTERED: bool;
     /// Counts candidates.
-    fn count(&mut self, kind: Kind, n: u64);
+    #[inline(always)]
+    fn count(&mut self, _kind: Kind, _n: u64) {}
     /// Counts pairs of triangles.
-    fn count_triangles(&mut self, counts: TriangleCounts);
+    #[inline(always)]
+    fn count_triangles(&mut self, _counts: TriangleCounts) {}
     /// Takes the pairs of `id` with the lanes `mask` of `ids`.
     fn take<S: RowSimd>(
         &mut self,
@@ -152,19 +154,14 @@ pub trait Take: Send {
     /// Takes one pair, of edges the lesser id first.
     fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair);
     /// A task begins.
-    fn begin(&mut self, task: usize);
+    #[inline(always)]
+    fn begin(&mut self, _task: usize) {}
     /// No further candidate comes.
-    fn finish(&mut self, scene: &Scene, kind: Kind);
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 impl Take for Lister {
     const FILTERED: bool = false;
-
-    #[inline(always)]
-    fn count(&mut self, _kind: Kind, _n: u64) {}
-
-    #[inline(always)]
-    fn count_triangles(&mut self, _counts: TriangleCounts) {}
 
     #[inline(always)]
     fn take<S: RowSimd>(
@@ -195,8 +192,6 @@ impl Take for Lister {
     fn begin(&mut self, task: usize) {
         Lister::begin(self, task);
     }
-
-    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 /// Features of `N` vertices against features of `M`: vertices against faces, or edges against

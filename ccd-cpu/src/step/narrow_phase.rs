@@ -133,9 +133,6 @@ impl Take for Worker {
         }
     }
 
-    #[inline(always)]
-    fn begin(&mut self, _task: usize) {}
-
     fn finish(&mut self, scene: &Scene, kind: Kind) {
         if !self.queues[kind as usize].is_empty() {
             self.flush(scene, kind);

@@ -39,13 +39,10 @@ pub struct LazyStealing {
     stacks: Lists,
 }
 
-impl Default for LazyStealing {
-    fn default() -> Self {
-        Self::new(1 << 10)
-    }
-}
-
 impl LazyStealing {
+    /// Capacity of a deque in a session.
+    pub const CAPACITY: u32 = 1 << 10;
+
     /// With deques of this capacity, in batches: a power of two.
     pub fn new(capacity: u32) -> Self {
         Self { deques: Deques::new(capacity, BATCH as u32), stacks: Lists::default() }

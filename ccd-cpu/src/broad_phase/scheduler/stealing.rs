@@ -38,13 +38,10 @@ pub struct Stealing {
     found: Lists,
 }
 
-impl Default for Stealing {
-    fn default() -> Self {
-        Self::new(1 << 13)
-    }
-}
-
 impl Stealing {
+    /// Capacity of a deque in a session.
+    pub const CAPACITY: u32 = 1 << 13;
+
     /// With deques of this capacity, in pairs: a power of two.
     pub fn new(capacity: u32) -> Self {
         let (spilled, taken, found) = Default::default();
