@@ -14,7 +14,7 @@ use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
 use crate::broad_phase::scheduler::stealing::Stealing;
 use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
-use crate::clock::Instant;
+use crate::clock::{Instant, milliseconds};
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -266,9 +266,8 @@ struct Watch<'t> {
 impl Watch<'_> {
     fn lap(&mut self, sum: impl FnOnce(&mut DescentTimes) -> &mut f64) {
         if let Some(times) = self.times {
-            let now = Instant::now();
-            *sum(times) += now.duration_since(self.last).as_secs_f64() * 1e3;
-            self.last = now;
+            *sum(times) += milliseconds(self.last);
+            self.last = Instant::now();
         }
     }
 }

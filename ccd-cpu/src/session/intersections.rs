@@ -4,11 +4,10 @@ use super::{Engine, Session, WHOLE};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
-use crate::step::candidates::{Given, RowIds, Scene};
+use crate::step::candidates::{Given, Scene, shared};
 use crate::step::leaves::Leaves;
 use crate::step::prepare::Positions;
 use crate::threads::{Own, Threads};
-use ccd_core::backend::broad_phase::candidate::is_corner;
 use ccd_core::model::contact::State;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -163,8 +162,7 @@ impl PairSink for Through<'_> {
         let Overlaps { a, lane, b, mut mask } = row;
         let (v, w) = (self.edges.vertices[a][0][lane], self.edges.vertices[a][1][lane]);
         let [f0, f1, f2] = &self.faces.vertices[b];
-        let face = [RowIds { simd, ids: f0 }, RowIds { simd, ids: f1 }, RowIds { simd, ids: f2 }];
-        mask &= !(is_corner(v, face).bits() | is_corner(w, face).bits());
+        mask &= !shared(simd, [v, w], [f0, f1, f2]);
         if mask == 0 {
             return;
         }

@@ -7,11 +7,10 @@ pub use ccd_core::model::precision::Given;
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::{Overlaps, PairSink};
-use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
+use crate::simd::{Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
-use ccd_core::backend::broad_phase::candidate::Ids;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::quantization::margin;
@@ -252,21 +251,6 @@ pub fn shared<S: RowSimd, const N: usize, const M: usize>(
         }
     }
     out
-}
-
-/// Ids of a row, compared by an instruction set.
-#[derive(Clone, Copy)]
-pub struct RowIds<'a, S> {
-    pub simd: S,
-    pub ids: &'a [u32; WIDTH],
-}
-
-impl<S: RowSimd> Ids for RowIds<'_, S> {
-    type Mask = Bits;
-    #[inline(always)]
-    fn is_one_of(self, a: u32, b: u32) -> Bits {
-        Bits(self.simd.equals(self.ids, [a, b]))
-    }
 }
 
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
