@@ -32,11 +32,11 @@ pub struct Scheduled {
     buffers: Vec<Own<Buffers>>,
     /// Rows in order, for sinks that want one.
     rows: Vec<Row>,
-    /// Where the time of all descents went since this was set, if it is.
+    /// Times of all descents since this was set.
     times: Option<DescentTimes>,
 }
 
-/// What is the same whatever takes the pairs.
+/// The part of a search that does not depend on the sink.
 #[derive(Debug)]
 struct Descent {
     schedule: Box<dyn Schedule>,
@@ -49,7 +49,7 @@ struct Descent {
     n_split: u64,
 }
 
-/// What a worker keeps between calls.
+/// Buffers and counts of a worker.
 #[derive(Debug, Default)]
 struct Buffers {
     worker: usize,
@@ -70,7 +70,7 @@ struct Outlet<'o, 'r, 'a> {
 }
 
 impl Scheduled {
-    /// This source by what was chosen for it.
+    /// A source with the scheduler and the front that were chosen.
     pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
         let descent = Descent {
             schedule: scheduler_of(choice.scheduler.unwrap_or_default())?,
@@ -92,7 +92,7 @@ impl Scheduled {
         self.times = timed.then(DescentTimes::default);
     }
 
-    /// Where it went since then, if it is asked.
+    /// Times since [`Scheduled::set_timed`]; `None` if the clock is not asked.
     pub fn times(&self) -> Option<DescentTimes> {
         self.times
     }
@@ -175,7 +175,7 @@ pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
 
 /// Most pairs of nodes that one is expanded to: of eight boxes with eight.
 const MOST_CHILDREN: usize = 64;
-/// What there is no memory for, if there is none.
+/// The name of lists in [`Error::Memory`].
 const ROWS: &str = "rows of overlaps";
 
 /// Does something with the outlet of every worker.
@@ -257,7 +257,7 @@ impl Descent {
     }
 }
 
-/// Adds what went by since it last did, if the clock is asked at all.
+/// A stopwatch; does nothing if the clock is not asked.
 struct Watch<'t> {
     times: &'t mut Option<DescentTimes>,
     last: Instant,
@@ -272,8 +272,8 @@ impl Watch<'_> {
     }
 }
 
-/// Begins at the front of the step before: what of it is to be expanded goes to `resumed`, the
-/// rest to the front of this step.
+/// Begins at the front of the step before: pairs to be expanded go to `resumed`, the others to the
+/// front of this step.
 fn resume(
     tree: &dyn Descend,
     kept: &List,

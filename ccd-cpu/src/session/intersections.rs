@@ -112,7 +112,7 @@ impl Engine {
     }
 }
 
-/// What there is no memory for, if there is none.
+/// The name of lists in [`Error::Memory`].
 const WHAT: &str = "intersections";
 
 /// Edges against faces.

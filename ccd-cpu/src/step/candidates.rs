@@ -45,7 +45,7 @@ pub struct Scene<'a> {
     pub stop: &'a Stop,
 }
 
-/// What there is no memory for, if there is none.
+/// The name of lists in [`ccd_core::Error::Memory`].
 const CANDIDATES: &str = "candidates";
 
 impl Scene<'_> {

@@ -107,13 +107,13 @@ impl Prepared {
         }
     }
 
-    /// Takes other rules: the next call has an order of its own.
+    /// Takes other rules; the next step sorts boxes anew.
     pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
         self.still.set(mesh, rules);
         self.forget_order();
     }
 
-    /// The next step puts boxes in a new order, whatever was.
+    /// Has the next step sort boxes anew.
     pub fn forget_order(&mut self) {
         self.built = false;
     }
@@ -159,7 +159,7 @@ impl Prepared {
             Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
         };
         if made.is_err() {
-            // Nothing but that was touched.
+            // Nothing else has changed.
             self.still.forget();
             self.whole = true;
         }
@@ -333,7 +333,7 @@ impl Prepared {
         }
         self.edges.refit(threads, method, false);
         self.faces.refit(threads, method, false);
-        // Nothing else is of these positions.
+        // Everything else is of an earlier step.
         self.still.forget();
         self.whole = true;
         Ok(())

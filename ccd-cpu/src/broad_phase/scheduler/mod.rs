@@ -59,7 +59,7 @@ pub trait Schedule: Debug + Send + Sync {
 
 /// Pairs that are expanded together: the last of a stack.
 const BATCH: usize = 16;
-/// What there is no memory for, if there is none.
+/// The name of lists in [`ccd_core::Error::Memory`].
 pub const PAIRS_OF_NODES: &str = "pairs of nodes of trees";
 /// Capacity of a list from the beginning, so that it rarely grows later.
 const CAPACITY: usize = 1 << 13;
