@@ -31,9 +31,5 @@ mod none {
         pub fn elapsed(&self) -> Duration {
             Duration::ZERO
         }
-
-        pub fn duration_since(&self, _: Self) -> Duration {
-            Duration::ZERO
-        }
     }
 }

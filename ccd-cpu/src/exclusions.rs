@@ -11,8 +11,8 @@ use ccd_core::{Coordinate, Error, Real};
 
 /// Pairs of `mesh` that are, or may be, within `distance` of each other at the positions `rest`: of
 /// a mesh whose edges are shorter than the minimum distance these would be in contact wherever it
-/// is whole. Vertices against faces and edges against edges: of particles near rods or each other
-/// nothing is told.
+/// is whole. Vertices against faces and edges against edges: particles near rods or
+/// each other are not listed.
 ///
 /// ```
 /// use ccd_core::model::mesh::Mesh;

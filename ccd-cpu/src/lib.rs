@@ -1,6 +1,6 @@
 //! Continuous collision detection on the CPU, over rayon.
 //!
-//! | room | idea |
+//! | module | idea |
 //! |---|---|
 //! | `session.rs` | a mesh stepped frame by frame |
 //! | `step/` | boxes and tables, candidates, the narrow phase |

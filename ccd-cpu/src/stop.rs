@@ -94,7 +94,7 @@ impl Stop {
         self.limit.is_none() || more <= list.capacity() - list.len() || self.grow(what, list, more)
     }
 
-    /// To twice the room, or else just enough.
+    /// To twice the capacity, or else just enough.
     #[cold]
     fn grow<T>(&self, what: &'static str, list: &mut Vec<T>, more: usize) -> bool {
         let (capacity, least) = (list.capacity(), list.len() + more);

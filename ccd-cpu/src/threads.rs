@@ -28,12 +28,12 @@ impl Threads {
     /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
     /// calling thread, with no pool at all, and so does 0 where threads cannot be.
     pub fn new(count: usize) -> Result<Self, Error> {
-        let of = |pool, count| Ok(Self { pool, count, stop: Arc::default() });
+        let threads = |pool, count| Ok(Self { pool, count, stop: Arc::default() });
         match count {
-            0 if ALONE => of(None, 1),
+            0 if ALONE => threads(None, 1),
             2.. if ALONE => Err(Error::Threads { count, limit: 1 }),
-            0 => of(None, rayon::current_num_threads()),
-            1 => of(None, 1),
+            0 => threads(None, rayon::current_num_threads()),
+            1 => threads(None, 1),
             _ => {
                 let limit = Options::MAX_THREADS;
                 let refused = Error::Threads { count, limit };
@@ -41,7 +41,7 @@ impl Threads {
                     return Err(refused);
                 }
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-                of(Some(pool.map_err(|_| refused)?), count)
+                threads(Some(pool.map_err(|_| refused)?), count)
             }
         }
     }
@@ -116,14 +116,15 @@ impl Threads {
         }
     }
 
-    /// Merges what `of` says of parts of all sets, in the same order for any number of threads.
+    /// Merges what `measure` says of parts of all sets, in the same order for any number of
+    /// threads.
     #[cfg(feature = "catalogue")]
     pub fn fold<X: Sync, T: Copy + Send>(
         &self,
         sets: &[&[X]],
         none: T,
         parts: &mut Vec<T>,
-        of: &(dyn Fn(&[X]) -> T + Sync),
+        measure: &(dyn Fn(&[X]) -> T + Sync),
         merged: &dyn Fn(&T, &T) -> T,
     ) -> T {
         /// Items that one thread takes together.
@@ -131,7 +132,7 @@ impl Threads {
         sets.iter().fold(none, |all, items| {
             parts.resize(items.len().div_ceil(CHUNK), none);
             let part = |i: usize| &items[i * CHUNK..((i + 1) * CHUNK).min(items.len())];
-            self.each(parts, &|i, slot| *slot = of(part(i)));
+            self.each(parts, &|i, slot| *slot = measure(part(i)));
             parts.iter().fold(all, |all, part| merged(&all, part))
         })
     }

@@ -55,12 +55,12 @@ impl Rules {
             return Err(too_many("bodies", all.len(), Self::MAX_BODIES));
         }
         let word = |&number: &u32| {
-            let of = &all[number as usize];
-            number << 2 | (of.self_contact as u32) << 1 | of.is_still() as u32
+            let body = &all[number as usize];
+            number << 2 | (body.self_contact as u32) << 1 | body.is_still() as u32
         };
         let words: Vec<u32> = bodies.numbers().iter().map(word).collect();
         let (excluded, features) = (bodies.excluded_bodies(), bodies.excluded_features());
-        let n_worlds = all.iter().map(|of| of.world).max().unwrap_or(0) + 1;
+        let n_worlds = all.iter().map(|body| body.world).max().unwrap_or(0) + 1;
         let mut classes = Classes::new(bodies, excluded);
         if classes.first.len() > Self::MAX_CLASSES {
             return Err(too_many("classes of bodies", classes.first.len(), Self::MAX_CLASSES));
@@ -180,7 +180,7 @@ pub fn moves<T: Real>(p: [T; 3], q: [T; 3]) -> bool {
 /// Bodies that are alike to all others.
 struct Classes {
     /// By body.
-    of: Vec<u32>,
+    of_body: Vec<u32>,
     /// A body of each.
     first: Vec<u32>,
     /// By class: a bit for each class that it meets.
@@ -205,14 +205,14 @@ impl Classes {
         };
         let mut order: Vec<u32> = (0..all.len() as u32).collect();
         order.sort_unstable_by(compare);
-        let (mut of, mut first) = (vec![0; all.len()], Vec::<u32>::new());
+        let (mut of_body, mut first) = (vec![0; all.len()], Vec::<u32>::new());
         for &i in &order {
             if first.last().is_none_or(|last| compare(last, &i).is_ne()) {
                 first.push(i);
             }
-            of[i as usize] = first.len() as u32 - 1;
+            of_body[i as usize] = first.len() as u32 - 1;
         }
-        Self { of, first, matrix: Vec::new() }
+        Self { of_body, first, matrix: Vec::new() }
     }
 
     /// Fills the matrix; whether every class meets every other.
@@ -235,7 +235,7 @@ impl Classes {
     }
 
     fn table(&self, bodies: &Bodies, features: &[(Kind, [u32; 2])]) -> Vec<u32> {
-        let n = self.of.len();
+        let n = self.of_body.len();
         let from = HEADER + 2 * n + self.matrix.len();
         let mut table = vec![
             n as u32,
@@ -243,8 +243,8 @@ impl Classes {
             features.len() as u32,
             from as u32,
         ];
-        for (class, of) in self.of.iter().zip(bodies.all()) {
-            table.extend([*class, of.world]);
+        for (class, body) in self.of_body.iter().zip(bodies.all()) {
+            table.extend([*class, body.world]);
         }
         table.extend(&self.matrix);
         table.extend(features.iter().flat_map(|&(kind, [a, b])| [kind as u32, a, b]));

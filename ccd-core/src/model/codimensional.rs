@@ -110,11 +110,11 @@ pub fn contact<T: Real>(
     let [v, e0, e1, _] = mesh.vertices_of(kind, pair);
     let at = |time: usize, v: u32| x[time][v as usize].map(Real::to_f64);
     let answer = if kind == Kind::VertexEdge {
-        let of = |time: usize| [at(time, v), at(time, e0), at(time, e1)];
-        search_vertex_edge(&VertexEdge { t0: of(0), t1: of(1) }, search)
+        let ends = |time: usize| [at(time, v), at(time, e0), at(time, e1)];
+        search_vertex_edge(&VertexEdge { t0: ends(0), t1: ends(1) }, search)
     } else {
-        let of = |time: usize| [at(time, v), at(time, e0)];
-        search_vertex_vertex(&VertexVertex { t0: of(0), t1: of(1) }, search)
+        let ends = |time: usize| [at(time, v), at(time, e0)];
+        search_vertex_vertex(&VertexVertex { t0: ends(0), t1: ends(1) }, search)
     };
     Contact::of(kind, pair, answer)
 }

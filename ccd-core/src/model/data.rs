@@ -82,17 +82,18 @@ impl Serialize for Bodies {
             return Err(serde::ser::Error::custom(Error::NoBody { body }));
         }
         let names = self.names();
-        let of = |(&body, of): (&u32, &Body)| {
-            let Body { self_contact, fixed, sleeping, groups, world } = *of;
+        let data = |(&body, rules): (&u32, &Body)| {
+            let Body { self_contact, fixed, sleeping, groups, world } = *rules;
             BodyData { body, self_contact, fixed, sleeping, groups, world }
         };
-        let told = |of: &BodyData| *of != BodyData { body: of.body, ..BodyData::default() };
+        let differs =
+            |data: &BodyData| *data != BodyData { body: data.body, ..BodyData::default() };
         let (excluded_bodies, excluded_features) =
             (self.excluded_bodies(), self.excluded_features());
         let name = |&[i, j]: &[u32; 2]| [names[i as usize], names[j as usize]];
         let data = BodiesData {
             body_of_vertex: self.body_of_vertex(),
-            bodies: names.iter().zip(self.all()).map(of).filter(told).collect(),
+            bodies: names.iter().zip(self.all()).map(data).filter(differs).collect(),
             excluded_bodies: excluded_bodies.iter().map(name).collect(),
             excluded_features: excluded_features.to_vec(),
             fixed_may_move: self.fixed_may_move(),
@@ -107,17 +108,17 @@ impl<'de> Deserialize<'de> for Bodies {
         let mut bodies = Bodies::new(&data.body_of_vertex, &[], true)
             .with_excluded_bodies(&data.excluded_bodies)
             .with_fixed_motion(data.fixed_may_move);
-        for of in data.bodies {
+        for rules in data.bodies {
             bodies = bodies
-                .with_self_contact(of.body, of.self_contact)
-                .with_fixed(of.body, of.fixed)
-                .with_sleeping(of.body, of.sleeping)
-                .with_groups(of.body, of.groups)
-                .with_world(of.body, of.world);
+                .with_self_contact(rules.body, rules.self_contact)
+                .with_fixed(rules.body, rules.fixed)
+                .with_sleeping(rules.body, rules.sleeping)
+                .with_groups(rules.body, rules.groups)
+                .with_world(rules.body, rules.world);
         }
         for kind in Kind::ALL {
             let all = data.excluded_features.iter();
-            let pairs: Vec<_> = all.filter(|of| of.0 == kind).map(|of| of.1).collect();
+            let pairs: Vec<_> = all.filter(|pair| pair.0 == kind).map(|pair| pair.1).collect();
             bodies = bodies.with_excluded_features(kind, &pairs);
         }
         match bodies.unknown() {

@@ -40,7 +40,7 @@ pub struct Options {
     /// it. A session of a backend that does not have it is refused.
     pub scheduling: Scheduling,
     /// How early a certain time of impact may be, in units of the step, from
-    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be told as exactly is undecided.
+    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified as exactly is undecided.
     pub tolerance: f64,
     /// Whether two features that are in contact at the start of a step may leave it: where they
     /// certainly separate, that contact is none, and what counts is the next one of the same two

@@ -62,7 +62,7 @@ mod sealed {
 pub trait Coordinate: Real + sealed::Sealed {
     /// The same without its type: a public function that is generic calls one that is not.
     #[doc(hidden)]
-    fn erase<E: Erased>(of: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>>;
+    fn erase<E: Erased>(value: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>>;
 }
 
 macro_rules! coordinate {
@@ -71,8 +71,8 @@ macro_rules! coordinate {
 
         impl Coordinate for $t {
             #[inline]
-            fn erase<E: Erased>(of: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>> {
-                $precision(of)
+            fn erase<E: Erased>(value: E::Of<Self>) -> Precision<E::Of<f32>, E::Of<f64>> {
+                $precision(value)
             }
         }
     };

@@ -115,7 +115,7 @@ pub struct Departure<R> {
     pub again: R,
 }
 
-/// Least time that is told as safe, in units of roundoff: what is less is lost in sums with times.
+/// Least safe time that is reported, in units of roundoff: less is lost in sums with times.
 const LEAST_SAFE: f32 = 4096.0;
 
 impl<R: Real> Departure<R> {

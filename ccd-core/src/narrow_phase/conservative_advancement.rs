@@ -43,7 +43,7 @@ pub enum Advance<R> {
     Stuck(R),
 }
 
-/// Directions tried before giving up: what is still open then is told as [`Advance::Stuck`].
+/// Directions tried before giving up with [`Advance::Stuck`].
 const MAX_DIRECTIONS: usize = 96;
 /// Steps in time below which advancing ends: 2^-8 of the tolerance of a time of impact.
 const MIN_STEP: f32 = 0.003_906_25;

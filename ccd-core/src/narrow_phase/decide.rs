@@ -26,10 +26,10 @@ pub struct Verdicts {
 
 /// What a frame has its `f32` kernels look for: times that hold those that are wanted.
 ///
-/// Contacts are left only where the first time is an `f32`. From a time before it they would be
-/// left by the distance that there was then: what comes back to that may be nearer than at the
-/// first time, or be in contact again where it was apart by then. As they are not left they are
-/// open, and `f64` decides.
+/// Contacts are left only where the first time is an `f32`. A rounded first time is earlier, and
+/// so would be the distance that a departure is compared with: features that come back to that
+/// distance may be nearer than at the true first time, or in contact again. Such contacts are not
+/// left but open, and `f64` decides.
 #[inline(always)]
 pub fn search_of(frame: &Frame) -> Search<f32> {
     let from = widen(frame.from);

@@ -20,7 +20,7 @@ use core::cmp::Ordering::{self, Equal, Greater, Less};
 type Point = [f64; 3];
 
 /// The space between two planes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Slab<N> {
     /// Perpendicular to both.
     pub direction: [N; 3],
@@ -36,12 +36,12 @@ pub struct Slab<N> {
 pub fn slabs<N: Num>([a, b, c]: &[[N; 3]; 3], reach: N, error: N) -> [Slab<N>; 4] {
     let (v, w) = (sub(*b, *a), sub(*c, *a));
     let n = cross(v, w);
-    let of = [a, b, c];
+    let corners = [a, b, c];
     [
-        slab(n, of, reach, error),
-        slab(cross(n, v), of, reach, error),
-        slab(cross(n, w), of, reach, error),
-        slab(cross(n, sub(*c, *b)), of, reach, error),
+        slab(n, corners, reach, error),
+        slab(cross(n, v), corners, reach, error),
+        slab(cross(n, w), corners, reach, error),
+        slab(cross(n, sub(*c, *b)), corners, reach, error),
     ]
 }
 

@@ -27,7 +27,7 @@ pub struct BlockBvh {
 }
 
 impl BlockBvh {
-    /// The number of its build: each has another.
+    /// The number of the build; each build has its own.
     pub fn build(&self) -> u64 {
         self.build
     }

@@ -52,11 +52,11 @@ impl<S: RowSimd> Work<S> for OneAgainstAll<'_, '_> {
 
     #[inline(always)]
     fn call(self, simd: S) {
-        let Self { a, sides: (of, other), rows } = self;
-        let block = &of.blocks()[a];
+        let Self { a, sides: (leaves, other), rows } = self;
+        let block = &leaves.blocks()[a];
         let first = if other.is_none() { a } else { 0 };
-        let others = other.unwrap_or(of).blocks();
-        let lanes = (of.len() - a * WIDTH).min(WIDTH);
+        let others = other.unwrap_or(leaves).blocks();
+        let lanes = (leaves.len() - a * WIDTH).min(WIDTH);
         for (b, against) in others.iter().enumerate().skip(first) {
             for lane in 0..lanes {
                 let mut mask = simd.overlaps(block, lane, against);

@@ -1,5 +1,5 @@
-//! What is done with a list of pairs of any tree of pairs, compiled once for each tree: split into
-//! tasks, expanded down to rows of leaves, begun at a front; and what has such trees.
+//! Operations on lists of pairs of nodes, compiled once for each tree of pairs: splitting into
+//! tasks, expanding down to rows of leaves, resuming at a front.
 //!
 //! Twin: of ccd-shaders `pair_workers.rs`, which expands pairs where workgroups find them.
 
@@ -11,7 +11,7 @@ use crate::simd::{RowSimd, Work};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 
-/// What expansions leave behind, beside pairs that are to be expanded.
+/// Output of expansions besides the pairs that are still to be expanded.
 pub struct Traces<'t, 'r, 'a, 'f> {
     /// Rows of leaves.
     pub rows: &'t mut Gathered<'r, 'a>,
@@ -21,7 +21,7 @@ pub struct Traces<'t, 'r, 'a, 'f> {
     pub n_expanded: u64,
 }
 
-/// Where a pair is, seen from the deepest front that there can be.
+/// Depth of a pair relative to the deepest possible front.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// Its children may be in a front.
@@ -82,7 +82,7 @@ pub struct Pairs<'a> {
     pub tree: &'a dyn Descend,
     /// Where a descent begins: every pair of leaves is below exactly one.
     pub roots: &'a [NodePair],
-    /// Which builds of the trees these are: of later ones the numbers are others.
+    /// Numbers of the builds of the trees; each build has its own.
     pub builds: [u64; 2],
 }
 

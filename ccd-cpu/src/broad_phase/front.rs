@@ -87,7 +87,7 @@ impl Fronts {
         let before = front.bytes() as u64;
         let most = (most.saturating_sub(used) as u64).min(before.saturating_add(stop.left()));
         front.end(&self.options, most as usize);
-        // There is room for that: nobody else takes any now.
+        // Within the limit: nobody else takes memory now.
         stop.take(front.bytes() as u64 - before);
     }
 

@@ -20,7 +20,7 @@ pub struct Set {
     pub searched: bool,
 }
 
-/// What is known of boxes besides their places.
+/// Properties of boxes besides their bounds.
 #[derive(Clone, Copy, Default)]
 pub struct Marks<'a> {
     /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
@@ -29,12 +29,11 @@ pub struct Marks<'a> {
     pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
     /// Bits of the greatest world.
     pub world_bits: u32,
-    /// So many boxes at the end of the order before are those that stand still, in an order that
-    /// is good still.
+    /// Number of boxes at the end of the previous order that stand still and keep their order.
     pub kept: usize,
 }
 
-/// What pairs are sought in: one set against another, or, without another, within one.
+/// The sets of a search: one against another, or, without another, within one.
 pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
 
 /// Puts the boxes of a few sets in order, and keeps what it builds over them between calls.

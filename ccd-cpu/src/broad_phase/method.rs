@@ -126,15 +126,15 @@ impl PairSource for Method {
     }
 }
 
-/// Whether pairs of nodes are shared out otherwise than the method does it by itself: blocks by
-/// self-scheduling, without a front, compiled into what takes the pairs.
+/// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks have
+/// self-scheduling without a front, compiled into every sink.
 fn is_chosen(scheduling: Scheduling, method: BroadPhaseMethod) -> bool {
     let by_itself = method == BroadPhaseMethod::Blocks
         && scheduling == Scheduling::default().scheduler(Scheduler::SelfScheduling);
     scheduling != Scheduling::default() && !by_itself
 }
 
-/// A source that lists rows, and what its threads keep between calls.
+/// A source that lists rows, and the buffers of its threads.
 #[derive(Debug)]
 pub struct Listed {
     source: Box<dyn RowSource>,
@@ -161,8 +161,8 @@ impl PairSource for Listed {
         let n_tasks = self.source.begin(threads, sides);
         let source = &*self.source;
         self.buffers.resize_with(workers.len(), Own::default);
-        let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
-            let Own((scratch, list)) = own;
+        let run = |k: usize, worker: &mut K::Worker, buffers: &mut Own<(Scratch, Vec<Row>)>| {
+            let Own((scratch, list)) = buffers;
             let mut hand_on = |rows: &[Row]| {
                 // A task may be all of the search.
                 if !threads.stop.is_stopped() {

@@ -72,14 +72,10 @@ impl MortonOrder {
                 threads.update(order, |i| moving[i as usize]);
                 order.extend_from_slice(&self.still);
             }
-            (None, Some(_)) => {
-                let key = |i: usize| is_fixed(i) << 62 | code(i) >> 1;
-                self.radix.sort(threads, boxes.len(), key, order);
-            }
-            (Some(world), _) => {
+            _ => {
                 let key = |i: usize| {
-                    let first = (world(i) as u64) << 1 | is_fixed(i);
-                    first << (62 - bits) | code(i) >> (1 + bits)
+                    let world = world.map_or(0, |world| world(i) as u64);
+                    (world << 1 | is_fixed(i)) << (62 - bits) | code(i) >> (1 + bits)
                 };
                 self.radix.sort(threads, boxes.len(), key, order);
             }

@@ -44,9 +44,9 @@ pub struct Overlaps {
 
 /// Takes overlapping pairs of leaves, one against up to eight.
 pub trait PairSink: Sync {
-    /// What each thread has of its own.
+    /// The state of a thread.
     type Worker: Send;
-    /// Whether what is made of rows depends on their order, which then must not depend on threads.
+    /// Whether the result depends on the order of rows, which then must not depend on threads.
     const ORDERED: bool = false;
     /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);

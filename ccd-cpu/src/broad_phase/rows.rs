@@ -135,8 +135,8 @@ impl<'r, 'a> Gathered<'r, 'a> {
     }
 }
 
-/// Has a tree of pairs list its rows: the sink by which what descends one is a [`RowSource`].
-/// `WHOLE`: they come whole.
+/// The sink that lists the rows of a tree of pairs. `WHOLE`: each row comes once with all of its
+/// lanes.
 #[derive(Debug, Default)]
 pub struct IntoRows<'r, 'a, const WHOLE: bool>(PhantomData<&'r mut &'a ()>);
 

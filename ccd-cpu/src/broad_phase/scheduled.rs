@@ -14,7 +14,7 @@ use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
 use crate::broad_phase::scheduler::stealing::Stealing;
 use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
-use crate::clock::Instant;
+use crate::clock::{Instant, milliseconds};
 use crate::stop::Stop;
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -32,11 +32,11 @@ pub struct Scheduled {
     buffers: Vec<Own<Buffers>>,
     /// Rows in order, for sinks that want one.
     rows: Vec<Row>,
-    /// Where the time of all descents went since this was set, if it is.
+    /// Times of all descents since this was set.
     times: Option<DescentTimes>,
 }
 
-/// What is the same whatever takes the pairs.
+/// The part of a search that does not depend on the sink.
 #[derive(Debug)]
 struct Descent {
     schedule: Box<dyn Schedule>,
@@ -49,7 +49,7 @@ struct Descent {
     n_split: u64,
 }
 
-/// What a worker keeps between calls.
+/// Buffers and counts of a worker.
 #[derive(Debug, Default)]
 struct Buffers {
     worker: usize,
@@ -70,7 +70,7 @@ struct Outlet<'o, 'r, 'a> {
 }
 
 impl Scheduled {
-    /// This source by what was chosen for it.
+    /// A source with the scheduler and the front that were chosen.
     pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
         let descent = Descent {
             schedule: scheduler_of(choice.scheduler.unwrap_or_default())?,
@@ -92,14 +92,14 @@ impl Scheduled {
         self.times = timed.then(DescentTimes::default);
     }
 
-    /// Where it went since then, if it is asked.
+    /// Times since [`Scheduled::set_timed`]; `None` if the clock is not asked.
     pub fn times(&self) -> Option<DescentTimes> {
         self.times
     }
 
     /// Pairs of nodes that the last search expanded.
     pub fn visits(&self) -> u64 {
-        let by_workers = self.buffers.iter().map(|Own(own)| own.n_expanded).sum::<u64>();
+        let by_workers = self.buffers.iter().map(|Own(buffer)| buffer.n_expanded).sum::<u64>();
         self.descent.n_split + by_workers
     }
 
@@ -137,15 +137,15 @@ impl PairSource for Scheduled {
         let timed = times.is_some();
         source.descend(threads, sides, &mut |pairs| {
             descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
-                threads.each_with(workers, buffers, &|worker, Own(own)| {
+                threads.each_with(workers, buffers, &|worker, Own(buffer)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
-                    own.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
+                    buffer.work(K::ORDERED, timed, &threads.stop, &mut hand_on, job);
                 });
             });
         });
         if let Some(times) = times {
-            times.add_workers(buffers.iter().map(|Own(own)| &own.times));
+            times.add_workers(buffers.iter().map(|Own(buffer)| &buffer.times));
         }
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
@@ -167,15 +167,15 @@ pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
         Scheduler::Frontier => Box::new(Frontier::default()),
         Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
-        Scheduler::Stealing => Box::new(Stealing::default()),
-        Scheduler::LazyStealing => Box::new(LazyStealing::default()),
+        Scheduler::Stealing => Box::new(Stealing::new(Stealing::CAPACITY)),
+        Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })
 }
 
 /// Most pairs of nodes that one is expanded to: of eight boxes with eight.
 const MOST_CHILDREN: usize = 64;
-/// What there is no memory for, if there is none.
+/// The name of lists in [`Error::Memory`].
 const ROWS: &str = "rows of overlaps";
 
 /// Does something with the outlet of every worker.
@@ -196,11 +196,11 @@ impl Descent {
         let Self { schedule, fronts, tasks, next, pieces, resumed, n_split } = self;
         let Pairs { tree, roots, builds } = pairs;
         // A sample leaves no front, and must not begin at one: tasks are to be the same as ever.
-        let of = fronts.as_mut().filter(|_| part == 1).map(|fronts| {
+        let fronts_at = fronts.as_mut().filter(|_| part == 1).map(|fronts| {
             let at = fronts.of(sets, builds, n_workers);
             (&mut *fronts, at)
         });
-        let front = of.as_ref().map(|(fronts, at)| fronts.at(*at));
+        let front = fronts_at.as_ref().map(|(fronts, at)| fronts.at(*at));
         let written = front.and_then(|front| front.next());
         tasks.clear();
         if let Some(kept) = front.and_then(|front| front.kept()) {
@@ -250,14 +250,14 @@ impl Descent {
         });
         watch.lap(|times| &mut times.shared_out);
         // Of a search that is not complete no front is kept; that of the one before still holds.
-        if let Some((fronts, at)) = of.filter(|_| !stop.is_stopped()) {
+        if let Some((fronts, at)) = fronts_at.filter(|_| !stop.is_stopped()) {
             fronts.end(at, stop);
         }
         watch.lap(|times| &mut times.keep);
     }
 }
 
-/// Adds what went by since it last did, if the clock is asked at all.
+/// A stopwatch; does nothing if the clock is not asked.
 struct Watch<'t> {
     times: &'t mut Option<DescentTimes>,
     last: Instant,
@@ -266,15 +266,14 @@ struct Watch<'t> {
 impl Watch<'_> {
     fn lap(&mut self, sum: impl FnOnce(&mut DescentTimes) -> &mut f64) {
         if let Some(times) = self.times {
-            let now = Instant::now();
-            *sum(times) += now.duration_since(self.last).as_secs_f64() * 1e3;
-            self.last = now;
+            *sum(times) += milliseconds(self.last);
+            self.last = Instant::now();
         }
     }
 }
 
-/// Begins at the front of the step before: what of it is to be expanded goes to `resumed`, the
-/// rest to the front of this step.
+/// Begins at the front of the step before: pairs to be expanded go to `resumed`, the others to the
+/// front of this step.
 fn resume(
     tree: &dyn Descend,
     kept: &List,
@@ -319,9 +318,9 @@ fn every(part: usize, tasks: &mut Vec<NodePair>) {
 
 fn prepare(buffers: &mut Vec<Own<Buffers>>, n_workers: usize) {
     buffers.resize_with(n_workers, Own::default);
-    for (worker, Own(own)) in buffers.iter_mut().enumerate() {
-        (own.worker, own.n_expanded, own.times) = (worker, 0, WorkerTimes::default());
-        own.all.clear();
+    for (worker, Own(buffer)) in buffers.iter_mut().enumerate() {
+        (buffer.worker, buffer.n_expanded, buffer.times) = (worker, 0, WorkerTimes::default());
+        buffer.all.clear();
     }
 }
 
@@ -357,9 +356,9 @@ impl Buffers {
 /// All rows by leaf and block, each once: an order that depends on boxes alone.
 fn put_in_order(threads: &Threads, buffers: &mut [Own<Buffers>], rows: &mut Vec<Row>) {
     rows.clear();
-    for Own(own) in buffers {
-        if threads.stop.reserve(ROWS, rows, own.all.len()) {
-            rows.append(&mut own.all);
+    for Own(buffer) in buffers {
+        if threads.stop.reserve(ROWS, rows, buffer.all.len()) {
+            rows.append(&mut buffer.all);
         }
     }
     threads.sort(rows, |row| (row.a, row.b, row.mask));

@@ -64,13 +64,13 @@ impl RowSource for SweepAndPrune {
 
     fn task(&self, k: usize, (a, b): Sides, _scratch: &mut Scratch, rows: &mut Rows) {
         let axes = self.axes;
-        let (role, of, others, first) = match b {
+        let (role, leaves, others, first) = match b {
             None => (Role::Only, a, a, k),
             Some(b) if k < n_tasks(a) => (Role::First, a, b, k),
             Some(b) => (Role::Second, b, a, k - n_tasks(a)),
         };
-        for block in first * TASK..((first + 1) * TASK).min(of.blocks().len()) {
-            let sweep = Sweep { axes, role, of, others: others.blocks(), block };
+        for block in first * TASK..((first + 1) * TASK).min(leaves.blocks().len()) {
+            let sweep = Sweep { axes, role, leaves, others: others.blocks(), block };
             crate::simd::run_rows!(Forward { sweep, rows });
         }
     }
@@ -82,12 +82,12 @@ pub fn moments(
     sets: &[&[Aabb<f32>]],
     chunks: &mut Vec<Moments<f64>>,
 ) -> Moments<f64> {
-    let of = |boxes: &[Aabb<f32>]| Moments::of(0, boxes.len(), boxes);
-    threads.fold(sets, Moments::none(), chunks, &of, &Moments::merged)
+    let part = |boxes: &[Aabb<f32>]| Moments::of(0, boxes.len(), boxes);
+    threads.fold(sets, Moments::none(), chunks, &part, &Moments::merged)
 }
 
-fn n_tasks(of: &LeafBoxes) -> usize {
-    of.blocks().len().div_ceil(TASK)
+fn n_tasks(leaves: &LeafBoxes) -> usize {
+    leaves.blocks().len().div_ceil(TASK)
 }
 
 /// Which set a leaf that looks for others belongs to.
@@ -106,7 +106,7 @@ pub enum Role {
 struct Sweep<'a> {
     axes: [usize; 3],
     role: Role,
-    of: &'a LeafBoxes,
+    leaves: &'a LeafBoxes,
     others: &'a [Block],
     block: usize,
 }
@@ -118,7 +118,7 @@ impl Sweep<'_> {
             return self.block;
         }
         let axis = self.axes[0];
-        let begin = self.of.blocks()[self.block].min[axis].0[0];
+        let begin = self.leaves.blocks()[self.block].min[axis].0[0];
         // Lanes past the last begin at infinity.
         self.others.partition_point(|other| other.min[axis].0[WIDTH - 1] < begin)
     }
@@ -131,7 +131,7 @@ impl Sweep<'_> {
             // In one order leaves that begin at one place come one after the other.
             return if b == self.block { !0 << (lane + 1) } else { !0 };
         }
-        let begin = S::Lanes::splat(self.of.blocks()[self.block].min[axis].0[lane]);
+        let begin = S::Lanes::splat(self.leaves.blocks()[self.block].min[axis].0[lane]);
         let other = simd.load(&self.others[b].min[axis]);
         finds(begin, other, self.role == Role::First)
     }
@@ -150,9 +150,9 @@ impl<S: RowSimd> Work<S> for Forward<'_, '_> {
     fn call(self, simd: S) {
         let Self { sweep, rows } = self;
         let [x, y, _] = sweep.axes;
-        let block = &sweep.of.blocks()[sweep.block];
+        let block = &sweep.leaves.blocks()[sweep.block];
         let ends = simd.load(&block.max[x]);
-        let lanes = (1u32 << (sweep.of.len() - sweep.block * WIDTH).min(WIDTH)) - 1;
+        let lanes = (1u32 << (sweep.leaves.len() - sweep.block * WIDTH).min(WIDTH)) - 1;
         let mut b = sweep.start();
         while b < sweep.others.len() {
             let other = &sweep.others[b];

@@ -232,25 +232,26 @@ impl RowSource for SweepInStrips {
 
     fn task(&self, k: usize, (a, b): Sides, _scratch: &mut Scratch, rows: &mut Rows) {
         let n_first = a.len().div_ceil(TASK);
-        let (role, of, others, k) = match b {
+        let (role, leaves, others, k) = match b {
             None => (Role::Only, a, a, k),
             Some(b) if k < n_first => (Role::First, a, b, k),
             Some(b) => (Role::Second, b, a, k - n_first),
         };
-        let (own, theirs) = (&self.kept[of.set().index], &self.kept[others.set().index]);
-        let end = ((k + 1) * TASK).min(of.len());
-        let mut strip = strip_of(&own.starts, k * TASK);
+        let (kept, theirs) = (&self.kept[leaves.set().index], &self.kept[others.set().index]);
+        let end = ((k + 1) * TASK).min(leaves.len());
+        let mut strip = strip_of(&kept.starts, k * TASK);
         let mut leaf = k * TASK;
         while leaf < end {
-            while own.starts[strip + 1] as usize <= leaf {
+            while kept.starts[strip + 1] as usize <= leaf {
                 strip += 1;
             }
-            let until = (leaf / WIDTH * WIDTH + WIDTH).min(own.starts[strip + 1] as usize).min(end);
+            let until =
+                (leaf / WIDTH * WIDTH + WIDTH).min(kept.starts[strip + 1] as usize).min(end);
             let run = theirs.starts[strip] as usize..theirs.starts[strip + 1] as usize;
             if !run.is_empty() {
                 let queries = leaf..until;
                 let axis = self.axis;
-                let sweep = Sweep { axis, role, of, own, queries, others, theirs, run };
+                let sweep = Sweep { axis, role, leaves, kept, queries, others, theirs, run };
                 crate::simd::run_rows!(Forward { sweep, rows });
             }
             leaf = until;
@@ -262,8 +263,8 @@ impl RowSource for SweepInStrips {
 struct Sweep<'a> {
     axis: usize,
     role: Role,
-    of: &'a LeafBoxes,
-    own: &'a Kept,
+    leaves: &'a LeafBoxes,
+    kept: &'a Kept,
     queries: Range<usize>,
     others: &'a LeafBoxes,
     theirs: &'a Kept,
@@ -277,15 +278,15 @@ impl Sweep<'_> {
         if self.role == Role::Only {
             return queries.start;
         }
-        let begin = |of: &LeafBoxes, leaf| {
-            let block: &Block = &of.blocks()[leaf / WIDTH];
+        let begin = |leaves: &LeafBoxes, leaf| {
+            let block: &Block = &leaves.blocks()[leaf / WIDTH];
             block.min[*axis].0[leaf % WIDTH]
         };
-        let own = begin(self.of, queries.start);
+        let first = begin(self.leaves, queries.start);
         let (mut start, mut n) = (run.start, run.len());
         while n > 0 {
             let half = n / 2;
-            if begin(others, start + half) < own {
+            if begin(others, start + half) < first {
                 start += half + 1;
                 n -= half + 1;
             } else {
@@ -309,7 +310,7 @@ impl<S: RowSimd> Work<S> for Forward<'_, '_> {
     fn call(self, simd: S) {
         let Self { sweep, rows } = self;
         let (axis, role, a) = (sweep.axis, sweep.role, sweep.queries.start / WIDTH);
-        let (block, own) = (&sweep.of.blocks()[a], sweep.own.begins[a]);
+        let (block, kept) = (&sweep.leaves.blocks()[a], sweep.kept.begins[a]);
         let (ends, begins) = (simd.load(&block.max[axis]), &block.min[axis].0);
         let queries = lanes(sweep.queries.start, sweep.queries.end, a);
         let start = sweep.start();
@@ -334,14 +335,15 @@ impl<S: RowSimd> Work<S> for Forward<'_, '_> {
                     continue;
                 }
                 if role != Role::Only {
-                    let (own, other) = (S::Lanes::splat(begins[lane]), simd.load(&other.min[axis]));
-                    mask &= finds(own, other, role == Role::First);
+                    let (begin, other) =
+                        (S::Lanes::splat(begins[lane]), simd.load(&other.min[axis]));
+                    mask &= finds(begin, other, role == Role::First);
                 } else if b == a {
                     mask &= !0 << (lane + 1);
                 }
                 // Along each axis across, one of both begins in this strip.
-                mask &= if own[0] >> lane & 1 == 1 { 0xff } else { theirs[0] as u32 };
-                mask &= if own[1] >> lane & 1 == 1 { 0xff } else { theirs[1] as u32 };
+                mask &= if kept[0] >> lane & 1 == 1 { 0xff } else { theirs[0] as u32 };
+                mask &= if kept[1] >> lane & 1 == 1 { 0xff } else { theirs[1] as u32 };
                 emit(role, a, lane, b, mask, rows);
             }
             b += 1;

@@ -25,8 +25,8 @@ pub struct Tasks {
 }
 
 impl Tasks {
-    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so many-th task
-    /// (1: all).
+    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so
+    /// many-th task (1: all).
     pub fn run<T: PairTree, K: PairSink>(
         &mut self,
         threads: &Threads,
@@ -106,7 +106,7 @@ impl<S: RowSimd, T: PairTree> Work<S> for Split<'_, T> {
     }
 }
 
-/// What is on the stack, down to the rows of leaves. Returns the number of pairs that it expanded.
+/// Expands the pairs of a stack down to rows of leaves. Returns the number of expanded pairs.
 pub struct DepthFirst<'a, T: PairTree, K: PairSink> {
     /// What is descended.
     pub tree: T,

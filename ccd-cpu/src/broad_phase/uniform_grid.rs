@@ -43,13 +43,13 @@ impl UniformGrid {
         let none = (Sizes::NONE, 0.0);
         let merged =
             |all: &(Sizes, f64), part: &(Sizes, f64)| (all.0.merged(&part.0), all.1 + part.1);
-        let of = |boxes: &[Aabb<f32>]| {
+        let part = |boxes: &[Aabb<f32>]| {
             boxes.iter().fold(none, |all, b| {
                 let sizes = Sizes::of(b);
                 merged(&all, &(sizes, largest_side(&sizes)))
             })
         };
-        threads.fold(sets, none, &mut self.chunks, &of, &merged)
+        threads.fold(sets, none, &mut self.chunks, &part, &merged)
     }
 
     /// About how many boxes of a set are in the cells around each in the mean, and about how many
@@ -59,11 +59,11 @@ impl UniformGrid {
         let (n, m) = (boxes.len() as u64, boxes.len().min(SAMPLE) as u64);
         sample.clear();
         // One of each of so many parts of the list; which one follows no pattern of the input.
-        let one = |j: u64| {
+        let pick = |j: u64| {
             let offset = ((j as u32).wrapping_mul(0x9e37_79b9) as u64 * n) >> 32;
             if n == m { j } else { (j * n + offset) / m }
         };
-        sample.extend((0..m).map(|j| cells::key(grid.cell(&boxes[one(j) as usize]))));
+        sample.extend((0..m).map(|j| cells::key(grid.cell(&boxes[pick(j) as usize]))));
         sample.sort_unstable();
         let mut runs = [const { 0..0 }; ROWS as usize];
         let (mut pairs, mut fullest) = (0, 0);
@@ -178,8 +178,9 @@ impl RowSource for UniformGrid {
                 // Leaves of the cell itself look at those after themselves.
                 let after = forward && row == OWN_ROW;
                 if run.end > if after { leaf + 1 } else { run.start } {
-                    let (queries, of, others) = (leaf..leaf + n, a.blocks(), other.blocks());
-                    let compare = Compare { of, queries, others, run: run.clone(), after, rows };
+                    let (queries, blocks, others) = (leaf..leaf + n, a.blocks(), other.blocks());
+                    let compare =
+                        Compare { blocks, queries, others, run: run.clone(), after, rows };
                     crate::simd::run_rows!(compare);
                 }
                 *cursor = Some(run);
@@ -203,7 +204,7 @@ fn advance(run: &mut Range<usize>, keys: &[u32], first: u32, last: u32) {
 
 /// The leaves `queries` against the leaves `run` of the other side, or those `after` themselves.
 struct Compare<'a, 'b> {
-    of: &'a [Block],
+    blocks: &'a [Block],
     queries: Range<usize>,
     others: &'a [Block],
     run: Range<usize>,
@@ -216,11 +217,11 @@ impl<S: RowSimd> Work<S> for Compare<'_, '_> {
 
     #[inline(always)]
     fn call(self, simd: S) {
-        let Self { of, queries, others, run, after, rows } = self;
+        let Self { blocks, queries, others, run, after, rows } = self;
         let mut leaf = queries.start;
         while leaf < queries.end {
             let start = if after { leaf + 1 } else { run.start };
-            let block = &of[leaf / WIDTH];
+            let block = &blocks[leaf / WIDTH];
             let mut b = start / WIDTH;
             while b * WIDTH < run.end {
                 let mask = simd.overlaps(block, leaf % WIDTH, &others[b]);

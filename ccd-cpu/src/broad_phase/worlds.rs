@@ -1,5 +1,5 @@
-//! The worlds of what is in the blocks of a tree: a fourth axis on which pairs of nodes are told
-//! apart.
+//! The worlds of what is in the blocks of a tree: a fourth axis on which pairs of nodes are
+//! separated.
 //!
 //! ```text
 //!   blocks of a level:  [0 0 0 0]  [0 0 1 1]  [1 1 1 1]  [1 1 2 2]
@@ -14,7 +14,7 @@ use crate::simd::WIDTH;
 /// Stands for several worlds: there are fewer than this.
 const MANY: u32 = u32::MAX;
 
-/// The worlds in every block of a tree; none where they are not told apart.
+/// The worlds in every block of a tree; none where worlds play no part.
 #[derive(Debug, Default)]
 pub struct Worlds {
     levels: Vec<Level>,
@@ -54,7 +54,7 @@ impl Level {
 }
 
 impl Worlds {
-    /// Whether worlds are told apart.
+    /// Whether worlds are known.
     #[inline(always)]
     pub fn are_known(&self) -> bool {
         !self.levels.is_empty()
@@ -70,20 +70,21 @@ impl Worlds {
         self.clear();
         let mut here = Level::default();
         for ids in order.chunks(WIDTH) {
-            let mut of = Lanes::NONE;
+            let mut lanes = Lanes::NONE;
             for (j, &id) in ids.iter().enumerate() {
-                (of.first[j], of.last[j]) = (world(id as usize) as u16, world(id as usize) as u16);
+                (lanes.first[j], lanes.last[j]) =
+                    (world(id as usize) as u16, world(id as usize) as u16);
             }
-            here.push(of);
+            here.push(lanes);
         }
         while here.one.len() > 1 {
             let mut above = Level::default();
             for children in here.lanes.chunks(WIDTH) {
-                let mut of = Lanes::NONE;
+                let mut lanes = Lanes::NONE;
                 for (j, child) in children.iter().enumerate() {
-                    [of.first[j], of.last[j]] = child.all();
+                    [lanes.first[j], lanes.last[j]] = child.all();
                 }
-                above.push(of);
+                above.push(lanes);
             }
             self.levels.push(std::mem::replace(&mut here, above));
         }
@@ -112,8 +113,8 @@ impl Worlds {
 
     #[inline(never)]
     fn lanes_meet(&self, a: usize, other: &Self, b: usize, level: usize) -> u64 {
-        let of = |worlds: &Self, i: usize| worlds.levels.get(level)?.lanes.get(i).copied();
-        let (Some(a), Some(b)) = (of(self, a), of(other, b)) else { return u64::MAX };
+        let lanes = |worlds: &Self, i: usize| worlds.levels.get(level)?.lanes.get(i).copied();
+        let (Some(a), Some(b)) = (lanes(self, a), lanes(other, b)) else { return u64::MAX };
         let (mut masks, mut row) = (0, 0);
         for i in 0..WIDTH {
             // In order, so that a block has few ranges.

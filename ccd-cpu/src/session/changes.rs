@@ -19,7 +19,8 @@ impl Engine {
         options.check_backend("cpu")?;
         let old = &self.state.options;
         let other_mesh = !Arc::ptr_eq(&mesh, &self.state.mesh);
-        let source = |of: &Options| (of.broad_phase, of.scheduling, of.pipeline);
+        let source =
+            |options: &Options| (options.broad_phase, options.scheduling, options.pipeline);
         let other_threads = options.threads != old.threads;
         let other_source = source(&options) != source(old);
         // Lists are counted as they grow, so that those that are there go.

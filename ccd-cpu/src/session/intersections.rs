@@ -4,11 +4,10 @@ use super::{Engine, Session, WHOLE};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
-use crate::step::candidates::{Given, RowIds, Scene};
+use crate::step::candidates::{Given, Scene, shared};
 use crate::step::leaves::Leaves;
 use crate::step::prepare::Positions;
 use crate::threads::{Own, Threads};
-use ccd_core::backend::broad_phase::candidate::is_corner;
 use ccd_core::model::contact::State;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -113,7 +112,7 @@ impl Engine {
     }
 }
 
-/// What there is no memory for, if there is none.
+/// The name of lists in [`Error::Memory`].
 const WHAT: &str = "intersections";
 
 /// Edges against faces.
@@ -132,14 +131,7 @@ impl Through<'_> {
         if !scene.stop.reserve(WHAT, slabs, n) {
             return;
         }
-        slabs.resize(
-            n,
-            [Slab {
-                direction: [F32x8([0.0; WIDTH]); 3],
-                low: F32x8([0.0; WIDTH]),
-                high: F32x8([0.0; WIDTH]),
-            }; 4],
-        );
+        slabs.resize(n, [Slab::default(); 4]);
         let table = scene.table;
         let reach = table.iter().flatten().fold(0f32, |most, x| most.max(x.abs()));
         threads.chunks(slabs, &|first, out| {
@@ -170,8 +162,7 @@ impl PairSink for Through<'_> {
         let Overlaps { a, lane, b, mut mask } = row;
         let (v, w) = (self.edges.vertices[a][0][lane], self.edges.vertices[a][1][lane]);
         let [f0, f1, f2] = &self.faces.vertices[b];
-        let face = [RowIds { simd, ids: f0 }, RowIds { simd, ids: f1 }, RowIds { simd, ids: f2 }];
-        mask &= !(is_corner(v, face).bits() | is_corner(w, face).bits());
+        mask &= !shared(simd, [v, w], [f0, f1, f2]);
         if mask == 0 {
             return;
         }
@@ -235,8 +226,8 @@ impl<S: RowSimd> Work<S> for Fill<'_> {
             let [ax, ay, az, ..] = simd.gather(self.table, a);
             let [bx, by, bz, ..] = simd.gather(self.table, b);
             let [cx, cy, cz, ..] = simd.gather(self.table, c);
-            let of = slabs(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]], reach, error);
-            for (Slab { direction: [x, y, z], low, high }, out) in of.into_iter().zip(out) {
+            let slabs = slabs(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]], reach, error);
+            for (Slab { direction: [x, y, z], low, high }, out) in slabs.into_iter().zip(out) {
                 out.direction = [simd.store(x), simd.store(y), simd.store(z)];
                 (out.low, out.high) = (simd.store(low), simd.store(high));
             }

@@ -93,7 +93,7 @@ pub fn collect(workers: &mut [Worker], report: &mut Report, stop: &Stop) -> Resu
     report.contacts.reserve(total);
     for worker in workers.iter_mut() {
         report.contacts.extend_from_slice(&worker.contacts);
-        // Whichever worker finds them next time, there is room.
+        // Any worker may find all of them next time.
         worker.contacts.clear();
         if !stop.is_limited() {
             worker.contacts.reserve(total + total / 8);

@@ -33,7 +33,6 @@ use ccd_core::backend::broad_phase::candidate::overlap_surely;
 use ccd_core::backend::layout::Pair;
 pub use ccd_core::math::real::Mask;
 use ccd_core::{Aabb, Num};
-use std::ops::{BitAnd, BitOr};
 
 /// Boxes side by side in a block, and lanes of a row.
 pub const WIDTH: usize = 8;
@@ -50,34 +49,6 @@ pub const EMPTY: Block =
 /// Eight boxes that overlap everything.
 pub const EVERYTHING: Block =
     Aabb { min: [F32x8([f32::NEG_INFINITY; WIDTH]); 3], max: [F32x8([f32::INFINITY; WIDTH]); 3] };
-
-/// Answers in eight lanes, a bit each.
-#[derive(Clone, Copy, Debug)]
-pub struct Bits(pub u32);
-
-impl BitAnd for Bits {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-}
-
-impl BitOr for Bits {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-}
-
-impl Mask for Bits {
-    const ALL: u32 = 0xff;
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.0
-    }
-}
 
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.

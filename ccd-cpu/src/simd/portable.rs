@@ -7,7 +7,7 @@ use ccd_core::backend::layout::Pair;
 use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
 /// Eight numbers, aligned for vectors.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(32))]
 pub struct F32x8(pub [f32; WIDTH]);
 

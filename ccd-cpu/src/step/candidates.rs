@@ -7,11 +7,10 @@ pub use ccd_core::model::precision::Given;
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::{Overlaps, PairSink};
-use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
+use crate::simd::{Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
-use ccd_core::backend::broad_phase::candidate::Ids;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::quantization::margin;
@@ -46,7 +45,7 @@ pub struct Scene<'a> {
     pub stop: &'a Stop,
 }
 
-/// What there is no memory for, if there is none.
+/// The name of lists in [`ccd_core::Error::Memory`].
 const CANDIDATES: &str = "candidates";
 
 impl Scene<'_> {
@@ -123,11 +122,11 @@ impl Scene<'_> {
 
 fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[u32]) -> bool {
     let swept = |v: u32| swept_box::swept(x[0][v as usize], x[1][v as usize]);
-    let of = |ids: &[u32]| {
+    let feature_box = |ids: &[u32]| {
         let all = ids.iter().skip(1).fold(swept(ids[0]), |all, &v| all.union(&swept(v)));
         all.inflated(margin(min_distance))
     };
-    of(a).overlaps(&of(b))
+    feature_box(a).overlaps(&feature_box(b))
 }
 
 /// Takes candidates.
@@ -136,9 +135,11 @@ pub trait Take: Send {
     /// so, contacts are sorted, else candidates are listed in the order in which they come.
     const FILTERED: bool;
     /// Counts candidates.
-    fn count(&mut self, kind: Kind, n: u64);
+    #[inline(always)]
+    fn count(&mut self, _kind: Kind, _n: u64) {}
     /// Counts pairs of triangles.
-    fn count_triangles(&mut self, counts: TriangleCounts);
+    #[inline(always)]
+    fn count_triangles(&mut self, _counts: TriangleCounts) {}
     /// Takes the pairs of `id` with the lanes `mask` of `ids`.
     fn take<S: RowSimd>(
         &mut self,
@@ -152,19 +153,14 @@ pub trait Take: Send {
     /// Takes one pair, of edges the lesser id first.
     fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair);
     /// A task begins.
-    fn begin(&mut self, task: usize);
+    #[inline(always)]
+    fn begin(&mut self, _task: usize) {}
     /// No further candidate comes.
-    fn finish(&mut self, scene: &Scene, kind: Kind);
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 impl Take for Lister {
     const FILTERED: bool = false;
-
-    #[inline(always)]
-    fn count(&mut self, _kind: Kind, _n: u64) {}
-
-    #[inline(always)]
-    fn count_triangles(&mut self, _counts: TriangleCounts) {}
 
     #[inline(always)]
     fn take<S: RowSimd>(
@@ -195,8 +191,6 @@ impl Take for Lister {
     fn begin(&mut self, task: usize) {
         Lister::begin(self, task);
     }
-
-    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 /// Features of `N` vertices against features of `M`: vertices against faces, or edges against
@@ -259,21 +253,6 @@ pub fn shared<S: RowSimd, const N: usize, const M: usize>(
     out
 }
 
-/// Ids of a row, compared by an instruction set.
-#[derive(Clone, Copy)]
-pub struct RowIds<'a, S> {
-    pub simd: S,
-    pub ids: &'a [u32; WIDTH],
-}
-
-impl<S: RowSimd> Ids for RowIds<'_, S> {
-    type Mask = Bits;
-    #[inline(always)]
-    fn is_one_of(self, a: u32, b: u32) -> Bits {
-        Bits(self.simd.equals(self.ids, [a, b]))
-    }
-}
-
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
 /// step.
 #[inline(always)]
@@ -285,6 +264,6 @@ fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], need
 
 /// `[min, max]`.
 #[inline(always)]
-fn bounds<N>(of: Aabb<N>) -> [[N; 3]; 2] {
-    [of.min, of.max]
+fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
+    [aabb.min, aabb.max]
 }

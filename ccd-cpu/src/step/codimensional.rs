@@ -90,7 +90,7 @@ impl Codimensional {
     }
 
     /// Decides the candidates that were listed; contacts in their order. Part by part: most
-    /// candidates are no contact, and a contact takes six times the room of one.
+    /// candidates are no contact, and a contact takes six times the memory of one.
     ///
     /// # Errors
     /// Those of [`Stop::check`](crate::stop::Stop::check).

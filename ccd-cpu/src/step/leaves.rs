@@ -99,8 +99,8 @@ impl<const N: usize> Leaves<N> {
         let boxes = &self.boxes;
         self.vertices.resize(boxes.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
         threads.fill(&mut self.vertices, |i| {
-            let of = boxes.ids(i).map(&features);
-            std::array::from_fn(|k| of.map(|vertices| vertices[k]))
+            let features = boxes.ids(i).map(&features);
+            std::array::from_fn(|k| features.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
     }

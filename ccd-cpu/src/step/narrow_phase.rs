@@ -21,10 +21,10 @@ use std::time::Duration;
 /// it touches.
 const QUEUE: usize = 512;
 
-/// What there is no memory for, if there is none.
+/// The name of lists in [`ccd_core::Error::Memory`].
 pub const CONTACTS: &str = "contacts";
 
-/// What one worker gathers.
+/// Queues and results of one worker.
 #[derive(Debug, Default)]
 #[repr(align(128))]
 pub struct Worker {
@@ -132,9 +132,6 @@ impl Take for Worker {
             self.flush(scene, kind);
         }
     }
-
-    #[inline(always)]
-    fn begin(&mut self, _task: usize) {}
 
     fn finish(&mut self, scene: &Scene, kind: Kind) {
         if !self.queues[kind as usize].is_empty() {

@@ -107,13 +107,13 @@ impl Prepared {
         }
     }
 
-    /// Takes other rules: the next call has an order of its own.
+    /// Takes other rules; the next step sorts boxes anew.
     pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
         self.still.set(mesh, rules);
         self.forget_order();
     }
 
-    /// The next step puts boxes in a new order, whatever was.
+    /// Has the next step sort boxes anew.
     pub fn forget_order(&mut self) {
         self.built = false;
     }
@@ -122,11 +122,11 @@ impl Prepared {
     pub fn set_mesh(&mut self, mesh: &Mesh, options: &Options) {
         self.forget_order();
         match (options.pipeline, &mut self.triangles) {
-            (Pipeline::Triangles(own), Some(kept)) => {
-                kept.set_mesh(mesh, own, options.min_distance);
+            (Pipeline::Triangles(args), Some(kept)) => {
+                kept.set_mesh(mesh, args, options.min_distance);
             }
-            (Pipeline::Triangles(own), none) => {
-                *none = Some(TriangleLeaves::new(mesh, own, options.min_distance));
+            (Pipeline::Triangles(args), none) => {
+                *none = Some(TriangleLeaves::new(mesh, args, options.min_distance));
             }
             (_, triangles) => *triangles = None,
         }
@@ -135,9 +135,10 @@ impl Prepared {
     /// From now on another minimum distance. Boxes are swept with it in every step, and an order
     /// holds for boxes of any size; only regions that are free without one are not with one.
     pub fn set_min_distance(&mut self, mesh: &Mesh, options: &Options) {
-        if let (Pipeline::Triangles(own), Some(triangles)) = (options.pipeline, &mut self.triangles)
+        if let (Pipeline::Triangles(args), Some(triangles)) =
+            (options.pipeline, &mut self.triangles)
         {
-            triangles.set_min_distance(mesh, own, options.min_distance);
+            triangles.set_min_distance(mesh, args, options.min_distance);
         }
     }
 
@@ -158,7 +159,7 @@ impl Prepared {
             Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
         };
         if made.is_err() {
-            // Nothing but that was touched.
+            // Nothing else has changed.
             self.still.forget();
             self.whole = true;
         }
@@ -332,7 +333,7 @@ impl Prepared {
         }
         self.edges.refit(threads, method, false);
         self.faces.refit(threads, method, false);
-        // Nothing else is of these positions.
+        // Everything else is of an earlier step.
         self.still.forget();
         self.whole = true;
         Ok(())
@@ -347,10 +348,10 @@ impl Prepared {
         first: bool,
     ) -> Result<bool, Error> {
         let Self { vertices, edges, faces, triangles, table, built, .. } = self;
-        let of =
+        let boxes =
             FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
         let Some(leaves) = triangles else { return Ok(false) };
-        leaves.sweep(threads, of.vertices);
+        leaves.sweep(threads, boxes.vertices);
         let mut loose = !*built || !method.order().outlasts_motion();
         if !loose {
             loose = leaves.refit(threads, method) > MAX_LOOSENESS && first;
@@ -359,7 +360,7 @@ impl Prepared {
             leaves.build(threads, method, rules)?;
             *built = true;
         }
-        leaves.place(threads, of, table);
+        leaves.place(threads, boxes, table);
         Ok(loose)
     }
 

@@ -25,7 +25,7 @@ pub struct Still {
     may_move: bool,
     /// By set: whether all of so many elements stand still.
     parts: [Vec<bool>; 3],
-    /// What boxes are made of besides positions: bits of the input's numbers, of the distance.
+    /// What boxes depend on besides positions: size of the input's numbers, bits of the distance.
     made: Option<(u32, u64)>,
     table: Option<Table>,
     holds: bool,

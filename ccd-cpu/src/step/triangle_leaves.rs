@@ -171,7 +171,7 @@ impl TriangleLeaves {
     }
 
     /// Boxes of features, during the step and at its ends, and regions.
-    pub fn place(&mut self, threads: &Threads, of: FeatureBoxes, table: &[[f32; WIDTH]]) {
+    pub fn place(&mut self, threads: &Threads, aabbs: FeatureBoxes, table: &[[f32; WIDTH]]) {
         let (blocks, boxes) = (&self.blocks, &self.boxes);
         if let Some(regions) = &self.regions {
             let of_face = regions.of_face();
@@ -181,7 +181,7 @@ impl TriangleLeaves {
             });
         }
         self.features.resize(blocks.len(), [EMPTY; 6]);
-        threads.fill(&mut self.features, |i| features(&blocks[i], of));
+        threads.fill(&mut self.features, |i| features(&blocks[i], aabbs));
         let none = Ends { corners: [[EMPTY; 2]; 3], sides: [[EMPTY; 2]; 3], face: [EMPTY; 2] };
         self.ends.resize(blocks.len(), none);
         threads.fill(&mut self.ends, |i| {
@@ -197,10 +197,10 @@ impl TriangleLeaves {
     /// Corner `k` of each triangle of a block.
     #[inline(always)]
     pub fn corner(&self, block: usize, k: usize) -> Side<'_, 1> {
-        let of = &self.blocks[block];
+        let features = &self.blocks[block];
         Side {
-            vertices: [&of.corners[k]],
-            ids: &of.corners[k],
+            vertices: [&features.corners[k]],
+            ids: &features.corners[k],
             boxes: &self.features[block][k],
             ends: &self.ends[block].corners[k],
         }
@@ -209,10 +209,10 @@ impl TriangleLeaves {
     /// Side `k` of each triangle of a block.
     #[inline(always)]
     pub fn side(&self, block: usize, k: usize) -> Side<'_, 2> {
-        let of = &self.blocks[block];
+        let features = &self.blocks[block];
         Side {
-            vertices: of.side(k),
-            ids: &of.sides[k],
+            vertices: features.side(k),
+            ids: &features.sides[k],
             boxes: &self.features[block][3 + k],
             ends: &self.ends[block].sides[k],
         }
@@ -251,7 +251,7 @@ fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
 }
 
 /// Boxes of what the triangles of a block represent.
-fn features(block: &TriangleBlock, of: FeatureBoxes) -> [Block; 6] {
+fn features(block: &TriangleBlock, aabbs: FeatureBoxes) -> [Block; 6] {
     let mut out = [EMPTY; 6];
     for (k, into) in out.iter_mut().enumerate() {
         let mut rest = block.represents[k];
@@ -259,9 +259,9 @@ fn features(block: &TriangleBlock, of: FeatureBoxes) -> [Block; 6] {
             let j = rest.trailing_zeros() as usize;
             rest &= rest - 1;
             let aabb = if k < 3 {
-                &of.vertices[block.corners[k][j] as usize]
+                &aabbs.vertices[block.corners[k][j] as usize]
             } else {
-                &of.edges[block.sides[k - 3][j] as usize]
+                &aabbs.edges[block.sides[k - 3][j] as usize]
             };
             set_lane(into, j, aabb);
         }

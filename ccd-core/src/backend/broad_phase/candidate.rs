@@ -1,44 +1,33 @@
 //! Which overlaps are candidates: features without a common vertex, of bodies that are wanted,
 //! whose boxes overlap in the precision of the input.
 //!
-//! Written for one pair and for lanes of pairs: a backend says only how it compares ids and
-//! numbers. What it does with rows of eight or blocks of 32 is its own.
+//! Written for one pair; the comparison of boxes serves lanes of pairs, too. A CPU compares the ids
+//! of a row of eight by instructions of its own (`shared` in its `step/candidates.rs`).
 
 use super::pair_rules::{classes_meet, is_excluded};
 use crate::kernel::memory::at;
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, Leaf, split};
 use crate::math::aabb::Aabb;
-use crate::math::real::{Mask, Num};
-
-/// An id, or several side by side.
-pub trait Ids: Copy {
-    /// The answer of a comparison.
-    type Mask: Mask;
-    /// Whether the id is one of two.
-    fn is_one_of(self, a: u32, b: u32) -> Self::Mask;
-}
-
-impl Ids for u32 {
-    type Mask = bool;
-    #[inline(always)]
-    fn is_one_of(self, a: u32, b: u32) -> bool {
-        self == a || self == b
-    }
-}
+use crate::math::real::Num;
 
 /// Whether a vertex is a corner of the face: then it is no candidate.
 #[inline(always)]
-pub fn is_corner<I: Ids>(vertex: u32, face: [I; 3]) -> I::Mask {
-    face[0].is_one_of(vertex, vertex)
-        | face[1].is_one_of(vertex, vertex)
-        | face[2].is_one_of(vertex, vertex)
+pub fn is_corner(vertex: u32, face: [u32; 3]) -> bool {
+    is_one_of(face[0], vertex, vertex)
+        | is_one_of(face[1], vertex, vertex)
+        | is_one_of(face[2], vertex, vertex)
 }
 
 /// Whether two edges have a common vertex: then they are no candidate.
 #[inline(always)]
-pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
-    b[0].is_one_of(a[0], a[1]) | b[1].is_one_of(a[0], a[1])
+pub fn share_vertex(a: [u32; 2], b: [u32; 2]) -> bool {
+    is_one_of(b[0], a[0], a[1]) | is_one_of(b[1], a[0], a[1])
+}
+
+#[inline(always)]
+fn is_one_of(id: u32, a: u32, b: u32) -> bool {
+    id == a || id == b
 }
 
 /// Whether features of two bodies are looked at, as far as their words say: not if both stand

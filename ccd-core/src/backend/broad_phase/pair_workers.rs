@@ -6,13 +6,13 @@
 //!                     |   |     |       a part of it, or the next piece of it
 //!             worker  v   v     v
 //!             stack  [..][...][.]   the last 128 are expanded, what they leave goes on top;
-//!                     |   |     |   what has no room there, or is left when the worker ends:
+//!                     |   |     |   what does not fit, or is left when the worker ends:
 //!  the next   tasks  [p p p p p p]
 //! ```
 //!
 //! A worker is a workgroup with a stack in its own memory. A thread expands a pair of binary trees,
 //! 32 threads one of blocks ([`block_workers`](super::block_workers)). A worker takes tasks when
-//! its stack has fewer pairs than a turn has room for; it ends when it finds none, when too many
+//! its stack has fewer pairs than a turn takes; it ends when it finds none, when too many
 //! others have, or after so many turns, so that no driver thinks that it hangs. Nobody waits for
 //! another, nothing but counters passes between workgroups inside a dispatch, and of those nothing
 //! but the order of work depends: what is on a list is read by the next dispatch.
@@ -27,7 +27,7 @@ use crate::scheduling::stealing::Workers;
 
 /// Threads of a worker.
 pub const THREADS: u32 = 128;
-/// Pairs that the stack of a worker has room for.
+/// Capacity of the stack of a worker, in pairs.
 pub const STACK: u32 = 1024;
 /// Rounds of a search, at most, and one: as many as a list a level takes for trees of any shape.
 pub const ROUNDS: u32 = 512;
@@ -42,7 +42,7 @@ pub const FRONT: usize = LEFT + 1;
 /// First word of `control` of what each worker counts: turns, then pairs that it expanded.
 pub const COUNTS: usize = LEFT + 4;
 
-/// Word of `control`: pairs that the list of a round wants room for.
+/// Word of `control`: capacity that the list of a round wants.
 #[inline(always)]
 pub const fn listed(round: u32) -> usize {
     round as usize
@@ -72,7 +72,7 @@ pub const fn words(workers: u32) -> usize {
 }
 
 /// First word of `control` of what workers that steal count together: batches that were popped, and
-/// stolen; pushes for which a deque had no room.
+/// stolen; pushes that a full deque refused.
 #[inline(always)]
 pub const fn stolen(workers: u32) -> usize {
     counts(workers)

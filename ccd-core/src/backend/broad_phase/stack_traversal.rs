@@ -8,7 +8,7 @@ use crate::kernel::memory::at;
 use crate::layout::{Branch, Node};
 use crate::math::aabb::Aabb;
 
-/// Nodes that a stack has room for. Of two children a traversal goes on with the one that has fewer
+/// Capacity of a stack, in nodes. Of two children a traversal goes on with the one that has fewer
 /// leaves, at most half of those of both, so that with `h` nodes on the stack it is in a subtree of
 /// at most `n / 2^h` leaves: a node is taken from the stack at the height at which it was put
 /// there. The node that it is at is internal and has at least two leaves, hence `2^(h + 1) <= n <

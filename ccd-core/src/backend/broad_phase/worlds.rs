@@ -39,7 +39,7 @@ pub fn bounds(words: &[u32], world: u32) -> Aabb<f32> {
 }
 
 /// Key by which a device sorts box `i`: its set, its world, then as much of its Morton code in that
-/// world as there is room for beside `bits` bits of worlds.
+/// world as fits beside `bits` bits of worlds.
 #[inline(always)]
 pub fn sort_key<B: Stored<Aabb<f32>>>(
     i: usize,

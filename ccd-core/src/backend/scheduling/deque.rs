@@ -35,7 +35,7 @@
 //!
 //! **Bounds.** A push takes one attempt. An owner's exchange fails only if a thief took something,
 //! so that a pop takes at most as many attempts as there are batches. A thief tries once. Nobody
-//! waits. There is room for a fixed number of batches; a push beyond that is refused with [`Full`],
+//! waits. The capacity is fixed; a push beyond it is refused with [`Full`],
 //! also while thieves still read slots that it would overwrite, and its caller keeps the items.
 
 use crate::kernel::Words;
@@ -43,7 +43,7 @@ use crate::kernel::Words;
 /// What a deque holds: two words, a pair of nodes.
 pub type Item = [u32; 2];
 
-/// There is no room: the items stay with the caller.
+/// The deque is full: the items stay with the caller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Full;
 
@@ -92,9 +92,9 @@ impl Range {
 pub struct Deque {
     /// Its first word.
     pub base: usize,
-    /// Batches for which there is room: a power of two, at most [`Deque::MAX_BATCHES`].
+    /// Capacity in batches: a power of two, at most [`Deque::MAX_BATCHES`].
     pub batches: u32,
-    /// Items for which there is room in a batch.
+    /// Most items of a batch.
     pub batch: u32,
 }
 

@@ -1,9 +1,9 @@
 //! When a front is kept, and when it is given up: the same numbers and the same rule on every
 //! backend.
 //!
-//! A front is a list of fixed room that a search writes while it reads the one before. What is done
-//! with it when the search is over depends on how many pairs it has now, had when it last began at
-//! the roots, and had some searches ago; see [`FrontOptions`].
+//! A front is a list of fixed capacity that a search writes while it reads the one before. What is
+//! done with it when the search is over depends on how many pairs it has now, had when it last
+//! began at the roots, and had some searches ago; see [`FrontOptions`].
 
 use crate::model::scheduling::FrontOptions;
 
@@ -30,7 +30,7 @@ pub enum Fate {
     Kept,
     /// The next search begins at the roots.
     Dropped,
-    /// The same, and both lists have room for so many entries from then on: it was too short.
+    /// The same, and both lists have this capacity from then on: it was too small.
     Grows(u64),
 }
 
@@ -64,7 +64,7 @@ impl FrontState {
     }
 
     /// A search is over that wrote `n` pairs, and wanted as many entries of a list that has
-    /// `capacity`; there may be room for `most`.
+    /// `capacity`; it may have at most `most`.
     pub fn end(
         &mut self,
         options: &FrontOptions,

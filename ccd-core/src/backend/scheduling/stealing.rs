@@ -37,9 +37,9 @@ pub const HANDS: u32 = 32;
 pub struct Workers {
     /// How many there are.
     pub n: u32,
-    /// Batches for which there is room in each deque, as in [`Deque::batches`].
+    /// Capacity of each deque in batches, as in [`Deque::batches`].
     pub batches: u32,
-    /// Items for which there is room in a batch.
+    /// Most items of a batch.
     pub batch: u32,
 }
 

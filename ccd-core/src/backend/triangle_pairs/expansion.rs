@@ -116,9 +116,9 @@ pub fn near(
     swept: &[Aabb<f32>],
     boxes: &[Aabb<f32>],
 ) -> Expanded {
-    let (pair, of) = (test.pair, test.triangles);
-    if in_one_region(of, args, regions)
-        || !at(swept, of.a as usize).overlaps(&at(swept, of.b as usize))
+    let (pair, triangles) = (test.pair, test.triangles);
+    if in_one_region(triangles, args, regions)
+        || !at(swept, triangles.a as usize).overlaps(&at(swept, triangles.b as usize))
     {
         return Expanded::NOTHING;
     }
@@ -151,15 +151,15 @@ fn in_one_region(pair: Pair, args: &Expansion, regions: &[u32]) -> bool {
 
 /// Bits of the represented corners of `of` that hit a face, whose box is given.
 #[inline(always)]
-fn corners(of: &Triangle, face: &Triangle, aabb: &Aabb<f32>, boxes: &[Aabb<f32>]) -> u32 {
-    corner(of, 0, of.corners[0], face, aabb, boxes)
-        | corner(of, 1, of.corners[1], face, aabb, boxes)
-        | corner(of, 2, of.corners[2], face, aabb, boxes)
+fn corners(triangle: &Triangle, face: &Triangle, aabb: &Aabb<f32>, boxes: &[Aabb<f32>]) -> u32 {
+    corner(triangle, 0, triangle.corners[0], face, aabb, boxes)
+        | corner(triangle, 1, triangle.corners[1], face, aabb, boxes)
+        | corner(triangle, 2, triangle.corners[2], face, aabb, boxes)
 }
 
 #[inline(always)]
 fn corner(
-    of: &Triangle,
+    triangle: &Triangle,
     k: u32,
     v: u32,
     face: &Triangle,
@@ -167,7 +167,7 @@ fn corner(
     boxes: &[Aabb<f32>],
 ) -> u32 {
     let mut bit = 0;
-    if of.represents >> k & 1 == 1 && !is_corner(v, face.corners) {
+    if triangle.represents >> k & 1 == 1 && !is_corner(v, face.corners) {
         bit = (at(boxes, v as usize).overlaps(aabb) as u32) << k;
     }
     bit
@@ -197,9 +197,9 @@ fn sides(s: &Triangle, t: &Triangle, start: u32, boxes: &[Aabb<f32>]) -> u32 {
 }
 
 #[inline(always)]
-fn side(of: &Triangle, bit: u32, id: u32, ends: [u32; 2], start: u32, boxes: &[Aabb<f32>]) -> Side {
+fn side(t: &Triangle, bit: u32, id: u32, ends: [u32; 2], start: u32, boxes: &[Aabb<f32>]) -> Side {
     let mut aabb = Aabb::EMPTY;
-    if of.represents >> bit & 1 == 1 {
+    if t.represents >> bit & 1 == 1 {
         aabb = at(boxes, (start + id) as usize);
     }
     Side { ends, aabb }
@@ -212,13 +212,13 @@ fn meet(a: &Side, b: &Side) -> u32 {
 
 /// One of three.
 #[inline(always)]
-fn pick(of: [u32; 3], k: u32) -> u32 {
+fn pick(three: [u32; 3], k: u32) -> u32 {
     if k == 0 {
-        of[0]
+        three[0]
     } else if k == 1 {
-        of[1]
+        three[1]
     } else {
-        of[2]
+        three[2]
     }
 }
 

@@ -83,8 +83,8 @@ impl FreeRegions {
 
     /// Whether two triangles are in one certified region.
     pub fn hold_both(&self, s: u32, t: u32) -> bool {
-        let of = |t: u32| self.of_face.get(t as usize).copied().unwrap_or(NONE);
-        of(s) != NONE && of(s) == of(t)
+        let region = |t: u32| self.of_face.get(t as usize).copied().unwrap_or(NONE);
+        region(s) != NONE && region(s) == region(t)
     }
 }
 
@@ -107,8 +107,8 @@ impl Root {
         let mut at = self.regions.start;
         while at < self.regions.end {
             let (triangles, rim) = (patches.faces(at), patches.rim(at));
-            let of = &patches.patch(at).faces;
-            let normal = sub(self.normals[of.end - start], self.normals[of.start - start]);
+            let range = &patches.patch(at).faces;
+            let normal = sub(self.normals[range.end - start], self.normals[range.start - start]);
             let region = Region { faces, triangles, rim };
             let free = |view| region.free(x, &view, &mut self.seen);
             if !rim.is_empty() && View::along(normal, origin, reach).is_some_and(free) {

@@ -96,8 +96,8 @@ impl Test {
     #[cfg(feature = "alloc")]
     pub fn features(self, triangles: &Triangles, first: u32, second: u32) -> (Kind, Pair) {
         let k = self.0 as usize;
-        let corner = |of: u32, k: usize| triangles.corners(of)[k];
-        let side = |of: u32, k: usize| triangles.sides(of)[k];
+        let corner = |t: u32, k: usize| triangles.corners(t)[k];
+        let side = |t: u32, k: usize| triangles.sides(t)[k];
         match k {
             0..3 => (Kind::VertexFace, Pair { a: corner(first, k), b: second }),
             3..6 => (Kind::VertexFace, Pair { a: corner(second, k - 3), b: first }),

@@ -90,7 +90,7 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 
 impl Region<'_> {
     /// Whether no two features of the region without a common vertex touch during the step: `true`
-    /// is certain, whatever the view. `seen` must have room for the rim.
+    /// is certain, whatever the view. `seen` must be as long as the rim.
     pub fn free<P: Paths>(&self, x: &P, view: &View, seen: &mut [Point]) -> bool {
         let Some(seen) = seen.get_mut(..self.rim.len()) else { return false };
         if !self.triangles.iter().all(|&t| view.keeps_side(x, self.faces[t as usize])) {
@@ -111,9 +111,9 @@ pub fn mean_normal<P: Paths>(x: &P, face: [u32; 3]) -> [f64; 3] {
 }
 
 /// Greatest component of the positions of faces less an origin; `None` if one is not finite.
-pub fn reach<P: Paths>(x: &P, faces: &[[u32; 3]], of: &[u32], origin: [f64; 3]) -> Option<f64> {
+pub fn reach<P: Paths>(x: &P, faces: &[[u32; 3]], region: &[u32], origin: [f64; 3]) -> Option<f64> {
     let mut reach = 0f64;
-    for &t in of {
+    for &t in region {
         for v in faces[t as usize] {
             let [p, q] = x.at(v).map(|p| vec3::max_abs(vec3::sub(p, origin)));
             // NaN fails too.

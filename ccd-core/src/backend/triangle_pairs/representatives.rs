@@ -43,9 +43,9 @@ impl Triangles {
         let of_edge = Incidence::new(edges.len(), || each_once(&sides));
         let represented = (0..corners.len())
             .map(|t| {
-                let first = |of: &Incidence, ids: &[u32; 3], k: usize| {
+                let first = |lists: &Incidence, ids: &[u32; 3], k: usize| {
                     let repeated = ids[..k].contains(&ids[k]);
-                    ids[k] != NO_EDGE && !repeated && of.of(ids[k])[0] == t as u32
+                    ids[k] != NO_EDGE && !repeated && lists.of(ids[k])[0] == t as u32
                 };
                 (0..3).fold(0, |bits, k| {
                     bits | (first(&of_vertex, &corners[t], k) as u8) << k
@@ -91,7 +91,7 @@ impl Triangles {
         self.represented[t as usize]
     }
 
-    /// What a device is told of a triangle; `body`: the word of its body.
+    /// The record of a triangle for a device; `body`: the word of its body.
     pub fn record(&self, t: u32, body: u32) -> Triangle {
         let (corners, sides) = (self.corners(t), self.sides(t));
         Triangle { corners, represents: self.represents(t) as u32, sides, body }

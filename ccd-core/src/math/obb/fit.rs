@@ -121,9 +121,9 @@ impl<T: Real> Obb<T> {
     #[inline(always)]
     fn beyond(&self, centre: [T; 3], axes: &[[T; 3]; 3]) -> [T; 3] {
         let d = sub(self.centre, centre);
-        let own = sum_abs(self.half) * (T::UNIT * T::splat(64.0));
+        let rounding = sum_abs(self.half) * (T::UNIT * T::splat(64.0));
         let margin = scale(sizes(axes, absolute(d)), T::UNIT * T::splat(8.0));
-        let margin = add(margin, [own + T::MIN_NORMAL * T::splat(64.0); 3]);
+        let margin = add(margin, [rounding + T::MIN_NORMAL * T::splat(64.0); 3]);
         add(add(absolute(along(axes, d)), self.reach(axes)), margin)
     }
 }

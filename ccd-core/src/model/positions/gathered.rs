@@ -35,11 +35,11 @@ impl Gathered {
 /// The positions of one end.
 fn slice<'a, T: Coordinate>(
     time: u8,
-    of: PositionView<'a, T>,
+    view: PositionView<'a, T>,
     into: &'a mut Vec<[T; 3]>,
 ) -> Result<&'a [[T; 3]], Error> {
     into.clear();
-    match of.0 {
+    match view.0 {
         Form::Points(x) => return Ok(x),
         Form::Strided(x) => into.extend(x.read(time)?),
         Form::Posed(x) => into.extend(x.read(time)?),

@@ -12,8 +12,8 @@ macro_rules! same_memory {
             type Scalar = $scalar;
 
             #[inline]
-            fn cast(of: &[Self]) -> &[$of] {
-                bytemuck::cast_slice(of)
+            fn cast(slice: &[Self]) -> &[$of] {
+                bytemuck::cast_slice(slice)
             }
         }
     )*};

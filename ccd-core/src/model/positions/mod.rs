@@ -138,7 +138,7 @@ pub trait Point: sealed::Sealed + Sized {
 
     /// The same memory.
     #[doc(hidden)]
-    fn cast(of: &[Self]) -> &[[Self::Scalar; 3]];
+    fn cast(slice: &[Self]) -> &[[Self::Scalar; 3]];
 }
 
 mod sealed {
@@ -152,8 +152,8 @@ impl<T: Coordinate> Point for [T; 3] {
     type Scalar = T;
 
     #[inline]
-    fn cast(of: &[Self]) -> &[[T; 3]] {
-        of
+    fn cast(slice: &[Self]) -> &[[T; 3]] {
+        slice
     }
 }
 

@@ -60,7 +60,7 @@ pub trait Matrix: Sealed + Sized {
 
     /// The same memory.
     #[doc(hidden)]
-    fn cast(of: &[Self]) -> &[[[Self::Scalar; 4]; 4]];
+    fn cast(slice: &[Self]) -> &[[[Self::Scalar; 4]; 4]];
 }
 
 impl<T: Coordinate> Sealed for [[T; 4]; 4] {}
@@ -69,8 +69,8 @@ impl<T: Coordinate> Matrix for [[T; 4]; 4] {
     type Scalar = T;
 
     #[inline]
-    fn cast(of: &[Self]) -> &[[[T; 4]; 4]] {
-        of
+    fn cast(slice: &[Self]) -> &[[[T; 4]; 4]] {
+        slice
     }
 }
 

@@ -42,14 +42,14 @@ pub struct Strided<'a, T> {
     stride: usize,
     offset: usize,
     count: Option<usize>,
-    of: PhantomData<T>,
+    scalar: PhantomData<T>,
 }
 
 impl<'a, T: Coordinate> Strided<'a, T> {
     /// Positions in these bytes, the first of which begins with the first byte; as many as there
     /// are.
     pub const fn new(bytes: &'a [u8], stride: usize) -> Self {
-        Self { bytes, stride, offset: 0, count: None, of: PhantomData }
+        Self { bytes, stride, offset: 0, count: None, scalar: PhantomData }
     }
 
     /// Positions in these vertices, a position each.

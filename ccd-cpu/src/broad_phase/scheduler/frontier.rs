@@ -7,8 +7,8 @@
 //!   queue 3   ####
 //! ```
 //!
-//! Cost: as many waits as the tree of pairs has levels below the tasks, and room for the widest of
-//! them; within a level nobody needs to know of anybody. That is all that WebGPU lets the
+//! Cost: as many waits as the tree of pairs has levels below the tasks, and memory for the widest
+//! of them; within a level nobody needs to know of anybody. That is all that WebGPU lets the
 //! workgroups of a dispatch do, so it is the way that works on every GPU. Pairs of leaves are done
 //! where they are found and never queued.
 

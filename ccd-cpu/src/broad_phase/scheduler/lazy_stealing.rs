@@ -12,7 +12,7 @@
 //! ```
 //!
 //! The deques and the three levels are those of [`ccd_core::backend::scheduling`]; what was changed
-//! to make them sound is said there. What a deque has no room for stays on the stack. No worker
+//! to make them sound is said there. What does not fit a deque stays on the stack. No worker
 //! waits for another, as in [`super::stealing`].
 //!
 //! Cost: a few atomic operations a batch rather than a pair, and none while a stack neither
@@ -39,14 +39,11 @@ pub struct LazyStealing {
     stacks: Lists,
 }
 
-impl Default for LazyStealing {
-    fn default() -> Self {
-        Self::new(1 << 10)
-    }
-}
-
 impl LazyStealing {
-    /// With room for so many batches in each deque, a power of two.
+    /// Capacity of a deque in a session.
+    pub const CAPACITY: u32 = 1 << 10;
+
+    /// With deques of this capacity, in batches: a power of two.
     pub fn new(capacity: u32) -> Self {
         Self { deques: Deques::new(capacity, BATCH as u32), stacks: Lists::default() }
     }
@@ -65,9 +62,9 @@ impl Schedule for LazyStealing {
             while fruitless < rounds {
                 if !stack.is_empty() {
                     drain(hand, &mut stack, 1);
-                    let own = workers.deque(me);
-                    while stack.len() > if own.is_empty(&words) { LEAST } else { THRESHOLD }
-                        && own.push(&words, &stack[..BATCH]).is_ok()
+                    let deque = workers.deque(me);
+                    while stack.len() > if deque.is_empty(&words) { LEAST } else { THRESHOLD }
+                        && deque.push(&words, &stack[..BATCH]).is_ok()
                     {
                         stack.drain(..BATCH);
                     }

@@ -59,9 +59,9 @@ pub trait Schedule: Debug + Send + Sync {
 
 /// Pairs that are expanded together: the last of a stack.
 const BATCH: usize = 16;
-/// What there is no memory for, if there is none.
+/// The name of lists in [`ccd_core::Error::Memory`].
 pub const PAIRS_OF_NODES: &str = "pairs of nodes of trees";
-/// Pairs that a list has room for from the beginning, so that it rarely grows later.
+/// Capacity of a list from the beginning, so that it rarely grows later.
 const CAPACITY: usize = 1 << 13;
 
 /// A list a worker, kept between calls.
@@ -103,7 +103,7 @@ impl Lists {
         if stop.is_limited() {
             return;
         }
-        // Whichever worker has them next time, there is room.
+        // Any worker may have all of them next time.
         for Own(list) in &mut self.0 {
             let list = list.get_mut().unwrap_or_else(PoisonError::into_inner);
             list.reserve(into.len() + into.len() / 8);

@@ -3,8 +3,8 @@
 //! [da Silva 2013].
 //!
 //! The deque is [`ccd_core::backend::scheduling`], whose ends stand in one word, so that no pair is
-//! taken twice; a model checker goes through it (docs/SCHEDULING.md). A pair for which it has no
-//! room stays with its worker, where nobody else sees it. No worker waits for another: after some
+//! taken twice; a model checker goes through it (docs/SCHEDULING.md). A pair that does not fit
+//! stays with its worker, where nobody else sees it. No worker waits for another: after some
 //! rounds without success it retires, and whoever has work drains its own deque.
 //!
 //! Cost: a push and a pop a pair, each a few atomic operations on words that nobody else has in
@@ -29,7 +29,7 @@ pub fn pause() {
     }
 }
 
-/// The deques of all workers, and a list each for what they have no room for.
+/// The deques of all workers, and a list each for what does not fit them.
 #[derive(Debug)]
 pub struct Stealing {
     deques: Deques,
@@ -38,14 +38,11 @@ pub struct Stealing {
     found: Lists,
 }
 
-impl Default for Stealing {
-    fn default() -> Self {
-        Self::new(1 << 13)
-    }
-}
-
 impl Stealing {
-    /// With room for so many pairs in each deque, a power of two.
+    /// Capacity of a deque in a session.
+    pub const CAPACITY: u32 = 1 << 13;
+
+    /// With deques of this capacity, in pairs: a power of two.
     pub fn new(capacity: u32) -> Self {
         let (spilled, taken, found) = Default::default();
         Self { deques: Deques::new(capacity, 1), spilled, taken, found }
@@ -104,7 +101,7 @@ pub struct Deques {
 }
 
 impl Deques {
-    /// With room for so many batches of so many pairs in each.
+    /// With deques of so many batches of so many pairs.
     pub fn new(batches: u32, batch: u32) -> Self {
         Self { workers: Workers { n: 0, batches, batch }, words: Vec::new() }
     }
@@ -114,8 +111,8 @@ impl Deques {
         Shared(&self.words)
     }
 
-    /// Clears the deques and deals tasks out to all of them in turn, in batches; what has no room
-    /// goes to a list of the same worker.
+    /// Clears the deques and deals tasks out to all of them in turn, in batches; what does not
+    /// fit goes to a list of the same worker.
     pub fn deal(&mut self, n_workers: usize, tasks: &mut Vec<NodePair>, spilled: &Lists) {
         self.workers.n = n_workers as u32;
         self.words.resize_with(self.workers.words(), AtomicU32::default);

@@ -52,7 +52,7 @@ impl BinaryTree {
         cfg!(feature = "catalogue") && self.volume == Volume::Obb
     }
 
-    /// The number of its build: each has another.
+    /// The number of the build; each build has its own.
     pub fn build(&self) -> u64 {
         self.build
     }

@@ -165,6 +165,6 @@ fn absent(choice: impl Catalogued) -> Error {
 
 /// The trees of two sides; `a_has_one`: the first has a tree.
 fn trees_of<'a>(trees: &'a [BinaryTree], a_has_one: bool, (a, b): Sides) -> Trees<'a> {
-    let of = |leaves: &LeafBoxes| &trees[leaves.set().index];
-    Trees { a: a_has_one.then(|| of(a)), b: of(b.unwrap_or(a)) }
+    let tree = |leaves: &LeafBoxes| &trees[leaves.set().index];
+    Trees { a: a_has_one.then(|| tree(a)), b: tree(b.unwrap_or(a)) }
 }

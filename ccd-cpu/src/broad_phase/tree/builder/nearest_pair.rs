@@ -77,10 +77,10 @@ fn nearest(
     centres: &[[f32; 3]],
     found: &mut Vec<Own<Found>>,
 ) -> usize {
-    let (own, first, n) = (centres[target], target + 1, centres.len());
+    let (centre, first, n) = (centres[target], target + 1, centres.len());
     let none = beginning(first as u32);
     let search = |range: std::ops::Range<usize>| {
-        range.fold(none, |best, i| nearer(best, (distance(own, centres[i]), i as u32)))
+        range.fold(none, |best, i| nearer(best, (distance(centre, centres[i]), i as u32)))
     };
     let n_parts = threads.count().min((n - first) / MIN_PART).max(1);
     let part = (n - first).div_ceil(n_parts);

@@ -114,18 +114,18 @@ impl Ploc {
                 }
             }
         });
-        let of = |k: usize| {
+        let source = |k: usize| {
             let i = sources.load(k);
             let joins = fate(i, neighbours) == Fate::Joins;
             (i as usize, joins.then(|| neighbours[i as usize] as usize))
         };
         let boxed = |i: usize| get_lane(&clusters.boxes[i / WIDTH], i % WIDTH);
-        fill_boxes(threads, left, &mut next.boxes, &|k| match of(k) {
+        fill_boxes(threads, left, &mut next.boxes, &|k| match source(k) {
             (i, Some(j)) => boxed(i).union(&boxed(j)),
             (i, None) => boxed(i),
         });
         next.named.resize(left, Named::default());
-        threads.fill(&mut next.named, |k| match of(k) {
+        threads.fill(&mut next.named, |k| match source(k) {
             (i, Some(j)) => {
                 let (a, b) = (clusters.named[i], clusters.named[j]);
                 Named { subtree: joins.join(b.name - 1, a.subtree, b.subtree), name: a.name }

@@ -65,9 +65,9 @@ fn nearest_of<S: RowSimd>(
 ) -> u32 {
     let (begin, end) = (i.saturating_sub(radius), (i + radius + 1).min(n));
     let (first, last) = (begin / WIDTH, (end - 1) / WIDTH);
-    let own = simd.one(&boxes[i / WIDTH], i % WIDTH);
+    let aabb = simd.one(&boxes[i / WIDTH], i % WIDTH);
     for (b, block) in boxes[first..last + 1].iter().enumerate() {
-        distances[b] = simd.store(distance(&own, &simd.boxes(block)));
+        distances[b] = simd.store(distance(&aabb, &simd.boxes(block)));
     }
     // Neither itself nor who is too far along the curve.
     for lane in first * WIDTH..begin {

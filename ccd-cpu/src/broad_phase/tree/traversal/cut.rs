@@ -22,9 +22,9 @@
 //! ```
 //!
 //! The cut begins with the root, and the node with most leaves is split until there are as many as
-//! are wanted: 256 by default (1 is the traversal from the roots), which have 32,896 pairs, a node with itself being one. Of two sets
-//! every node of one cut is paired with every node of the other. A task is one node of the first
-//! cut with all of its pairs.
+//! are wanted: 256 by default (1 is the traversal from the roots), which have 32,896 pairs, a node
+//! with itself being one. Of two sets every node of one cut is paired with every node of the other.
+//! A task is one node of the first cut with all of its pairs.
 //!
 //! Cost: a step for every pair of nodes that overlap, less those above the cut, and a test of boxes
 //! for every pair of the cut. Choose it where boxes are many and pairs few, on a CPU with several
