@@ -42,7 +42,7 @@ impl AdapterOptions {
     }
 }
 
-/// Where compiled kernels are kept: `ccd` in the user's folder of caches.
+/// Folder of compiled kernels: `ccd` in the user's folder of caches.
 pub fn kernel_folder() -> Option<PathBuf> {
     let folder = |name: &str| {
         std::env::var_os(name).map(PathBuf::from).filter(|folder| folder.is_absolute())
@@ -57,12 +57,12 @@ pub fn kernel_folder() -> Option<PathBuf> {
     caches.map(|caches| caches.join("ccd"))
 }
 
-/// What the kernels of a session took to compile; `None` on the CPU.
+/// Compilation of a session's kernels; `None` on the CPU.
 pub fn compilation(session: &mut any::Session) -> Option<Compilation> {
     session.gpu().map(|session| session.device().compilation())
 }
 
-/// Says what kernels took to compile.
+/// Prints how long kernels took to compile.
 pub fn print_compilation(compilation: Option<Compilation>) {
     let Some(Compilation { kernels, time, kept, .. }) = compilation else { return };
     let seconds = time.as_secs_f64();

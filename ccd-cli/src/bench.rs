@@ -241,7 +241,7 @@ impl Bench {
         Ok(())
     }
 
-    /// How long work runs before it is measured.
+    /// Time of the warm-up.
     fn warm_up(&self) -> Duration {
         if self.small { Duration::ZERO } else { WARM_UP }
     }
@@ -336,11 +336,11 @@ fn machine() -> String {
     name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
 }
 
-/// What can be timed on a device, and asked again.
+/// A session or broad phase that a device can time.
 trait OnDevice {
     /// Sets what is timed, if there is a device.
     fn set_timing(&mut self, timing: Timing) -> Result<(), Error>;
-    /// What was timed of the last call.
+    /// Stages of the last call with their times.
     fn stages(&mut self) -> &[(&'static str, f64)];
     /// Finds pairs of boxes once more without sending anything, and says how many; `None` if that
     /// cannot be.

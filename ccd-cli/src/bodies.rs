@@ -1,4 +1,4 @@
-//! Which vertices belong together, and which of them do not move.
+//! Bodies of vertices, and which of them do not move.
 
 use super::{Failure, in_file};
 use ccd::{Bodies, Mesh};

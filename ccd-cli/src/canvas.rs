@@ -21,7 +21,7 @@ const BACKGROUND: Colour = [0.97, 0.97, 0.98];
 const FACE: Colour = [0.62, 0.68, 0.76];
 const BACK: Colour = [0.70, 0.66, 0.60];
 
-/// How a mark looks.
+/// Shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     Disc,
@@ -31,7 +31,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Whether it covers a place this far from its centre, in samples.
+    /// Whether it covers the point at this offset from its centre, in samples.
     fn covers(self, [x, y]: [f64; 2], radius: f64) -> bool {
         let (round, square) = (x.hypot(y), x.abs().max(y.abs()));
         match self {
@@ -47,19 +47,19 @@ fn stroke(radius: f64) -> f64 {
     (0.35 * radius).max(1.5)
 }
 
-/// From where the scene is seen, and which part.
+/// Direction of view and visible part of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     axes: [[f64; 3]; 3],
     centre: [f64; 2],
     /// Samples a unit of length.
     zoom: f64,
-    /// Of what is shown.
+    /// Longest side of the shown points.
     extent: f64,
 }
 
 impl View {
-    /// What shows all of these points, and at least this length; without any length, one unit.
+    /// A view of all these points, at least `least` long; one unit if that has no length.
     pub fn of(points: impl Iterator<Item = [f64; 3]>, least: f64) -> Self {
         let view = unit(VIEW);
         let right = unit(cross(UP, view));
@@ -93,12 +93,12 @@ impl View {
         self.zoom / SAMPLES as f64
     }
 
-    /// The longest side of what is shown.
+    /// The longest side of the shown points.
     pub fn extent(&self) -> f64 {
         self.extent
     }
 
-    /// How many samples what is shown by another view takes in this one.
+    /// Extent of another view in samples of this one.
     pub fn samples_of(&self, other: &Self) -> f64 {
         other.extent * self.zoom
     }

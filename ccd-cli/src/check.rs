@@ -45,10 +45,10 @@ struct Json<'a> {
     toi: Option<f64>,
     #[serde(flatten)]
     place: output::Place<'a>,
-    /// What kernels took to compile, on a GPU.
+    /// Compilation of kernels, on a GPU.
     compile_ms: Option<f64>,
     times_ms: TimesMs,
-    /// What it took to look at the first frame alone.
+    /// Time of the check of the first frame.
     intersections_ms: f64,
 }
 
@@ -177,7 +177,7 @@ fn print(
     output::line("", parts);
 }
 
-/// Looks at the frame that steps start from, alone.
+/// Intersections of the frame that steps start from.
 pub fn look_at_start(
     session: &mut Session,
     precision: Precision,

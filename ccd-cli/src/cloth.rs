@@ -99,12 +99,12 @@ impl Cloth {
         })
     }
 
-    /// Where its collisions are found.
+    /// Place of collision detection.
     pub fn place(&self) -> Place {
         self.hold.place()
     }
 
-    /// What kernels took to compile, on a GPU.
+    /// Compilation of kernels, on a GPU.
     pub fn compilation(&mut self) -> Option<ccd::gpu::Compilation> {
         compilation(&mut self.hold)
     }

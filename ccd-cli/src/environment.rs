@@ -1,4 +1,4 @@
-//! What the command sets in its own environment before it does anything else.
+//! Variables that the command sets in its environment at its start.
 
 /// Keeps Mesa's layer that orders GPUs for a desktop from looking for one that is not there:
 /// libwayland then complains on standard error (`XDG_RUNTIME_DIR is invalid or not set`), once for

@@ -29,7 +29,7 @@ pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
     Output::beside(path).map_err(|e| in_file(path, e))
 }
 
-/// Looks whether a file can be created, which is done once there is something to write.
+/// Checks that a file can be created; it is created once there is something to write.
 pub fn open(path: &Path, extension: &str) -> Result<(), Failure> {
     create(path, extension).map(drop)
 }
@@ -38,7 +38,7 @@ pub fn open(path: &Path, extension: &str) -> Result<(), Failure> {
 /// done, nothing of it.
 pub struct Output {
     to: Box<dyn Write>,
-    /// Where it is and where it belongs, if it is no stream.
+    /// Path of the unfinished file and its final path, if it is no stream.
     places: Option<[PathBuf; 2]>,
 }
 
@@ -148,7 +148,7 @@ pub fn check(
     Ok(())
 }
 
-/// What two paths of one file have in common, whether it is there or not.
+/// A path by which files are compared; the file need not exist.
 fn identity(path: &Path) -> PathBuf {
     let in_folder = || {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());

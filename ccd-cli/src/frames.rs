@@ -8,7 +8,7 @@ use ccd::Mesh;
 use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame};
 use std::path::{Path, PathBuf};
 
-/// What frames are read from.
+/// Source of frames.
 pub enum Frames {
     /// A file each.
     Files(Vec<PathBuf>),
@@ -54,7 +54,7 @@ impl Frames {
         Ok((Self::Files(files), is_unsorted))
     }
 
-    /// How many there are.
+    /// Number of frames.
     pub fn len(&self) -> usize {
         match self {
             Self::Files(files) => files.len(),

@@ -1,7 +1,8 @@
 //! Ctrl-C: the first one ends a command as an error does, with status 130, so that it leaves whole
 //! files or none; the second one ends it at once.
 //!
-//! What neither writes files nor steps a mesh never asks, and is ended by the first.
+//! A command that neither writes files nor steps a mesh does not wait for it: the first one ends
+//! it.
 
 use super::Failure;
 use ccd::CancelToken;
@@ -27,17 +28,17 @@ fn pressed() -> &'static Arc<AtomicBool> {
     })
 }
 
-/// What ends steps of a session.
+/// A token that cancels steps of a session.
 pub fn token() -> CancelToken {
     pressed().clone().into()
 }
 
-/// Whether there was one.
+/// Whether Ctrl-C was pressed.
 pub fn happened() -> bool {
     PRESSED.get().is_some_and(|pressed| pressed.load(Relaxed))
 }
 
-/// Ends what has begun, once there was one.
+/// An error once Ctrl-C was pressed.
 pub fn check() -> Result<(), Failure> {
     if happened() { Err(Failure("interrupted".into())) } else { Ok(()) }
 }

@@ -10,7 +10,7 @@ use plotters::prelude::*;
 /// Pixels above and below the picture.
 const TOP: u32 = 62;
 const BOTTOM: u32 = 78;
-/// Of the picture with all of it around.
+/// Size of the picture with everything around it.
 pub const SIZE_ALL: (u32, u32) = (WIDTH as u32, HEIGHT as u32 + TOP + BOTTOM);
 
 /// Colours of the earliest to the latest time.
@@ -35,7 +35,7 @@ const SIZE: u32 = 18;
 /// The colour bar: left end, length, height.
 const BAR: [i32; 3] = [860, 380, 14];
 
-/// What the texts say.
+/// Contents of the legend.
 pub struct Legend<'a> {
     pub lines: [&'a str; 2],
     pub pixels_per_unit: f64,

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Serialize, Deserialize)]
 pub struct Step {
     pub frame: usize,
-    /// What the step's end is called.
+    /// Name of the frame that the step ends with.
     pub file: String,
     pub candidates: Counts,
     pub contacts: Counts,
@@ -29,12 +29,12 @@ pub struct LastLine {
     pub mesh: MeshSize,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<Share>,
-    /// Of the first frame of all with itself: the first part says it.
+    /// Of the first frame of all with itself; in the first part alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub intersections: Option<Intersections>,
 }
 
-/// Which of all steps were done.
+/// Part of the steps that was done.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 pub struct Share {
     #[serde(flatten)]

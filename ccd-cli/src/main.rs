@@ -105,7 +105,7 @@ enum Command {
     Man(manual::Man),
 }
 
-/// What the columns of contacts mean.
+/// Help on the columns of contacts.
 const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
   kind        vf (vertex a, face b) or ee (edges a < b); of points and
               edges that belong to nothing higher also ve (vertex a,
@@ -204,7 +204,7 @@ impl StepOptions {
         files::check(json.or(self.json.then_some("--json")), &written, &read)
     }
 
-    /// Whether text is printed: not beside JSON, nor where a file goes to standard output.
+    /// Whether text is printed: not with JSON, nor if a file goes to standard output.
     fn prints_text(&self) -> bool {
         let files = [&self.contacts, &self.picture];
         !self.json && !files.into_iter().flatten().any(|path| files::is_stdout(path))
@@ -322,7 +322,7 @@ fn unparsed(e: &clap::Error) -> ! {
     std::process::exit(e.exit_code())
 }
 
-/// Says why the command ends.
+/// Prints why the command ends.
 fn complain(failure: &Failure) {
     use std::io::Write;
     let style = anstyle::Style::new().bold().fg_color(Some(anstyle::AnsiColor::Red.into()));

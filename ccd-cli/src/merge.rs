@@ -98,7 +98,7 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
     Ok(Output { path, lines, steps, share, mesh, intersections })
 }
 
-/// Whether lines are what `sequence --json` prints.
+/// Whether lines are the output of `sequence --json`.
 fn is_one_object(lines: &[String]) -> bool {
     let [line] = lines else { return false };
     serde_json::from_str::<serde_json::Value>(line).is_ok_and(|value| value["summary"].is_object())

@@ -127,7 +127,7 @@ impl MethodOptions {
         Ok(Some(BroadPhaseMethod::Tree(tree)))
     }
 
-    /// What is paired first.
+    /// The pipeline.
     pub fn pipeline(&self) -> Result<Pipeline, Failure> {
         let (orphans, cones) = (self.orphans, self.cones);
         match self.pipeline.unwrap_or_default() {
@@ -145,7 +145,7 @@ impl MethodOptions {
         }
     }
 
-    /// How work is shared out, and where a step begins.
+    /// Scheduler and front.
     pub fn scheduling(&self) -> Result<Scheduling, Failure> {
         let scheduler = match (self.scheduler, self.idle) {
             (Some(Scheduler::Balanced { .. }), Some(idle)) => Some(Scheduler::Balanced { idle }),

@@ -1,4 +1,4 @@
-//! What commands print: text and JSON.
+//! Output of commands: text and JSON.
 
 use super::{Failure, Precision};
 use ccd::any;
@@ -156,13 +156,13 @@ pub fn milliseconds(ms: f64) -> String {
     }
 }
 
-/// How many contacts there are at t = 0.
+/// Number of contacts at t = 0.
 pub fn at_start(report: &Report) -> u64 {
     report.contacts.iter().filter(|c| c.toi == 0.0).count() as u64
 }
 
-/// Says what undecided contacts are and why there are contacts at t = 0, if there are any. `first`:
-/// the frame that the step starts from.
+/// Prints what undecided contacts mean and why there are contacts at t = 0, if there are any.
+/// `first`: the frame that the step starts from.
 pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
     if undecided > 0 {
         line("", "undecided: too close to tell in rounded numbers; treat as contacts");
@@ -190,8 +190,8 @@ pub fn thousands(n: usize) -> String {
     out
 }
 
-/// What a picture is of and where it was computed: the end of the first path, with the folders that
-/// say which scene it is, and the names of the others.
+/// Title of a picture: the end of the first path with the folders that name its scene, the names of
+/// the other files, and the place of the computation.
 pub fn title(files: &[&Path], place: &any::Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
@@ -214,7 +214,7 @@ pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where progress is shown: nowhere if standard error is not a terminal.
+/// Progress bar; hidden if standard error is not a terminal.
 pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
     let template = "{msg} {wide_bar} {pos}/{len}, {eta} left";
     let style = indicatif::ProgressStyle::with_template(template)

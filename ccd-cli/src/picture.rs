@@ -10,7 +10,7 @@ use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
 use std::path::Path;
 
-/// What a picture shows.
+/// Visible part of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Zoom {
     /// All of the mesh
@@ -19,9 +19,9 @@ pub enum Zoom {
     Contacts,
 }
 
-/// What is drawn.
+/// Contents of a picture.
 pub struct Scene<'a> {
-    /// What it is and on what it was found: the first line.
+    /// First line: the scene, and the backend that ran it.
     pub title: &'a str,
     pub mesh: &'a Mesh,
     /// Positions at the start and at the end of the step.
@@ -36,7 +36,7 @@ const ROD: Colour = [0.20, 0.24, 0.32];
 const RING: Colour = [0.03, 0.03, 0.06];
 /// Radius of the ring around the earliest contact, in samples.
 const RING_RADIUS: f64 = 30.0;
-/// Of at most so many contacts the features are outlined where they meet.
+/// Up to this number of contacts their features are outlined.
 const FEW: usize = 24;
 
 /// Writes the picture: the mesh as it is at the earliest time of impact, and a mark for each

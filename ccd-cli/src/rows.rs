@@ -1,12 +1,12 @@
-//! Rows of CSV: contacts with where they are, candidates, whatever else has rows.
+//! Rows of CSV: contacts with their geometry, candidates, verdicts of queries.
 
 use super::{Failure, files};
 use ccd::{Contact, Kind, Mesh, State};
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-/// What contacts are between: a mesh, its positions at the start and at the end of the step, and
-/// the polygon of the file that each of its faces is a part of.
+/// A step: the mesh, its positions at the start and at the end, and the polygon of the file that
+/// each face is a part of.
 pub struct Step<'a> {
     pub mesh: &'a Mesh,
     pub x0: &'a [[f64; 3]],

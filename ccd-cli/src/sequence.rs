@@ -194,7 +194,7 @@ fn sentence(steps: &[Step], start: Option<&Intersections>) -> String {
     }
 }
 
-/// What a step's end is called, without its folder.
+/// Name of the frame that a step ends with, without its folder.
 fn name(step: &Step) -> std::borrow::Cow<'_, str> {
     let path = std::path::Path::new(&step.file);
     path.file_name().map_or(step.file.as_str().into(), |name| name.to_string_lossy())
@@ -225,7 +225,7 @@ fn print_head(session: &Session, share: Option<Share>) {
     );
 }
 
-/// Whether there can be contacts of the kinds that only particles have.
+/// Whether the mesh has particles, and so contacts of their kinds.
 fn has_particles(session: &Session) -> bool {
     !session.mesh().isolated_vertices().is_empty()
 }

@@ -11,11 +11,11 @@ use std::time::Instant;
 #[derive(Serialize, Deserialize)]
 pub struct Intersections {
     pub pairs: usize,
-    /// Of these, with coordinates so large or small that only their boxes were compared.
+    /// Pairs with coordinates so large or small that only their boxes were compared.
     undecided: usize,
     /// The first pair.
     example: Option<Example>,
-    /// How long it took.
+    /// Time of the check.
     #[serde(skip)]
     pub ms: f64,
 }
@@ -28,7 +28,7 @@ struct Example {
 }
 
 impl Intersections {
-    /// Of the mesh of a session, where its bodies want pairs; by the same threads, on the CPU.
+    /// Intersections of a session's mesh, among the pairs that its bodies want; on the CPU.
     pub fn of(session: &mut Session, x: &[[f64; 3]]) -> Result<Self, ccd::Error> {
         let start = Instant::now();
         let found = session.intersections(x)?;
@@ -45,7 +45,7 @@ impl Intersections {
         })
     }
 
-    /// What the first frame does, if it does: in words.
+    /// A verb phrase for the first frame, if it intersects itself.
     pub fn verb(&self) -> Option<&'static str> {
         match self.pairs {
             0 => None,
@@ -54,7 +54,7 @@ impl Intersections {
         }
     }
 
-    /// Says it in lines of text.
+    /// Prints it as lines of text.
     pub fn print(&self) {
         let ms = output::milliseconds(self.ms);
         let (Some(verb), Some(Example { edge, face })) = (self.verb(), &self.example) else {
@@ -69,7 +69,7 @@ impl Intersections {
     }
 }
 
-/// What a step found, in one sentence for people.
+/// Result of a step in one sentence for people.
 pub fn sentence(report: &Report, start: &Intersections) -> String {
     match (report.toi, start.verb()) {
         (None, None) => "No contact: the whole step is free.".into(),

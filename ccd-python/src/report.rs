@@ -1,4 +1,4 @@
-//! What a step found, as arrays with one entry per contact.
+//! Report of a step: arrays with one entry per contact.
 
 use crate::arrays::rows;
 use ccd::State;
@@ -68,7 +68,7 @@ impl Report {
     }
 }
 
-/// What of a report is made without the interpreter.
+/// Columns of a report, made without the interpreter.
 pub struct Columns {
     kind: Vec<u8>,
     a: Vec<u32>,
@@ -84,15 +84,15 @@ pub struct Columns {
 
 impl Columns {
     pub fn new(report: &ccd::Report, mesh: &ccd::Mesh) -> Self {
-        let (of, n) = (&report.contacts, report.candidates);
+        let (contacts, n) = (&report.contacts, report.candidates);
         let vertices =
-            of.iter().flat_map(|c| mesh.vertices_of(c.kind, ccd::Pair { a: c.a, b: c.b }));
+            contacts.iter().flat_map(|c| mesh.vertices_of(c.kind, ccd::Pair { a: c.a, b: c.b }));
         Self {
-            kind: of.iter().map(|c| c.kind as u8).collect(),
-            a: of.iter().map(|c| c.a).collect(),
-            b: of.iter().map(|c| c.b).collect(),
-            toi: of.iter().map(|c| c.toi).collect(),
-            state: of.iter().map(|c| state_number(c.state)).collect(),
+            kind: contacts.iter().map(|c| c.kind as u8).collect(),
+            a: contacts.iter().map(|c| c.a).collect(),
+            b: contacts.iter().map(|c| c.b).collect(),
+            toi: contacts.iter().map(|c| c.toi).collect(),
+            state: contacts.iter().map(|c| state_number(c.state)).collect(),
             vertices: vertices.collect(),
             earliest_toi: report.toi,
             n_candidates: (n.vf, n.ee, n.ve, n.vv),

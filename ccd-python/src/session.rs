@@ -102,7 +102,7 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Report> {
-        self.with(py, x0, x1, Step)?.into_report(py)
+        self.with(py, [x0, x1], step, step)?.into_report(py)
     }
 
     /// The earliest time of impact of the step, never late; None if all of it is free. Cheaper
@@ -113,7 +113,7 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<f64>> {
-        self.with(py, x0, x1, Earliest)
+        self.with(py, [x0, x1], |s, a, b| s.earliest_toi(a, b), |s, a, b| s.earliest_toi(a, b))
     }
 
     /// The part of the step that is free of contact, in [0, 1]: the earliest time of impact, or 1
@@ -148,7 +148,7 @@ impl Session {
         x0: &Bound<'py, PyAny>,
         x1: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyTuple>> {
-        let all = self.with(py, x0, x1, Candidates)?;
+        let all = self.with(py, [x0, x1], candidates, candidates)?;
         let arrays: Vec<_> =
             all.into_iter().map(|pairs| pair_array(py, pairs)).collect::<PyResult<_>>()?;
         PyTuple::new(py, arrays)
@@ -166,86 +166,54 @@ impl Session {
     }
 }
 
-/// A call of a session, for positions of either precision.
-trait Call: Send {
-    type Found: Send;
-    fn call<T: Coordinate>(
-        self,
-        session: &mut any::Session,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Self::Found, any::Error>;
+/// A call of a session, for positions of one precision.
+type Call<T, R> = fn(&mut any::Session, &[[T; 3]], &[[T; 3]]) -> Result<R, any::Error>;
+
+fn step<T: Coordinate>(
+    session: &mut any::Session,
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+) -> Result<Columns, any::Error> {
+    session.step(x0, x1)?;
+    Ok(Columns::new(session.report(), session.mesh()))
 }
 
-struct Step;
-struct Earliest;
-struct Candidates;
-
-impl Call for Step {
-    type Found = Columns;
-    fn call<T: Coordinate>(
-        self,
-        session: &mut any::Session,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Columns, any::Error> {
-        session.step(x0, x1)?;
-        Ok(Columns::new(session.report(), session.mesh()))
-    }
-}
-
-impl Call for Earliest {
-    type Found = Option<f64>;
-    fn call<T: Coordinate>(
-        self,
-        session: &mut any::Session,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<Option<f64>, any::Error> {
-        session.earliest_toi(x0, x1)
-    }
-}
-
-impl Call for Candidates {
-    type Found = [Vec<u32>; 4];
-    fn call<T: Coordinate>(
-        self,
-        session: &mut any::Session,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> Result<[Vec<u32>; 4], any::Error> {
-        let all = session.candidates(x0, x1)?;
-        let kinds = [all.vf, all.ee, all.ve, all.vv];
-        Ok(kinds.map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
-    }
+fn candidates<T: Coordinate>(
+    session: &mut any::Session,
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+) -> Result<[Vec<u32>; 4], any::Error> {
+    let all = session.candidates(x0, x1)?;
+    let kinds = [all.vf, all.ee, all.ve, all.vv];
+    Ok(kinds.map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
 }
 
 impl Session {
     /// Makes a call without the interpreter.
-    fn with<C: Call>(
+    fn with<R: Send>(
         &self,
         py: Python<'_>,
-        x0: &Bound<'_, PyAny>,
-        x1: &Bound<'_, PyAny>,
-        call: C,
-    ) -> PyResult<C::Found> {
+        [x0, x1]: [&Bound<'_, PyAny>; 2],
+        narrow: Call<f32, R>,
+        wide: Call<f64, R>,
+    ) -> PyResult<R> {
         let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
         match &positions {
-            Floats::F32([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, call),
-            Floats::F64([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, call),
+            Floats::F32([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, narrow),
+            Floats::F64([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, wide),
         }
     }
 
-    fn run<T: Coordinate, C: Call>(
+    fn run<T: Coordinate, R: Send>(
         &self,
         py: Python<'_>,
         x0: &[T],
         x1: &[T],
-        call: C,
-    ) -> PyResult<C::Found> {
+        call: Call<T, R>,
+    ) -> PyResult<R> {
         py.detach(|| {
             let mut session = lock(&self.inner)?;
-            call.call(&mut session, x0.as_chunks().0, x1.as_chunks().0).map_err(failed)
+            call(&mut session, x0.as_chunks().0, x1.as_chunks().0).map_err(failed)
         })
     }
 }

@@ -64,7 +64,7 @@ pub fn contact_digest(contacts: &[Contact]) -> Digest {
     digest
 }
 
-/// What the recorded digests of a step say.
+/// Digests of a step as text.
 pub fn step_text(report: &Report) -> String {
     let c = &report.candidates;
     format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&report.contacts))

@@ -1,4 +1,4 @@
-//! What tests, benches and the report share: real scenes with their ground truth, generated scenes,
+//! Shared by tests, benches and reports: real scenes with their ground truth, generated scenes,
 //! brute force, an exact oracle.
 #![deny(unsafe_code)]
 

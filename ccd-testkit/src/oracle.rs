@@ -10,14 +10,14 @@
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, Zero};
 
-/// What is exactly true of a query.
+/// Exact answer of a query.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// No contact in `[0, 1]`.
     Free,
     /// The earliest contact lies in this interval, at most 2^-60 wide (rounded to `f64`).
     Contact(f64, f64),
-    /// This oracle does not decide it.
+    /// Not decided by this oracle.
     Degenerate,
 }
 

@@ -19,7 +19,7 @@ pub struct BroadPhase {
     on: Either<crate::BroadPhase, gpu::BroadPhase>,
     /// Name of the adapter, if it is a GPU.
     adapter: String,
-    /// What the CPU needs to take over.
+    /// Arguments for a broad phase on the CPU that takes over.
     threads: usize,
     method: BroadPhaseMethod,
     scheduling: Scheduling,
@@ -34,7 +34,7 @@ impl BroadPhase {
         Self::scheduled(choice, threads, method, Scheduling::default())
     }
 
-    /// The same with work shared out in a way of its own.
+    /// A broad phase with a scheduling.
     ///
     /// # Errors
     /// Those of [`crate::BroadPhase::scheduled`], and, where the choice was a GPU alone, what that

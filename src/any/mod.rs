@@ -61,7 +61,7 @@ use no_gpu as gpu;
 /// device takes longer than many steps.
 pub const FEWEST_FOR_GPU: usize = 20_000;
 
-/// What is to run the work.
+/// Backend asked for.
 ///
 /// ```
 /// use ccd::any::Backend;
@@ -118,7 +118,7 @@ impl Backend {
     }
 }
 
-/// What was chosen to run the work; by default the CPU.
+/// Backend chosen for the work; by default the CPU.
 ///
 /// ```
 /// use ccd::any::Backend;
@@ -138,7 +138,7 @@ pub struct Choice {
     notice: Option<Notice>,
 }
 
-/// What is told why the CPU takes over from a GPU.
+/// Called with the reason when the CPU takes over from a GPU.
 type Notice = fn(&Error);
 
 impl Choice {
@@ -179,7 +179,7 @@ impl Choice {
     }
 }
 
-/// Where work runs.
+/// Place of the work.
 ///
 /// ```
 /// use ccd::any::Place;
@@ -189,7 +189,7 @@ impl Choice {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// So many threads of this machine.
+    /// Threads of this machine.
     Cpu {
         /// Their number.
         threads: usize,
@@ -237,7 +237,7 @@ impl std::fmt::Display for Place {
     }
 }
 
-/// A thing of the one backend or of the other.
+/// A session or broad phase of either backend.
 enum Either<C, G> {
     Cpu(Box<C>),
     Gpu { on: Box<G>, free: bool, notice: Option<Notice> },

@@ -1,5 +1,5 @@
-//! What stands for the GPU where this crate is built without it: types that have no value, so that
-//! nothing of them ever runs.
+//! Stand-ins for the types of the GPU without the feature `gpu`: they have no values, so their
+//! methods never run.
 
 use crate::{Aabb, BroadPhaseMethod, CancelToken, Pair, Scheduling};
 use ccd_core::model::precision::Given;

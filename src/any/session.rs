@@ -152,7 +152,7 @@ impl Engine {
     }
 }
 
-/// What takes over from a GPU.
+/// The session on the CPU that takes over from a GPU.
 fn on_cpu(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
     let mut session = crate::Session::new(on.mesh().clone(), on.options().clone())?;
     session.set_cancel_token(on.cancel_token().cloned());

@@ -106,7 +106,7 @@ fn fetch(path: &Path, uri: &str, length: usize) -> Result<Vec<u8>, String> {
     let name = urlencoding::decode(uri).map_err(|e| format!("`{uri}`: {e}"))?;
     let (path, mut bytes) = (path.with_file_name(&*name), Vec::new());
     // A device may have no end, and a pipe may wait for ever.
-    let is_file = std::fs::metadata(&path).map(|of| of.is_file());
+    let is_file = std::fs::metadata(&path).map(|data| data.is_file());
     let read = is_file.and_then(|is_file| match is_file {
         true => std::fs::File::open(path)?.take(length as u64).read_to_end(&mut bytes),
         false => Err(std::io::Error::other("is no regular file")),

@@ -21,7 +21,7 @@ pub(super) struct Header {
 const LONGEST: u32 = 1 << 16;
 
 impl Header {
-    /// How long the numbers are, if that can be said.
+    /// Bytes of all numbers, unless they overflow.
     pub fn n_bytes(&self) -> Option<u64> {
         let numbers = self.n_vertices.checked_mul(if self.wide { 24 } else { 12 })?;
         self.n_frames.checked_mul(numbers)
@@ -79,7 +79,7 @@ pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
     }
 }
 
-/// What stands for a key in the header, a dictionary as Python writes it.
+/// Value of a key in the header, a dictionary as Python writes it.
 fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
     let at = ['\'', '"'].iter().find_map(|quote| {
         let name = format!("{quote}{key}{quote}");

@@ -18,44 +18,12 @@ use std::path::Path;
 
 /// Statements that hold neither vertices nor what joins them: normals, texture coordinates,
 /// groups, materials, points, curves and surfaces.
-const PASSED_OVER: [&str; 34] = [
-    "vn",
-    "vt",
-    "vp",
-    "o",
-    "g",
-    "s",
-    "mtllib",
-    "usemtl",
-    "p",
-    "cstype",
-    "deg",
-    "curv",
-    "curv2",
-    "surf",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "mg",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-    "ctech",
-    "stech",
-    "bmat",
-    "step",
-    "usemap",
-    "maplib",
-];
+const PASSED_OVER: &str = "\
+    vn vt vp o g s mtllib usemtl p cstype deg curv curv2 surf parm trim hole scrv sp end \
+    con mg bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bmat step usemap \
+    maplib";
 
-/// What some editors put before the text of a file in UTF-8.
+/// Byte order mark that some editors put before text in UTF-8.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
@@ -129,7 +97,7 @@ fn statement(text: &[u8], frame: &mut Frame) -> Result<bool, String> {
             let corners = corners(words, 2, frame.positions.len())?;
             frame.edges.extend(corners.windows(2).map(|w| [w[0], w[1]]));
         }
-        _ if PASSED_OVER.contains(&keyword) => {}
+        _ if PASSED_OVER.split(' ').any(|word| word == keyword) => {}
         _ => return Err(format!("`{}` is no statement of OBJ", quote(keyword))),
     }
     Ok(true)

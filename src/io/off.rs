@@ -45,7 +45,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     }
 }
 
-/// What follows the keyword in its line, if anything does.
+/// Rest of the keyword's line, if there is any.
 fn header(line: &str) -> Result<Option<&str>, String> {
     let (keyword, rest) = match line.split_once(char::is_whitespace) {
         Some((keyword, rest)) => (keyword, rest.trim()),
@@ -63,7 +63,7 @@ fn header(line: &str) -> Result<Option<&str>, String> {
     Ok((!rest.is_empty()).then_some(rest))
 }
 
-/// How many vertices and faces there are; the number of edges may be missing.
+/// Numbers of vertices and faces; the number of edges may be missing.
 fn numbers_of(line: &str) -> Result<[usize; 2], String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     if words.len() < 2 || words.len() > 3 {

@@ -6,17 +6,48 @@ use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAcc
 use std::io::{BufRead, ErrorKind};
 use std::path::Path;
 
-/// A vertex while it is read; a coordinate that the file lacks stays `None`.
-struct Vertex([Option<f64>; 3]);
+/// An element while it is read; a property that the file lacks stays `None`.
+#[derive(Default)]
+struct Element {
+    position: [Option<f64>; 3],
+    /// An index that is no `u32` stays as it is for the message.
+    corners: Option<Vec<i64>>,
+    ends: [Option<i64>; 2],
+}
 
-/// A polygon while it is read; an index that is no `u32` stays as it is for the message.
-struct Face(Option<Vec<i64>>);
+impl PropertyAccess for Element {
+    fn new() -> Self {
+        Self::default()
+    }
 
-/// The two ends of an edge while it is read.
-struct Edge([Option<i64>; 2]);
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        match name {
+            "x" => self.position[0] = number(&property),
+            "y" => self.position[1] = number(&property),
+            "z" => self.position[2] = number(&property),
+            "vertex_indices" | "vertex_index" => self.corners = integers(property),
+            "vertex1" => self.ends[0] = number(&property).map(|x| x as i64),
+            "vertex2" => self.ends[1] = number(&property).map(|x| x as i64),
+            _ => return PropertyAccessResult::Ignored,
+        }
+        PropertyAccessResult::Set
+    }
+}
 
-/// What is read of elements that are not used.
-struct Ignored;
+impl Element {
+    fn corners(self) -> Result<Vec<u32>, String> {
+        let corners = self.corners.ok_or("has no list vertex_indices of integers")?;
+        if corners.len() < 3 {
+            return Err(format!("has {} vertices, fewer than 3", corners.len()));
+        }
+        corners.into_iter().map(index).collect()
+    }
+
+    fn ends(self) -> Result<[u32; 2], String> {
+        let [Some(v), Some(w)] = self.ends else { return Err("has no vertex1 or vertex2".into()) };
+        Ok([index(v)?, index(w)?])
+    }
+}
 
 fn number(property: &Property) -> Option<f64> {
     Some(match *property {
@@ -32,88 +63,22 @@ fn number(property: &Property) -> Option<f64> {
     })
 }
 
-impl Face {
-    fn corners(self) -> Result<Vec<u32>, String> {
-        let corners = self.0.ok_or("has no list vertex_indices of integers")?;
-        if corners.len() < 3 {
-            return Err(format!("has {} vertices, fewer than 3", corners.len()));
-        }
-        corners.into_iter().map(index).collect()
-    }
-}
-
-impl Edge {
-    fn ends(self) -> Result<[u32; 2], String> {
-        let [Some(v), Some(w)] = self.0 else { return Err("has no vertex1 or vertex2".into()) };
-        Ok([index(v)?, index(w)?])
-    }
-}
-
-impl PropertyAccess for Vertex {
-    fn new() -> Self {
-        Vertex([None; 3])
-    }
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let axis = match name {
-            "x" => 0,
-            "y" => 1,
-            "z" => 2,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        self.0[axis] = number(&property);
-        PropertyAccessResult::Set
-    }
-}
-
-impl PropertyAccess for Face {
-    fn new() -> Self {
-        Face(None)
-    }
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if name != "vertex_indices" && name != "vertex_index" {
-            return PropertyAccessResult::Ignored;
-        }
-        self.0 = match property {
-            Property::ListChar(v) => Some(v.into_iter().map(i64::from).collect()),
-            Property::ListUChar(v) => Some(v.into_iter().map(i64::from).collect()),
-            Property::ListShort(v) => Some(v.into_iter().map(i64::from).collect()),
-            Property::ListUShort(v) => Some(v.into_iter().map(i64::from).collect()),
-            Property::ListInt(v) => Some(v.into_iter().map(i64::from).collect()),
-            Property::ListUInt(v) => Some(v.into_iter().map(i64::from).collect()),
-            _ => None,
-        };
-        PropertyAccessResult::Set
-    }
-}
-
-impl PropertyAccess for Edge {
-    fn new() -> Self {
-        Edge([None; 2])
-    }
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let end = match name {
-            "vertex1" => 0,
-            "vertex2" => 1,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        self.0[end] = number(&property).map(|x| x as i64);
-        PropertyAccessResult::Set
-    }
-}
-
-impl PropertyAccess for Ignored {
-    fn new() -> Self {
-        Ignored
-    }
-    fn set_property(&mut self, _: &str, _: Property) -> PropertyAccessResult {
-        PropertyAccessResult::Ignored
-    }
+fn integers(property: Property) -> Option<Vec<i64>> {
+    Some(match property {
+        Property::ListChar(v) => v.into_iter().map(i64::from).collect(),
+        Property::ListUChar(v) => v.into_iter().map(i64::from).collect(),
+        Property::ListShort(v) => v.into_iter().map(i64::from).collect(),
+        Property::ListUShort(v) => v.into_iter().map(i64::from).collect(),
+        Property::ListInt(v) => v.into_iter().map(i64::from).collect(),
+        Property::ListUInt(v) => v.into_iter().map(i64::from).collect(),
+        _ => return None,
+    })
 }
 
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let file = std::fs::File::open(path)?;
     let mut reader = Reader::new(std::io::BufReader::with_capacity(1 << 16, file));
-    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(stopped)?;
+    let header = Parser::<Element>::new().read_header(&mut reader).map_err(stopped)?;
     if !header.elements.contains_key("vertex") {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));
     }
@@ -130,7 +95,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         match element.name.as_str() {
             "vertex" => {
                 for at in n {
-                    let [x, y, z] = payload.next::<Vertex>("vertex", at, element)?.0;
+                    let [x, y, z] = payload.next("vertex", at, element)?.position;
                     let (Some(x), Some(y), Some(z)) = (x, y, z) else {
                         let what = "x, y or z is missing".into();
                         return Err(ReadErrorKind::Element { element: "vertex", at, what });
@@ -140,14 +105,14 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
             }
             "face" => {
                 for at in n {
-                    let corners = payload.next::<Face>("face", at, element)?.corners();
+                    let corners = payload.next("face", at, element)?.corners();
                     let bad = |what| ReadErrorKind::Element { element: "face", at, what };
                     frame.push_polygon(&corners.map_err(bad)?);
                 }
             }
             "edge" => {
                 for at in n {
-                    let ends = payload.next::<Edge>("edge", at, element)?.ends();
+                    let ends = payload.next("edge", at, element)?.ends();
                     let bad = |what| ReadErrorKind::Element { element: "edge", at, what };
                     frame.edges.push(ends.map_err(bad)?);
                 }
@@ -156,7 +121,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
             _ if element.properties.is_empty() && encoding != Encoding::Ascii => {}
             _ => {
                 for at in n {
-                    payload.next::<Ignored>("element", at, element)?;
+                    payload.next("element", at, element)?;
                 }
             }
         }
@@ -165,7 +130,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(frame)
 }
 
-/// What follows the header, taken one by one: its counts are not trusted.
+/// Elements after the header, read one by one: its counts are not trusted.
 struct Payload<R> {
     rest: R,
     /// Number of the next line, where this is text.
@@ -174,28 +139,30 @@ struct Payload<R> {
 }
 
 impl<R: BufRead> Payload<R> {
-    fn next<E: PropertyAccess>(
+    fn next(
         &mut self,
         name: &'static str,
         at: usize,
-        of: &ElementDef,
-    ) -> Result<E, ReadErrorKind> {
+        element: &ElementDef,
+    ) -> Result<Element, ReadErrorKind> {
         let ends = || {
-            let what = format!("the file ends here; the header promises {}", of.count);
+            let what = format!("the file ends here; the header promises {}", element.count);
             ReadErrorKind::Element { element: name, at, what }
         };
         let parser = Parser::new();
         let read = match self.encoding {
-            Encoding::BinaryBigEndian => parser.read_big_endian_element(&mut self.rest, of),
-            Encoding::BinaryLittleEndian => parser.read_little_endian_element(&mut self.rest, of),
+            Encoding::BinaryBigEndian => parser.read_big_endian_element(&mut self.rest, element),
+            Encoding::BinaryLittleEndian => {
+                parser.read_little_endian_element(&mut self.rest, element)
+            }
             Encoding::Ascii => {
                 let (mut text, line) = (String::new(), self.line);
                 if self.rest.read_line(&mut text)? == 0 {
                     return Err(ends());
                 }
                 self.line += 1;
-                return parser.read_ascii_element(&text, of).map_err(|_| {
-                    let what = format!("`{}` is no {}", quote(text.trim()), quote(&of.name));
+                return parser.read_ascii_element(&text, element).map_err(|_| {
+                    let what = format!("`{}` is no {}", quote(text.trim()), quote(&element.name));
                     ReadErrorKind::Line { line, what }
                 });
             }

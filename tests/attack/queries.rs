@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 /// families to come within seconds.
 const ON_GPU: usize = 512;
 const ON_CPU: usize = 256;
-/// Of so many queries whose answer is known one is decided by exact arithmetic too.
+/// Queries with a known answer, one of which is decided by exact arithmetic too.
 const EXACT_EVERY: usize = 64;
 
 /// A batch, and how it is asked.
@@ -201,7 +201,7 @@ fn query_of(mesh: &Mesh, c: &Contact) -> usize {
     mesh.vertices_of(c.kind, Pair { a: c.a, b: c.b })[0] as usize / 4
 }
 
-/// What construction knows.
+/// Compares a verdict with the answer known by construction.
 fn judge(batch: &Batch, query: &Query, verdict: Verdict<f64>) -> Result<(), String> {
     let certain = matches!(verdict, Verdict::Hit { .. });
     let [from, until] = batch.window;
@@ -219,7 +219,7 @@ fn judge(batch: &Batch, query: &Query, verdict: Verdict<f64>) -> Result<(), Stri
     }
 }
 
-/// What exact arithmetic knows: of touching all, of a distance what it is at some times.
+/// Compares a verdict with exact arithmetic: completely for touching, at some times for a distance.
 fn judge_exactly(batch: &Batch, query: &Query, verdict: Verdict<f64>) -> Result<(), String> {
     let certain = matches!(verdict, Verdict::Hit { .. });
     let toi = verdict.toi();

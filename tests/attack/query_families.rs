@@ -13,10 +13,10 @@ use serde::{Deserialize, Serialize};
 
 pub type V = [i64; 3];
 
-/// Where a vector is at the time of contact, and by how much it moves in `1 / q` of the step.
+/// A vector at the time of contact, and its motion in `1 / q` of the step.
 pub type Line = [V; 2];
 
-/// What is known of a query by construction.
+/// Answer of a query that is known by construction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Known {
     /// Contact at the time of the batch; whether it is the first for certain.
@@ -75,7 +75,7 @@ type Family = (&'static str, fn(&mut Random, &Batch, &mut Form, Patch));
 
 const ZERO: Line = [[0; 3]; 2];
 
-/// What a corner nearly touches and what keeps its distance is made of: vectors of whole length.
+/// Vectors of whole length, for gaps and distances.
 const GAPS: [(V, i64); 5] =
     [([1, 2, 2], 3), ([2, 3, 6], 7), ([3, 4, 0], 5), ([2, 6, 9], 11), ([3, 4, 12], 13)];
 
@@ -309,7 +309,7 @@ impl Batch {
         Query { kind, t0: at(-self.p), t1: at(self.q - self.p), known, form: Some(form) }
     }
 
-    /// Whether a time is not after that of the contact: the product is rounded once, with its sign.
+    /// Whether a time is not after the contact; exact, as the product is rounded once.
     pub fn in_time(&self, toi: f64) -> bool {
         toi.mul_add(self.q as f64, -(self.p as f64)) <= 0.0
     }

@@ -15,12 +15,12 @@ pub struct State<'a> {
     pub step: Step,
     /// Coordinates are multiplied by this.
     pub unit: f64,
-    /// Where connected elements are of one body.
+    /// Body of each vertex; connected elements share one.
     body_of: Vec<u32>,
     pub session: Session,
     /// Pairs are left out whose ids add up to a multiple of this; 0: none.
     pub filter: u32,
-    /// Which part of the motion the next step is.
+    /// Part of the motion in the next step, an index.
     part: usize,
 }
 

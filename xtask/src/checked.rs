@@ -16,7 +16,7 @@ use crate::instructions::{instructions, opcode as op, words};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Where the modules go.
+/// Folder of the modules.
 const OUT: &str = "target/shaders/checked";
 
 const ENTRY_POINT: u32 = 15;
@@ -103,7 +103,7 @@ impl Out {
     }
 }
 
-/// What defines an id, of types, constants, and pointers.
+/// Instructions that define ids of types, constants and pointers.
 struct Definitions<'a>(HashMap<u32, &'a [u32]>);
 
 impl<'a> Definitions<'a> {

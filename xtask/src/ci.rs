@@ -6,7 +6,7 @@ use std::path::Path;
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
-/// What this crate is built with for one task each, and by default without: clippy sees all of it.
+/// Features of this crate, off by default and one a task: clippy checks all of them.
 const XTASK_FEATURES: [&str; 3] = ["report", "shaders", "soak"];
 
 /// Runs the gate, or `whole`: that with nothing left out, and the searches that take long.
@@ -55,7 +55,7 @@ fn gate(root: &Path) -> Result<(), String> {
     command_with(root, &[&doc[..], &targets].concat(), &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
-/// What the gate has no time for.
+/// Checks that take too long for the gate.
 fn long(root: &Path) -> Result<(), String> {
     crate::python::run(root, true)?;
     for backend in ["cpu", "gpu"] {

@@ -1,9 +1,8 @@
-//! Circles of files: of two that need each other neither is read, tested or moved alone.
+//! Circles of files: two files that need each other cannot be read, tested or moved alone.
 //!
-//! A file needs another where it names it, or what stands in it, after `crate`, `self` or `super`,
-//! or in a `use`; what a module re-exports is looked up where it stands. A module may name its
-//! children and they may name it: a circle that goes both down from a module to one below it and up
-//! again is none.
+//! A file needs another if it names that module or an item of it, in a `use` or after `crate`,
+//! `self` or `super`; re-exports are followed. A module and its children may name each other: a
+//! circle that goes down from a module to one below it and up again does not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,12 +25,11 @@ type Path = Vec<String>;
 struct Module<'a> {
     file: &'a str,
     code: String,
-    /// What `use` names, a path each.
+    /// Paths named by `use`.
     uses: Vec<Path>,
 }
 
-/// What is wrong: every circle. `files`: names from the root of the repository, and what is in
-/// them.
+/// A line for each circle. `files`: names from the root of the repository, and their texts.
 pub fn check(files: &[(String, String)]) -> Vec<String> {
     let mut found = BTreeSet::new();
     for folder in CRATES {
@@ -90,7 +88,7 @@ fn code(text: &str) -> String {
     out
 }
 
-/// What all `use` of a file name.
+/// Paths named by every `use` of a file.
 fn uses(code: &str) -> Vec<Path> {
     let mut all = Vec::new();
     for line in code.match_indices("use ").filter_map(|(at, _)| {

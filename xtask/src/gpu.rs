@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 /// devices do not follow from it.
 const COPY: f64 = 4.3e12;
 
-/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the
-/// project state it.
+/// Times of other libraries on the same scenes and an NVIDIA H200, in milliseconds, from TARGETS of
+/// the project.
 struct Peer {
     scene: &'static str,
     candidates: &'static str,
@@ -137,7 +137,7 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
     Ok(Measured { device: median(device), wall: median(wall), stages })
 }
 
-/// The same of a call of a session.
+/// [`sample`] of a call of a session.
 fn of_session(
     session: &mut Session,
     runs: usize,

@@ -1,12 +1,12 @@
-//! What all reports measure with: places, times, medians.
+//! Tools of all reports: places, times, medians.
 
 use ccd::any::Choice;
 use ccd::gpu::{Device, DeviceOptions};
 use std::time::{Duration, Instant};
 
-/// Where something runs.
+/// Place of a measurement.
 pub enum Place {
-    /// So many threads.
+    /// Threads of this machine.
     Cpu { threads: usize },
     /// The first GPU that there is.
     Gpu { device: Box<Device>, name: String },
@@ -60,7 +60,7 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// What `work` returns, and its milliseconds by the clock.
+/// Result of `work`, and its milliseconds by the clock.
 pub fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let start = Instant::now();
     let done = work();
@@ -71,7 +71,7 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 /// again.
 const WARM_UP: Duration = Duration::from_millis(300);
 
-/// What `run` returns `runs` times after it has warmed up.
+/// Results of `runs` calls of `run` after a warm-up.
 pub fn warm<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
     let start = Instant::now();
     while start.elapsed() < WARM_UP {

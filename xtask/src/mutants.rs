@@ -40,7 +40,7 @@ fn parse(block: &'static str) -> Result<Mutant, String> {
     parsed.ok_or_else(|| format!("xtask/src/mutants.txt: cannot be read:\n{block}"))
 }
 
-/// What a run of the tests says.
+/// Result of a run of the tests.
 #[derive(Debug, PartialEq)]
 enum Outcome {
     /// The first test that failed.
@@ -159,7 +159,7 @@ fn test(root: &Path, copy: &Path) -> Result<Outcome, String> {
     Ok(outcome(out.status.success(), &stdout, &stderr))
 }
 
-/// What the output of `cargo test --quiet` means.
+/// Result that the output of `cargo test --quiet` shows.
 fn outcome(success: bool, stdout: &str, stderr: &str) -> Outcome {
     if success {
         return Outcome::Survived;

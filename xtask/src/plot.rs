@@ -14,7 +14,7 @@ const COLOURS: [RGBColor; 5] = [
 
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
-/// What is drawn in one colour.
+/// Shape of a series, in one colour.
 enum Shape {
     /// Left, lower, right and upper end of each.
     Bars(Vec<[f64; 4]>),
@@ -26,7 +26,7 @@ struct Plot<'a> {
     title: &'a str,
     height: u32,
     up: std::ops::Range<f64>,
-    /// What is written beside a place of that axis instead of its number.
+    /// Label at a value of that axis instead of its number.
     label: &'a dyn Fn(f64) -> Option<String>,
     n_labels: usize,
     legend: SeriesLabelPosition,

@@ -40,12 +40,12 @@ pub fn test(root: &Path, name: &str, args: &[String], env: &[(&str, &str)]) -> R
     command_with(root, &test.into_iter().chain(args).collect::<Vec<_>>(), env)
 }
 
-/// Where cargo builds.
+/// Cargo's target folder.
 pub fn target_folder(root: &Path) -> std::path::PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
 }
 
-/// Says that a check was skipped.
+/// Prints that a check was skipped.
 pub fn skipped(why: &str) {
     println!("SKIPPED: {why}");
 }
@@ -55,7 +55,7 @@ pub fn has_target(target: &str) -> bool {
     Command::new("rustup").args(["target", "add", target]).status().is_ok_and(|s| s.success())
 }
 
-/// What a program prints, or why it could not do its work: the last line that it wrote about that.
+/// Output of a program, or why it failed: the last line that it printed.
 pub fn output(command: &mut Command) -> Result<String, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|e| format!("{name}: {e}"))?;

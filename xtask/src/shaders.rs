@@ -11,7 +11,7 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Where the products are.
+/// Folder of the products.
 #[cfg(feature = "shaders")]
 const PRODUCTS: &str = "ccd-gpu/shaders";
 #[cfg(any(feature = "shaders", test))]
@@ -24,7 +24,7 @@ const GENERATED: &str = "// Generated from ccd-shaders by `cargo xtask shaders`:
 #[cfg(feature = "shaders")]
 const ATTRIBUTES: &str = "** linguist-generated\n*.spv binary\n*.z binary\n";
 
-/// What decides the products: folders (all files below) and files.
+/// Inputs of the products: folders (all files below) and files.
 #[cfg(any(feature = "shaders", test))]
 const INPUTS: [&str; 8] = [
     "ccd-core/src",
@@ -204,7 +204,7 @@ mod build {
         miniz_oxide::deflate::compress_to_vec(&[&length, spirv, wgsl].concat(), 10)
     }
 
-    /// What a native kernel has instead of WGSL.
+    /// Text of a native kernel instead of WGSL.
     const NO_WGSL: &str = "// None: it needs acquire and release between workgroups.\n";
 
     /// Compares with the barriers of the kernel table, which are those written in ccd-shaders. A

@@ -10,7 +10,7 @@ const MAX_LINES: usize = 420;
 const MAX_COLUMNS: usize = 100;
 /// Columns that a line of Markdown may have, rows of tables included.
 pub const MAX_COLUMNS_MARKDOWN: usize = 100;
-/// Where the sources that comments cite are listed.
+/// List of the sources that comments cite.
 const REFERENCES: &str = "docs/REFERENCES.md";
 /// The only files with `unsafe`: plain-data records, indices without a check in shaders,
 /// instruction sets, compiled shaders and the features that take them, atomics and workgroup
@@ -51,7 +51,7 @@ const TWIN_FOLDERS: [&str; 4] = [
     "ccd-gpu/src/broad_phase/",
     "ccd-shaders/src/broad_phase/",
 ];
-/// What begins the line that says why a file has none of its name beside it.
+/// Beginning of the line that says why a file has no twin.
 const TWIN: &str = "//! Twin:";
 pub fn run(root: &Path) -> Result<(), String> {
     let mut problems = Vec::new();
@@ -130,7 +130,7 @@ fn check_references(cited: &BTreeSet<String>, list: &str) -> Vec<String> {
     missing.chain(unused).collect()
 }
 
-/// What is wrong with a Markdown file, each with `:line: ` in front.
+/// Problems of a Markdown file, each with `:line: ` in front.
 fn check_markdown(text: &str) -> Vec<String> {
     let mut out = Vec::new();
     for (i, line) in text.lines().enumerate() {
@@ -145,7 +145,7 @@ fn check_markdown(text: &str) -> Vec<String> {
     out
 }
 
-/// What is wrong with a file, each with `:line: ` or `: ` in front.
+/// Problems of a source file, each with `:line: ` or `: ` in front.
 fn check(name: &str, text: &str) -> Vec<String> {
     let mut out = Vec::new();
     if !text.starts_with("//!") {

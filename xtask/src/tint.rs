@@ -7,7 +7,7 @@ use std::process::Command;
 
 /// Dawn's bindings for Node, of which Tint is a part.
 const PACKAGE: &str = "webgpu@0.6.2";
-/// Where npm puts it.
+/// Folder that npm installs it to.
 const PREFIX: &str = "target/tint";
 /// Status of the script where the bindings do not load.
 const DOES_NOT_LOAD: i32 = 3;
@@ -67,7 +67,7 @@ fn install(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// What the script says of a folder.
+/// Result of the script for a folder.
 enum Answer {
     Accepted(String),
     Refused(String),

@@ -106,16 +106,16 @@ fn blocks_of(statement: &mut Statement) -> Vec<&mut Block> {
 
 /// A word of workgroup memory that is loaded between two barriers.
 struct UniformLoad {
-    /// What is emitted before it.
+    /// Expressions emitted before the load.
     before: Option<Range<Expression>>,
-    /// Where it stands.
+    /// Pointer to the word.
     pointer: Handle<Expression>,
     /// The word.
     result: Handle<Expression>,
 }
 
-/// If all that is emitted is where a word of workgroup memory stands, and last that word, which
-/// becomes the result of another statement.
+/// The load that ends `range`, if all before it computes a pointer to workgroup memory. Its result
+/// becomes that of another statement.
 fn uniform_load(
     range: &Range<Expression>,
     function: &mut Function,

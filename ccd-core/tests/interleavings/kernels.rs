@@ -10,7 +10,7 @@ use ccd_core::backend::scheduling::deque::Item;
 use ccd_core::backend::scheduling::stealing::{HANDS, Taken, Workers};
 use std::sync::atomic::Ordering;
 
-/// What is wrong with a kernel.
+/// Fault of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// Who drains its deque takes a pop that failed for an empty one.

@@ -29,12 +29,12 @@ const FEW: usize = 2;
 /// The name of a model, for the process that runs it.
 const MODEL: &str = "CCD_MODEL";
 
-/// A model: what is run, within which bounds, and what must come of it.
+/// A model with its bounds and the result that it must have.
 struct Model {
     name: &'static str,
-    /// How often threads are interrupted at most; without a number, whenever it makes a difference.
+    /// Most preemptions; `None`: all that make a difference.
     preemptions: Option<usize>,
-    /// What must happen in some execution; nothing: every item once, in every execution.
+    /// Panic that some execution must end with; `None`: every item once, in every execution.
     refuted: Option<&'static str>,
     run: fn(),
 }

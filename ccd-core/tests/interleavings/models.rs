@@ -1,5 +1,5 @@
-//! What is checked: an owner and thieves at one deque, and workers with deques of their own. Every
-//! item is taken exactly once, and none is lost.
+//! Models: an owner and thieves at one deque, and workers with deques of their own. Every item is
+//! taken exactly once, and none is lost.
 
 use super::words::{self, Traced};
 use ccd_core::backend::scheduling::deque::{Deque, Item, Steal};
@@ -16,7 +16,7 @@ pub trait Scheme: Copy + Send + Sync + 'static {
     fn is_weak(self) -> bool {
         false
     }
-    /// What a word is called in a story.
+    /// Name of a word in a trace.
     fn name(i: usize) -> &'static str;
     /// Whether the deque had capacity for a batch.
     fn push(self, words: &Traced, items: &[Item]) -> bool;
@@ -158,12 +158,12 @@ fn check(taken: &[Item], n: u32) {
     }
 }
 
-/// How workers look for work.
+/// Stealing of workers.
 #[derive(Clone, Copy, Debug)]
 pub enum Steals {
     /// One batch at a time.
     Task,
-    /// So many batches of every other deque.
+    /// This number of batches of every other deque.
     Lazily(u32),
 }
 

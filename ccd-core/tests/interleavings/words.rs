@@ -1,11 +1,11 @@
-//! Words as loom's atomics, and what every thread did to them: the story of an execution.
+//! Words as loom's atomics, and a trace of what every thread did to them.
 
 use ccd_core::backend::kernel::Words;
 use loom::sync::Arc;
 use loom::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// What happened in the present execution, in order.
+/// Accesses of the present execution, in order.
 static STORY: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 /// Forgets the last execution.
@@ -13,7 +13,7 @@ pub fn begin() {
     STORY.lock().unwrap_or_else(PoisonError::into_inner).clear();
 }
 
-/// What happened since [`begin`].
+/// Accesses since [`begin`].
 pub fn story() -> String {
     STORY.lock().unwrap_or_else(PoisonError::into_inner).join("\n")
 }
@@ -30,7 +30,7 @@ pub struct Traced {
 }
 
 impl Traced {
-    /// So many words, all 0; `name` says what a word is, or nothing of words that need no mention.
+    /// `n` words, all 0; `name`: of a word, empty if it is not traced.
     /// `weak`: additions are relaxed, which is wrong.
     pub fn new(n: usize, name: fn(usize) -> &'static str, weak: bool) -> Self {
         let zeros = |n| Arc::new((0..n).map(|_| AtomicU32::new(0)).collect());

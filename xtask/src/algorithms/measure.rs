@@ -17,7 +17,7 @@ pub struct Measured {
 /// A method is measured for so long at most, once at least.
 const LONG_ENOUGH: Duration = Duration::from_millis(500);
 
-/// What was measured, or why the method refuses the scene.
+/// Measurements, or why the method refuses the scene.
 pub fn measure(
     place: &Place,
     method: BroadPhaseMethod,

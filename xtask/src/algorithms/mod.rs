@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 
 type Ms = fn(&Measured) -> f64;
 
-/// Of every case a table: methods with their names, at every place.
+/// A table for each case: rows of methods, columns of places.
 struct Section {
     what: &'static str,
     ms: Ms,

@@ -1,4 +1,4 @@
-//! What methods are compared on: generated boxes, and the swept edges of real scenes.
+//! Cases for the comparison of methods: generated boxes, and swept edges of real scenes.
 
 use ccd::scenes::{debris_boxes, grid, sphere, uniform_boxes};
 use ccd::{Aabb, BroadPhase, BroadPhaseMethod};

@@ -11,7 +11,7 @@ use ccd::{
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
-/// What is descended.
+/// Structure that is descended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Structure {
     /// Binary trees, by pairs of nodes.
@@ -20,7 +20,7 @@ pub enum Structure {
     Blocks,
 }
 
-/// How long, and how often.
+/// Length of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// Steps that are timed, at most; two at least, or one where all together take long.
@@ -37,16 +37,16 @@ pub const WATCHED: usize = 2;
 /// A step of all schedulers that takes longer than this takes long.
 const LONG: Duration = Duration::from_secs(3);
 
-/// What was measured of one scheduler.
+/// Measurements of one scheduler.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
     /// Milliseconds of every step that was timed; on a GPU by its timestamps.
     pub steps: Vec<f64>,
     /// Fronts that these steps left.
     pub fronts: Vec<FrontCounts>,
-    /// How many of them built trees anew.
+    /// Number of these steps that built trees anew.
     pub n_rebuilt: usize,
-    /// Where the time of the steps after them went.
+    /// Parts of the steps after them.
     pub shares: Shares,
 }
 
@@ -55,8 +55,8 @@ pub struct Measured {
 pub struct Shares {
     /// By [`PARTS`].
     pub parts: [f64; 5],
-    /// Of the workers' time while pairs are shared out, the part in which they have some: on a GPU
-    /// of the turns of all their threads; unknown where that is not counted.
+    /// Part of the workers' time in which they have pairs, while pairs are shared out; on a GPU
+    /// part of the turns of all their threads. Unknown where it is not counted.
     pub utilisation: Option<f64>,
 }
 
@@ -159,7 +159,7 @@ fn shares(session: &mut Session) -> Result<Shares, any::Error> {
     }
 }
 
-/// Of workers in parallel, what the clock would show if they shared everything evenly.
+/// Shares on the CPU; times of workers are divided by their number.
 fn of_cpu(session: &ccd::Session) -> Shares {
     let times = session.report().times;
     let descents = session.descent_times().unwrap_or_default();
@@ -177,7 +177,7 @@ fn of_cpu(session: &ccd::Session) -> Shares {
     }
 }
 
-/// By the names of the device's stages.
+/// Shares on a GPU, by the names of its stages.
 fn of_gpu(session: &mut gpu::Session) -> Result<Shares, any::Error> {
     let mut shares = Shares::default();
     for &(name, ms) in session.stages() {
@@ -196,8 +196,8 @@ fn of_gpu(session: &mut gpu::Session) -> Result<Shares, any::Error> {
     Ok(shares)
 }
 
-/// Of all turns of all threads, if every worker went on for as long as the last, those that
-/// expanded a pair, or helped to; `None` without workers.
+/// Part of all turns that expanded a pair, or helped to, if every worker went on for as long as the
+/// last; `None` without workers.
 fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, any::Error> {
     let n_kinds = if session.options().pipeline == Pipeline::Features { 2 } else { 1 };
     let counts = session.worker_counts()?;

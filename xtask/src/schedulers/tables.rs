@@ -1,4 +1,4 @@
-//! What was measured, as tables.
+//! Tables of the measurements.
 
 use super::measure::{Measured, PARTS, Structure};
 use super::{Group, Results};
@@ -148,7 +148,7 @@ pub fn names<'g>(groups: &'g [Group]) -> Vec<&'g str> {
     names
 }
 
-/// Where the time of a step on trees goes, at these places, on scenes that are not small.
+/// Parts of a step on trees, at these places, for scenes that are not small.
 pub fn shares(all: &[Results], places: &[(usize, &str)]) -> String {
     let mut text = String::new();
     for results in all.iter().filter(|results| results.scene.mesh.faces().len() > 4000) {
