@@ -158,8 +158,9 @@ fn check_candidates(device: &Device, step: &Step, features: &Options, options: &
 /// Candidates, counts, contacts and the earliest time by every method; on an emulated GPU with
 /// orphans and without them in turn.
 fn check_methods(device: &Device) {
-    let (odd, sheet) = (odd_mesh(3), crumpled_sheet(16, 3));
+    let sheet = crumpled_sheet(16, 3);
     for (k, broad_phase) in methods(device).enumerate() {
+        let odd = odd_mesh(3 + k as u32);
         for orphans in [k % 2 == 0, k % 2 == 1].into_iter().take(2 - is_thin(device) as usize) {
             let options = triangles(orphans, false).with_broad_phase(broad_phase);
             check_candidates(device, &odd, &Options::default(), &options);

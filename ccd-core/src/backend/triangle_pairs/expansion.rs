@@ -221,6 +221,3 @@ fn pick(of: [u32; 3], k: u32) -> u32 {
         of[2]
     }
 }
-
-#[cfg(all(test, feature = "alloc"))]
-mod tests;
