@@ -37,8 +37,8 @@ pub fn is_thin(device: &Device) -> bool {
 }
 
 /// Every method of a GPU; on an emulated one, of trees those that differ from the default in one
-/// choice, and unless [`WHOLE`] in their traversal or volume: builders are in `builders.rs`, and all
-/// in the conformance table.
+/// choice, without [`WHOLE`] in their traversal or volume: builders are in `builders.rs`, and all
+/// methods in the conformance table.
 pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
     let (thin, emulated) = (is_thin(device), device.info().adapter.device_type == DeviceType::Cpu);
     let is_built_so = |method| differences(method).is_none_or(|[builder, ..]| !builder);

@@ -153,7 +153,7 @@ fn wrong_forms_are_refused() {
     perspective.z_axis.w = -1.0;
     perspective.w_axis.w = 0.0;
     let why = session.step(&fine, &Posed::one(&fine, &perspective)).unwrap_err();
-    let text = "the matrix strided body 0 at t1 has the last row [0.0, 0.0, -1.0, 0.0]; \
+    let text = "the matrix of body 0 at t1 has the last row [0.0, 0.0, -1.0, 0.0]; \
         it must be 0, 0, 0, 1";
     assert_eq!(why.to_string(), text);
     let bad = Mat4::from_translation(Vec3::new(0.0, f32::NAN, 0.0));
