@@ -155,7 +155,7 @@ fn check_superset(
         pairs
     };
     let (vf_rounded, ee_rounded) = (sorted(vf_rounded), sorted(ee_rounded));
-    let holds = |of: &[Pair], pair: Pair| of.binary_search(&pair).is_ok();
+    let holds = |pairs: &[Pair], pair: Pair| pairs.binary_search(&pair).is_ok();
     let vf = broad.pairs(&exact[0], &exact[2]).unwrap();
     assert!(vf.iter().all(|pair| holds(&vf_rounded, pair)));
     let ee = broad.self_pairs(&exact[1]).unwrap();

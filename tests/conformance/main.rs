@@ -7,8 +7,8 @@
 //! is made again with answers that are wrong on purpose, and must fail.
 //!
 //! Schedulers and fronts have rows `.../METHOD/SCHEDULER/BACKEND`, fronts over many frames
-//! `frames/SCENE/cpu`. What is right of a generated scene is a snapshot, `recorded/SCENE`. A scene in
-//! all units has rows `units/BACKEND`.
+//! `frames/SCENE/cpu`. What is right of a generated scene is a snapshot, `recorded/SCENE`. A scene
+//! in all units has rows `units/BACKEND`.
 //!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where

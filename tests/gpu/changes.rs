@@ -53,8 +53,8 @@ fn check_changes(device: &Device) {
         (cut, Pipeline::Features, front),
         (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),
     ];
-    let of: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
-    let bodies = Bodies::new(&of, &[true, false, true], false).with_fixed_motion(true);
+    let body: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
+    let bodies = Bodies::new(&body, &[true, false, true], false).with_fixed_motion(true);
     let mut last = Session::new(device, &small.mesh, Options::default()).expect("a session");
     // On an emulated GPU the second, the fourth and the fifth.
     let chosen = |k: &usize| !is_thin(device) || [1, 3, 4].contains(k);

@@ -10,7 +10,7 @@ use ccd_testkit::compare::agree;
 pub const TESTS: crate::Tests = &[("codimensional", check)];
 
 /// All that every caller of the query learns.
-fn told(c: &Contact) -> (Kind, u32, u32, State, f64) {
+fn key(c: &Contact) -> (Kind, u32, u32, State, f64) {
     (c.kind, c.a, c.b, c.state, c.toi)
 }
 
@@ -28,7 +28,7 @@ fn check(device: &Device) {
             let what = format!("{distance}, step {round}");
             agree(&want.contacts, &report.contacts).unwrap_or_else(|e| panic!("{what}: {e}"));
             let last = &report.contacts[report.contacts.len() - thin.len()..];
-            assert!(last.iter().map(told).eq(thin.iter().map(told)), "{what}");
+            assert!(last.iter().map(key).eq(thin.iter().map(key)), "{what}");
             assert_eq!(report.candidates, want.candidates, "{what}");
             assert_eq!(report.undecided, want.undecided, "{what}");
             let earliest = session.earliest_toi(&step.x0, &step.x1).expect("a step");

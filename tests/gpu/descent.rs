@@ -31,8 +31,8 @@ pub struct Trees {
 }
 
 impl Trees {
-    pub fn new(device: &Device, kind: u32, of: [&[Aabb]; 3]) -> Self {
-        let twin = Twin::new(of, |_, i| [i; 3]);
+    pub fn new(device: &Device, kind: u32, boxes: [&[Aabb]; 3]) -> Self {
+        let twin = Twin::new(boxes, |_, i| [i; 3]);
         let [a, b] = sets(kind).map(|set| radix_tree(device, &twin, set, 2));
         Self { twin, kind, nodes: [a.0, b.0], branches: [a.1, b.1] }
     }
@@ -127,7 +127,11 @@ fn check_cuts(device: &Device) {
         assert_eq!(counted as usize, want.len());
         check_pairs("pairs of cuts", want, entries(&list));
         let (counted, short) = trees.of_cuts(device, 50, 0);
-        assert_eq!(read::<u32>(&short)[..6], [counted, 0, 0, 0, 0, 0], "written beyond the room");
+        assert_eq!(
+            read::<u32>(&short)[..6],
+            [counted, 0, 0, 0, 0, 0],
+            "written beyond the capacity"
+        );
     }
 }
 
@@ -181,7 +185,11 @@ fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair>
             let args = NodeDescent { capacity_nodes: 0, ..args };
             let p = trees.params(trees.kind, args, Dispatch { capacity_out: 0, ..dispatch });
             let short = run(device, short, &p, 2);
-            assert_eq!(want, read::<u32>(&short.levels), "pairs of nodes counted beyond the room");
+            assert_eq!(
+                want,
+                read::<u32>(&short.levels),
+                "pairs of nodes counted beyond the capacity"
+            );
             let most = want[level as usize + 1].max(7);
             assert_eq!(read::<u32>(&short.output), [most, 0, 0, 0, 0, 0]);
             let n_before = read::<u32>(&pairs)[0];

@@ -49,7 +49,7 @@ fn check_near(got: &TouchGeometry, want: &TouchGeometry, exact: bool) {
 }
 
 /// Contacts of random features at random times, of scenes and of what is degenerate, tiny and huge.
-/// The list wants more entries than it has room for; records behind its room are not written.
+/// The list wants more entries than its capacity; nothing is written behind that.
 fn check_kernels(device: &Device) {
     for poison in [false, true] {
         let step = triangle_soup(80, 0.4, 3);
@@ -138,7 +138,7 @@ fn check_records(
         }
     }
     let behind = &got[touches.len()..];
-    assert!(behind.iter().all(|g| *g == TouchGeometry::default()), "written behind the room");
+    assert!(behind.iter().all(|g| *g == TouchGeometry::default()), "written beyond the capacity");
 }
 
 /// What the device has of the last step or frame: contacts, and their geometry.

@@ -72,24 +72,27 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
     let mut all = boxes.to_vec();
     all.extend(vec![boxes[0]; 300]);
     let (a, b) = all.split_at(boxes.len() / 3);
-    let of = sorted(device, UNIFORM_GRID, [a, b, &[]]);
+    let sets = sorted(device, UNIFORM_GRID, [a, b, &[]]);
     let of_set = 1;
-    let (start, count) = (of.twin.frame.start[of_set], of.twin.frame.count[of_set]);
+    let (start, count) = (sets.twin.frame.start[of_set], sets.twin.frame.count[of_set]);
     let looked_at = |stride: u32, survey: &[u32]| -> Vec<u32> {
         let n = count.div_ceil(stride);
-        let kernel =
-            SurveyCells { sorted: bytes(&of.boxes), keys: bytes(&of.keys), survey: bytes(survey) };
+        let kernel = SurveyCells {
+            sorted: bytes(&sets.boxes),
+            keys: bytes(&sets.keys),
+            survey: bytes(survey),
+        };
         let dispatch = Dispatch { n, first: stride, ..Dispatch::default() };
-        let p = params(&of.twin, dispatch, UNIFORM_GRID, of_set as u32, 0);
+        let p = params(&sets.twin, dispatch, UNIFORM_GRID, of_set as u32, 0);
         read(&run(device, kernel, &p, n.div_ceil(256)).survey)
     };
     let at = FULLNESS + SET_WORDS * of_set;
     let side = |b: &Aabb| Sizes::of(b).half.into_iter().fold(0.0, f32::max);
     let largest = all.iter().map(side).fold(0.0, f32::max);
     for stride in [1, 3] {
-        let found = looked_at(stride, &of.survey);
+        let found = looked_at(stride, &sets.survey);
         let places = || (start..start + count).step_by(stride as usize).map(|k| k as usize);
-        let cell = |k: usize| uniform_grid::cell_of(of.keys[k] & ((1 << 30) - 1));
+        let cell = |k: usize| uniform_grid::cell_of(sets.keys[k] & ((1 << 30) - 1));
         let near = |i: usize, j: usize| {
             let (p, q) = (cell(i), cell(j));
             i != j && (0..3).all(|k| p[k].abs_diff(q[k]) <= 1)
@@ -97,34 +100,35 @@ fn check_fullness(device: &Device, boxes: &[Aabb]) {
         let of_set = || (start..start + count).map(|k| k as usize);
         let around: usize = places().map(|i| of_set().filter(|&j| near(i, j)).count()).sum();
         assert_eq!([found[at], found[at + 1]], [around as u32, 0], "around, of {count}");
-        let want: f64 = places().map(|k| (side(&of.boxes[k]) / largest * SIDE_UNITS) as f64).sum();
+        let want: f64 =
+            places().map(|k| (side(&sets.boxes[k]) / largest * SIDE_UNITS) as f64).sum();
         let found_sides = (found[at + 3] as u64) << 32 | found[at + 2] as u64;
         assert!((found_sides as f64 - want).abs() <= 2.0 * count as f64, "sides of {count}");
-        let fullest = places().map(|i| of_set().filter(|&j| of.keys[i] == of.keys[j]).count());
+        let fullest = places().map(|i| of_set().filter(|&j| sets.keys[i] == sets.keys[j]).count());
         assert_eq!(found[at + 4] as usize, fullest.max().unwrap(), "fullest of {count}");
     }
     // A sum that exceeds a word.
-    let (found, mut survey) = (looked_at(1, &of.survey), of.survey.clone());
+    let (found, mut survey) = (looked_at(1, &sets.survey), sets.survey.clone());
     survey[at] = u32::MAX;
     assert_eq!(looked_at(1, &survey)[at + 1], 1);
     // No work where cells are too full, and no pairs of what the list held before.
-    let asking = of.twin.frame.count[1].div_ceil(GROUP);
+    let asking = sets.twin.frame.count[1].div_ceil(GROUP);
     let done = |limit: u32| {
         let dispatch =
             Dispatch { n: 1000, capacity_in: 1000, capacity_out: 1000, ..Dispatch::default() };
         let kernel = IntervalWork {
-            sorted: bytes(&of.boxes),
-            keys: bytes(&of.keys),
+            sorted: bytes(&sets.boxes),
+            keys: bytes(&sets.keys),
             survey: bytes(&found),
             work: capacity(1000),
         };
-        let mut p = params(&of.twin, dispatch, UNIFORM_GRID, 1, 0);
+        let mut p = params(&sets.twin, dispatch, UNIFORM_GRID, 1, 0);
         p.args.most[of_set] = limit;
         let work = run(device, kernel, &p, asking).work;
         let kernel = IntervalPairs {
-            sorted: bytes(&of.boxes),
-            keys: bytes(&of.keys),
-            order: bytes(&of.order),
+            sorted: bytes(&sets.boxes),
+            keys: bytes(&sets.keys),
+            order: bytes(&sets.order),
             survey: bytes(&found),
             work: work.clone(),
             pairs: capacity(1000),
@@ -188,18 +192,18 @@ fn sorted(device: &Device, method: u32, sets: [&[Aabb]; 3]) -> Sorted {
 }
 
 /// The pieces of work of a kind, and the pairs that they give.
-fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
+fn found(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
     let (capacity_out, mut all) = (100_000, Vec::new());
     for row in 0..rows(method, kind) {
-        let asking = of.twin.frame.count[asks(method, kind, row)[0] as usize];
+        let asking = sets.twin.frame.count[asks(method, kind, row)[0] as usize];
         let p = |capacity_out| {
             let dispatch = Dispatch { capacity_out, ..Dispatch::default() };
-            params(&of.twin, dispatch, method, kind, row)
+            params(&sets.twin, dispatch, method, kind, row)
         };
         let kernel = |work| IntervalWork {
-            sorted: bytes(&of.boxes),
-            keys: bytes(&of.keys),
-            survey: bytes(&of.survey),
+            sorted: bytes(&sets.boxes),
+            keys: bytes(&sets.keys),
+            survey: bytes(&sets.survey),
             work,
         };
         let done =
@@ -208,14 +212,14 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
         for piece in &pieces {
             let [of_row, tiles, group, first] = unpack([piece.a, piece.b]);
             assert!(
-                of_row == row && group < asking.div_ceil(GROUP) && first < of.keys.len() as u32
+                of_row == row && group < asking.div_ceil(GROUP) && first < sets.keys.len() as u32
             );
             assert!(tiles <= CHUNK / GROUP, "{tiles} groups in a piece");
         }
         let short = run(device, kernel(capacity(3)), &p(1), asking.div_ceil(GROUP));
         let words: Vec<u32> = read(&short.work);
-        assert_eq!(words[0] as usize, pieces.len(), "pieces counted beyond the room");
-        assert!(words[LIST_HEADER + 2..].iter().all(|&w| w == 0), "written beyond the room");
+        assert_eq!(words[0] as usize, pieces.len(), "pieces counted beyond the capacity");
+        assert!(words[LIST_HEADER + 2..].iter().all(|&w| w == 0), "written beyond the capacity");
         all.extend(pieces);
     }
     let mut pairs = Vec::new();
@@ -223,14 +227,14 @@ fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
     let work = |first, n, pairs| {
         let dispatch = Dispatch { n, first, capacity_in: all.len() as u32, capacity_out };
         let kernel = IntervalPairs {
-            sorted: bytes(&of.boxes),
-            keys: bytes(&of.keys),
-            order: bytes(&of.order),
-            survey: bytes(&of.survey),
+            sorted: bytes(&sets.boxes),
+            keys: bytes(&sets.keys),
+            order: bytes(&sets.order),
+            survey: bytes(&sets.survey),
             work: list(&all),
             pairs,
         };
-        run(device, kernel, &params(&of.twin, dispatch, method, kind, 0), 5).pairs
+        run(device, kernel, &params(&sets.twin, dispatch, method, kind, 0), 5).pairs
     };
     // In two parts, as a dispatch of many pieces is.
     for (first, n) in [(0, n / 3), (n / 3, n)] {

@@ -131,7 +131,7 @@ fn orient(device: &Device, twin: Twin, set: usize, boxes: Vec<u8>) -> Oriented {
     Oriented { twin, branches, boxes: oriented }
 }
 
-/// Room for the oriented boxes of all sets.
+/// Zeroed oriented boxes of all sets.
 fn capacity_for(twin: &Twin) -> Vec<u8> {
     zeros::<[f32; WORDS]>(twin.boxes.len().max(1))
 }

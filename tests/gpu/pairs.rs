@@ -40,7 +40,7 @@ fn check_node_pairs(device: &Device) {
         let words: Vec<u32> =
             read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
         assert_eq!(words[0] as usize, want.len());
-        assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the room");
+        assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the capacity");
     }
 }
 

@@ -158,14 +158,14 @@ fn check_sessions(device: &Device) {
         if steals(scheduling) && !native {
             continue;
         }
-        let of = Options::default().with_scheduling(scheduling);
-        check(&small, of.clone().with_broad_phase(aabb), &of_small, 0);
+        let options = Options::default().with_scheduling(scheduling);
+        check(&small, options.clone().with_broad_phase(aabb), &of_small, 0);
         // Blocks and triangles with every third scheduling, where a GPU is emulated.
         let emulated = device.info().adapter.device_type == DeviceType::Cpu;
         if i % 3 == 1 || !emulated {
-            check(&of_blocks, of.clone(), &of_large, 0);
-            let of = of.with_broad_phase(if i % 2 == 0 { obb } else { aabb });
-            check(&small, of.with_pipeline(triangles), &of_triangles, i % 2 + 1);
+            check(&of_blocks, options.clone(), &of_large, 0);
+            let options = options.with_broad_phase(if i % 2 == 0 { obb } else { aabb });
+            check(&small, options.with_pipeline(triangles), &of_triangles, i % 2 + 1);
         }
     }
     assert!(n_failed > n / 2, "{n_failed} calls failed in {n} sessions");

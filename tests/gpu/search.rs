@@ -11,9 +11,9 @@ use ccd_core::backend::broad_phase::pair_workers::{
 use ccd_core::backend::layout::{Dispatch, NodeDescent};
 use ccd_testkit::generate::Random;
 
-/// Room of the lists of tasks and of results.
+/// Capacity of the lists of tasks and of results.
 pub const CAPACITY: u32 = 12_000;
-/// Of the number of workers, the power of two.
+/// Log2 of the number of workers.
 pub const WORKERS: u32 = 3;
 
 /// What kernels of workers write.
@@ -33,9 +33,21 @@ pub trait Descends {
     /// entries.
     fn first(&self, device: &Device, args: NodeDescent) -> Buffers;
     /// The tasks with which a search begins at the front that another has left.
-    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers;
+    fn resume(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        front: Vec<u8>,
+    ) -> Buffers;
     /// A round of `2^WORKERS` workers.
-    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers;
+    fn round(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        buffers: Buffers,
+    ) -> Buffers;
     /// What must be found, by brute force.
     fn want(&self) -> Vec<Pair>;
     /// Pairs below these tasks, these included, that workers expand.
@@ -88,23 +100,23 @@ pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
 /// A search that has begun.
 pub struct Search<'a> {
     device: &'a Device,
-    of: &'a dyn Descends,
+    trees: &'a dyn Descends,
     pub buffers: Buffers,
 }
 
 impl<'a> Search<'a> {
     /// Without a front.
-    pub fn new(device: &'a Device, of: &'a dyn Descends, args: NodeDescent) -> Self {
-        Self { device, of, buffers: of.first(device, args) }
+    pub fn new(device: &'a Device, trees: &'a dyn Descends, args: NodeDescent) -> Self {
+        Self { device, trees, buffers: trees.first(device, args) }
     }
 
     /// The search after this one, of other trees: begins at the front that this one has written.
-    pub fn resumed(&self, of: &'a dyn Descends, args: NodeDescent) -> Self {
+    pub fn resumed(&self, trees: &'a dyn Descends, args: NodeDescent) -> Self {
         let n = self.word(FRONT);
         assert!(n <= args.capacity_front, "{n} pairs of a front");
         let dispatch = Dispatch { n, capacity_out: CAPACITY, ..Dispatch::default() };
-        let buffers = of.resume(self.device, args, dispatch, self.buffers.front.clone());
-        Self { device: self.device, of, buffers }
+        let buffers = trees.resume(self.device, args, dispatch, self.buffers.front.clone());
+        Self { device: self.device, trees, buffers }
     }
 
     pub fn word(&self, i: usize) -> u32 {
@@ -125,7 +137,7 @@ impl<'a> Search<'a> {
 
     pub fn round(&mut self, args: NodeDescent, round: u32) {
         let dispatch = Dispatch { first: round, capacity_out: CAPACITY, ..Dispatch::default() };
-        self.buffers = self.of.round(self.device, args, dispatch, self.buffers.clone());
+        self.buffers = self.trees.round(self.device, args, dispatch, self.buffers.clone());
     }
 
     /// Pairs that workers expanded, all together.

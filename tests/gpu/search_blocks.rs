@@ -23,8 +23,8 @@ pub struct SearchBlocks {
 }
 
 impl SearchBlocks {
-    pub fn new(kind: u32, of: [&[Aabb]; 3], top: u32) -> Self {
-        Self { twin: Twin::new(of, |_, i| [i; 3]), kind, top }
+    pub fn new(kind: u32, sets: [&[Aabb]; 3], top: u32) -> Self {
+        Self { twin: Twin::new(sets, |_, i| [i; 3]), kind, top }
     }
 
     fn params(&self, args: NodeDescent, dispatch: Dispatch) -> Params<BlockDescent> {
@@ -62,17 +62,29 @@ impl Descends for SearchBlocks {
         written!(device, &self.params(args, dispatch), n.div_ceil(THREADS), kernel)
     }
 
-    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
+    fn resume(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        front: Vec<u8>,
+    ) -> Buffers {
         let control = zeros::<u32>(words_with_deques(thieves(&args)));
         let (boxes, nodes, pairs) =
             (bytes(&self.twin.nodes), capacity(2 * CAPACITY), capacity(CAPACITY));
         let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };
-        written!(device, &self.params(args, of), of.n.div_ceil(THREADS), kernel)
+        written!(device, &self.params(args, dispatch), dispatch.n.div_ceil(THREADS), kernel)
     }
 
-    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
+    fn round(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        buffers: Buffers,
+    ) -> Buffers {
         let Buffers { control, nodes, pairs, front } = buffers;
-        let (p, boxes, n) = (self.params(args, of), bytes(&self.twin.nodes), 1 << WORKERS);
+        let (p, boxes, n) = (self.params(args, dispatch), bytes(&self.twin.nodes), 1 << WORKERS);
         if args.batches > 0 {
             written!(device, &p, n, StealBlockPairs { boxes, control, nodes, pairs, front })
         } else {

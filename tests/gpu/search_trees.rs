@@ -30,8 +30,8 @@ pub struct SearchTrees {
 }
 
 impl SearchTrees {
-    pub fn new(device: &Device, kind: u32, of: [&[Aabb]; 3], oriented: bool) -> Self {
-        let trees = Trees::new(device, kind, of);
+    pub fn new(device: &Device, kind: u32, sets: [&[Aabb]; 3], oriented: bool) -> Self {
+        let trees = Trees::new(device, kind, sets);
         // Boxes that tell nothing apart: they hold whatever moves.
         let oriented = oriented.then(|| bytes(&everything().repeat(trees.twin.boxes.len())));
         Self { nodes: trees.nodes.clone(), trees: Rc::new(trees), oriented }
@@ -73,12 +73,18 @@ impl Descends for SearchTrees {
         Buffers { control, nodes: done.output, pairs: capacity(CAPACITY), front: done.front }
     }
 
-    fn resume(&self, device: &Device, args: NodeDescent, of: Dispatch, front: Vec<u8>) -> Buffers {
+    fn resume(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        front: Vec<u8>,
+    ) -> Buffers {
         let control = zeros::<u32>(words_with_deques(thieves(&args)));
         let (nodes, pairs) = (capacity(2 * CAPACITY), capacity(CAPACITY));
         let (p, [a_nodes, b_nodes]) =
-            (self.trees.params(self.trees.kind, args, of), self.nodes.clone());
-        let n = of.n.div_ceil(THREADS);
+            (self.trees.params(self.trees.kind, args, dispatch), self.nodes.clone());
+        let n = dispatch.n.div_ceil(THREADS);
         match self.oriented.clone() {
             None => {
                 let kernel = ResumeFront { a_nodes, b_nodes, control, nodes, pairs, front };
@@ -93,10 +99,16 @@ impl Descends for SearchTrees {
         }
     }
 
-    fn round(&self, device: &Device, args: NodeDescent, of: Dispatch, buffers: Buffers) -> Buffers {
+    fn round(
+        &self,
+        device: &Device,
+        args: NodeDescent,
+        dispatch: Dispatch,
+        buffers: Buffers,
+    ) -> Buffers {
         let Buffers { control, nodes, pairs, front } = buffers;
         let (p, [a_nodes, b_nodes]) =
-            (self.trees.params(self.trees.kind, args, of), self.nodes.clone());
+            (self.trees.params(self.trees.kind, args, dispatch), self.nodes.clone());
         let n = 1 << WORKERS;
         match (self.oriented.clone(), args.batches > 0) {
             (None, false) => {

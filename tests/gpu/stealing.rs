@@ -189,8 +189,8 @@ fn steal(device: &Device, seen: &mut [u64; 3]) {
         let work = Work { args, n_items, lives: 20 };
         let (found, mut counts) = work.run(device);
         work.check(&counts).unwrap();
-        let of = [found.stolen, found.full, found.dispatches as u64 - 1];
-        *seen = std::array::from_fn(|i| seen[i] + of[i]);
+        let seen_now = [found.stolen, found.full, found.dispatches as u64 - 1];
+        *seen = std::array::from_fn(|i| seen[i] + seen_now[i]);
         // What the check must notice: an item that was taken once more, and one that was lost.
         for wrong in [21, 19] {
             counts[7] = wrong;

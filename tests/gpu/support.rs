@@ -62,7 +62,7 @@ pub fn run<K: Bind<Vec<u8>>>(
     kernel
 }
 
-/// Room for so many records.
+/// Zeroed records.
 pub fn zeros<T>(n: usize) -> Vec<u8> {
     vec![0; n * size_of::<T>()]
 }

@@ -46,8 +46,8 @@ fn check_wide_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin, set: usize) {
     while let Some((node, first, last)) = stack.pop() {
         let record = &nodes[node as usize];
         let split = record.split;
-        let of = common(first, last);
-        let apart = common(first, split) > of && common(split + 1, last) > of;
+        let shared = common(first, last);
+        let apart = common(first, split) > shared && common(split + 1, last) > shared;
         assert!(apart && (first..last).contains(&split), "split {split} of {first} to {last}");
         let smaller = split - first < last - split;
         assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
@@ -138,7 +138,7 @@ pub fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8
     let kernel = NearNodes {
         branches: branches.clone(),
         block_nodes: bytes(&twin.nodes),
-        // Room for one where there is none: a binding has at least a record.
+        // A binding has at least one record.
         nodes: zeros::<WideNode>((n as usize - 1).max(1)),
         far: zeros::<u32>(LIST_HEADER + n as usize),
     };

@@ -48,7 +48,7 @@ fn odd_mesh(seed: u32) -> Step {
     Step { mesh, x0, x1 }
 }
 
-/// What an expansion makes, in parts as dispatches of many items are, with these rooms.
+/// What an expansion makes, in parts as dispatches of many items are, with these capacities.
 struct Made {
     lists: [Vec<u8>; 2],
     counts: [u64; N_COUNTS],
@@ -134,10 +134,10 @@ fn check_kernels(device: &Device) {
         for (kind, capacity) in [(0, 30), (1, 50)] {
             let words: Vec<u32> = read(&short[kind]);
             assert_eq!(words[0] as usize, want[kind].len());
-            let mut there: Vec<Pair> = bytemuck::pod_collect_to_vec(&short[kind][16..]);
-            there.sort_unstable();
-            there.dedup();
-            assert!(there.len() == capacity && there.iter().all(|p| want[kind].contains(p)));
+            let mut listed: Vec<Pair> = bytemuck::pod_collect_to_vec(&short[kind][16..]);
+            listed.sort_unstable();
+            listed.dedup();
+            assert!(listed.len() == capacity && listed.iter().all(|p| want[kind].contains(p)));
         }
     }
 }
@@ -158,8 +158,9 @@ fn check_candidates(device: &Device, step: &Step, features: &Options, options: &
 /// Candidates, counts, contacts and the earliest time by every method; on an emulated GPU with
 /// orphans and without them in turn.
 fn check_methods(device: &Device) {
-    let (odd, sheet) = (odd_mesh(3), crumpled_sheet(16, 3));
+    let sheet = crumpled_sheet(16, 3);
     for (k, broad_phase) in methods(device).enumerate() {
+        let odd = odd_mesh(3 + k as u32);
         for orphans in [k % 2 == 0, k % 2 == 1].into_iter().take(2 - is_thin(device) as usize) {
             let options = triangles(orphans, false).with_broad_phase(broad_phase);
             check_candidates(device, &odd, &Options::default(), &options);

@@ -89,7 +89,10 @@ fn check_workers(device: &Device, trees: &dyn Descends, batches: &mut [u32; 3]) 
         let n_tasks = tasks.len() as u64;
         let n = trees.below(args, tasks);
         let n_rounds = search.run(args);
-        assert!(read::<u32>(&search.buffers.nodes)[0] <= CAPACITY, "{name}: more tasks than room");
+        assert!(
+            read::<u32>(&search.buffers.nodes)[0] <= CAPACITY,
+            "{name}: more tasks than capacity"
+        );
         check_pairs(name, want.clone(), entries(&search.buffers.pairs));
         assert_eq!(search.expanded(), n, "{name}: pairs expanded");
         if args.batches > 0 {
@@ -133,7 +136,7 @@ fn check_room_of(device: &Device, trees: &dyn Descends, capacity: u32) {
             search.round(short, round);
         }
         let nodes = &search.buffers.nodes;
-        assert_eq!(nodes[4 * n_words..], [0xab; 64], "{name}: written beyond the room");
+        assert_eq!(nodes[4 * n_words..], [0xab; 64], "{name}: written beyond the capacity");
         assert!(read::<u32>(nodes)[0] >= wanted);
     }
 }

@@ -60,8 +60,8 @@ fn every_form_finds_the_same() {
 
     let vertices = narrow.each_ref().map(|x| x.iter().map(|&p| Vertex::at(p)).collect::<Vec<_>>());
     let offset = std::mem::offset_of!(Vertex, position);
-    let of = vertices.each_ref().map(|x| Strided::<f32>::of(x).offset(offset));
-    check("vertices", &mesh, of.each_ref(), slices);
+    let views = vertices.each_ref().map(|x| Strided::<f32>::of(x).offset(offset));
+    check("vertices", &mesh, views.each_ref(), slices);
     // The same bytes at an odd address, behind others, with something after them.
     let bytes = vertices.each_ref().map(|x| {
         let mut all = vec![0xff; 3];
@@ -70,24 +70,25 @@ fn every_form_finds_the_same() {
         all
     });
     let (stride, n) = (size_of::<Vertex>(), mesh.n_vertices());
-    let of = bytes.each_ref().map(|x| Strided::<f32>::new(x, stride).offset(3 + offset).count(n));
-    check("bytes", &mesh, of.each_ref(), slices);
+    let views =
+        bytes.each_ref().map(|x| Strided::<f32>::new(x, stride).offset(3 + offset).count(n));
+    check("bytes", &mesh, views.each_ref(), slices);
     let rows = wide.map(|x| x.iter().map(|p| [1.0, p[0], p[1], p[2]]).collect::<Vec<_>>());
-    let of = rows.each_ref().map(|x| Strided::<f64>::of(x).offset(8));
-    check("rows of f64", &mesh, of.each_ref(), wide);
+    let views = rows.each_ref().map(|x| Strided::<f64>::of(x).offset(8));
+    check("rows of f64", &mesh, views.each_ref(), wide);
 
-    let of = narrow.each_ref().map(|x| x.iter().map(|&p| Vec3::from(p)).collect::<Vec<_>>());
-    check("Vec3", &mesh, of.each_ref(), slices);
-    let of = narrow.each_ref().map(|x| x.iter().map(|&p| Vec3A::from(p)).collect::<Vec<_>>());
-    check("Vec3A", &mesh, of.each_ref(), slices);
-    check("slices of Vec3A", &mesh, of.each_ref().map(|x| &x[..]), slices);
-    let of = wide.map(|x| x.iter().map(|&p| DVec3::from(p)).collect::<Vec<_>>());
-    check("DVec3", &mesh, of.each_ref(), wide);
+    let views = narrow.each_ref().map(|x| x.iter().map(|&p| Vec3::from(p)).collect::<Vec<_>>());
+    check("Vec3", &mesh, views.each_ref(), slices);
+    let views = narrow.each_ref().map(|x| x.iter().map(|&p| Vec3A::from(p)).collect::<Vec<_>>());
+    check("Vec3A", &mesh, views.each_ref(), slices);
+    check("slices of Vec3A", &mesh, views.each_ref().map(|x| &x[..]), slices);
+    let views = wide.map(|x| x.iter().map(|&p| DVec3::from(p)).collect::<Vec<_>>());
+    check("DVec3", &mesh, views.each_ref(), wide);
 
-    let of = narrow.each_ref().map(|x| Cow::Borrowed(&x[..]));
-    check("Cow", &mesh, of.each_ref(), slices);
-    let of = narrow.each_ref().map(|x| Arc::<[[f32; 3]]>::from(&x[..]));
-    check("Arc", &mesh, of.each_ref(), slices);
+    let views = narrow.each_ref().map(|x| Cow::Borrowed(&x[..]));
+    check("Cow", &mesh, views.each_ref(), slices);
+    let views = narrow.each_ref().map(|x| Arc::<[[f32; 3]]>::from(&x[..]));
+    check("Arc", &mesh, views.each_ref(), slices);
 }
 
 /// Posed positions are bit for bit what `glam` makes of them.
@@ -111,12 +112,12 @@ fn posed_bodies_are_where_glam_puts_them() {
         moved.map(|(&p, &b)| poses[k][b as usize].transform_point3(p.into())).collect()
     };
     let want = [at(0), at(1)];
-    let of = poses.each_ref().map(|poses| Posed::new(&rest, &body, poses));
-    check("posed", &mesh, of.each_ref(), want.each_ref());
+    let views = poses.each_ref().map(|poses| Posed::new(&rest, &body, poses));
+    check("posed", &mesh, views.each_ref(), want.each_ref());
     let one = |k: usize| rest.iter().map(|&p| poses[k][1].transform_point3(p.into())).collect();
     let want: [Vec<Vec3>; 2] = [one(0), at(1)];
-    let of = [Posed::one(&rest, &poses[0][1]), Posed::new(&rest, &body, &poses[1])];
-    check("one pose", &mesh, of.each_ref(), want.each_ref());
+    let views = [Posed::one(&rest, &poses[0][1]), Posed::new(&rest, &body, &poses[1])];
+    check("one pose", &mesh, views.each_ref(), want.each_ref());
     let turn = DMat4::from_rotation_x(0.5);
     let mut still = turn.to_cols_array_2d();
     still[3][1] += 0.25;
@@ -136,12 +137,12 @@ fn wrong_forms_are_refused() {
     let mut session = Session::new(&mesh, Options::default()).unwrap();
     let fine = [[0.0f32; 3]; 3];
     let bytes: [u8; 100] = [0; 100];
-    let of = |stride| Strided::<f32>::new(&bytes, stride);
-    let why = session.step(&fine, &of(8)).unwrap_err();
+    let strided = |stride| Strided::<f32>::new(&bytes, stride);
+    let why = session.step(&fine, &strided(8)).unwrap_err();
     assert_eq!(why.to_string(), "t1 has a stride of 8 bytes; a position takes 12");
-    let why = session.step(&of(44).offset(1), &fine).unwrap_err();
+    let why = session.step(&strided(44).offset(1), &fine).unwrap_err();
     assert_eq!(why, Error::VertexCount { time: 0, expected: 3, found: 2 });
-    let why = session.step(&of(44).offset(1).count(3), &fine).unwrap_err();
+    let why = session.step(&strided(44).offset(1).count(3), &fine).unwrap_err();
     assert_eq!(why, Error::Bytes { time: 0, vertex: 2, end: 101, found: 100 });
     assert_eq!(why.to_string(), "vertex 2 at t0 ends at byte 101, but there are 100 bytes");
     let why = session.step(&Posed::new(&fine, &[0, 0, 9], &[Mat4::IDENTITY]), &fine).unwrap_err();
@@ -158,7 +159,7 @@ fn wrong_forms_are_refused() {
     let bad = Mat4::from_translation(Vec3::new(0.0, f32::NAN, 0.0));
     let why = session.step(&fine, &Posed::one(&fine, &bad)).unwrap_err();
     assert!(matches!(why, Error::Coordinate { time: 1, vertex: 0, axis: 1, .. }), "{why}");
-    assert!(session.step(&of(44), &of(44)).unwrap().contacts.is_empty());
+    assert!(session.step(&strided(44), &strided(44)).unwrap().contacts.is_empty());
 }
 
 /// Calls that programs have are compiled, with their types inferred.

@@ -19,8 +19,8 @@ fn contacts(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Vec<Cont
 }
 
 /// Candidates in an order that does not depend on the steps before.
-fn sorted(of: &Candidates) -> [Vec<Pair>; 2] {
-    [of.vf, of.ee].map(|pairs| {
+fn sorted(found: &Candidates) -> [Vec<Pair>; 2] {
+    [found.vf, found.ee].map(|pairs| {
         let mut pairs = pairs.to_vec();
         pairs.sort_unstable();
         pairs

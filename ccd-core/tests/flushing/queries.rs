@@ -29,8 +29,8 @@ impl Random {
         self.below(2 * n + 1) as f64 - n as f64
     }
 
-    pub fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len() as u32) as usize]
+    pub fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
+        values[self.below(values.len() as u32) as usize]
     }
 }
 

@@ -221,6 +221,3 @@ fn pick(three: [u32; 3], k: u32) -> u32 {
         three[2]
     }
 }
-
-#[cfg(all(test, feature = "alloc"))]
-mod tests;

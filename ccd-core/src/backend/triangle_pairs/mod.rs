@@ -108,23 +108,3 @@ impl Test {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tests_are_fifteen_and_swap_to_themselves() {
-        let mut seen = 0u16;
-        for k in 0..3 {
-            seen |= Test::corner(k).bit() | Test::corner(k).swapped().bit();
-            for j in 0..3 {
-                seen |= Test::sides(k, j).bit();
-                assert_eq!(Test::sides(k, j).swapped(), Test::sides(j, k));
-            }
-        }
-        assert_eq!(seen, 0x7fff);
-        assert_eq!(Test::all(seen).count(), N_TESTS);
-        assert!(Test::all(seen).all(|t| t.swapped().swapped() == t));
-    }
-}

@@ -205,6 +205,3 @@ impl Found<'_> {
         self.tests.push((t, s, test.swapped()));
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,4 +1,4 @@
-//! Every pair once, by every scheduler, on any number of workers, in any room.
+//! Every pair once, by every scheduler, on any number of workers, in deques of any capacity.
 
 use super::balanced::{Balanced, NEVER};
 use super::lazy_stealing::LazyStealing;
@@ -54,7 +54,7 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
     seen.into_iter().map(AtomicU32::into_inner).collect()
 }
 
-/// All schedulers, and those with deques in which there is hardly any room.
+/// All schedulers, and those with deques that hold hardly anything.
 fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     let rows = Scheduler::ROWS.iter().filter(|row| row.backends.contains(&"cpu"));
     let of = |row: &ccd_core::model::catalogue::Row<Scheduler>| {
