@@ -67,8 +67,8 @@ struct type_27 {
 
 @group(0) @binding(2) 
 var<storage> keys: type_11;
-var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> names: array<u32, 128>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_27;

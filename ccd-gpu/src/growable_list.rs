@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::word;
-use ccd_core::backend::layout::{LIST_HEADER, Pair};
+use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.
@@ -52,6 +52,16 @@ pub fn until_complete<T>(mut run: impl FnMut() -> Result<Option<T>, Error>) -> R
         }
     }
     Err(Error::Incomplete { runs: MOST_RUNS })
+}
+
+/// The dispatches over `n` items, or entries of a list with that capacity, of at most `limit` each.
+pub fn parts(n: u32, limit: u32, capacity_out: u32) -> impl Iterator<Item = Dispatch> {
+    (0..n).step_by(limit as usize).map(move |first| Dispatch {
+        n: (n - first).min(limit),
+        first,
+        capacity_in: n,
+        capacity_out,
+    })
 }
 
 /// A list on the device.

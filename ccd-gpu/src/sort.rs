@@ -19,13 +19,8 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Room for `n` pairs.
-    pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
-        Self::reusing(device, n, None)
-    }
-
-    /// The same, with the buffers of another sort as far as they are large enough.
-    pub fn reusing(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
+    /// Capacity for `n` pairs; the buffers of another sort, if they are large enough.
+    pub fn new(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
         if let Some(old) = old.filter(|old| old.capacity >= n) {
             return Ok(old.clone());
         }
@@ -108,7 +103,7 @@ impl Sorter {
         bench.set_timing(Timing::Kernels)?;
         Ok(Self {
             bench,
-            sort: Sort::new(device, n)?,
+            sort: Sort::new(device, n, None)?,
             source: [source("keys")?, source("values")?],
             device: device.clone(),
             n,

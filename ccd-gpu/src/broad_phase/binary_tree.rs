@@ -6,7 +6,7 @@ use super::builder::{self, TreeBuilder};
 use crate::bind::{BranchBoxes, FarNodes, NearNodes, TraverseFull, TraverseHalf};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, List};
+use crate::growable_list::{HEADER_BYTES, List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::kernel::Id;
@@ -120,7 +120,7 @@ impl BinaryTree {
         pairs: &List,
     ) {
         let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &self.nodes);
-        for dispatch in parts(self.n, pairs) {
+        for dispatch in parts(self.n, DISPATCH_LIMIT, pairs.capacity()) {
             let p = Params { dispatch, ..self.params(frame, blocks) };
             let kernel = TraverseHalf { leaves, order, nodes, pairs: pairs.buffer() };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
@@ -138,21 +138,11 @@ impl BinaryTree {
         pairs: &List,
     ) {
         let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
-        for dispatch in parts(frame.count[sets(args.kind)[0]], pairs) {
+        let n = frame.count[sets(args.kind)[0]];
+        for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
             let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
             let p = Params { frame: *frame, dispatch, args };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }
     }
-}
-
-/// The dispatches over `n` queries.
-fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
-    let capacity_out = pairs.capacity();
-    (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
-        n: (n - first).min(DISPATCH_LIMIT),
-        first,
-        capacity_in: 0,
-        capacity_out,
-    })
 }

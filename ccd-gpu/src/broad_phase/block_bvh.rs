@@ -2,7 +2,7 @@
 
 use super::block_descent::{BlockDescent, Nodes};
 use super::block_levels::Levels;
-use super::pair_source::boxes_or;
+use super::pair_source::boxes;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
@@ -60,20 +60,15 @@ pub struct Tree {
 }
 
 impl Tree {
-    /// Makes room for these numbers of boxes.
-    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
-        Self::reusing(device, scheduling, count, None)
-    }
-
-    /// The same, with the buffers of another tree as far as they are large enough. That one may be
-    /// used again, if this fails.
-    pub fn reusing(
+    /// For these numbers of boxes, with the buffers of another tree as far as they are large enough.
+    /// That one may be used again, if this fails.
+    pub fn new(
         device: &Device,
         scheduling: Scheduling,
         count: [u32; 3],
         old: Option<&Self>,
     ) -> Result<Self, Error> {
-        let mut tree = Self::sorted_reusing(device, count, old)?;
+        let mut tree = Self::sorted_only(device, count, old)?;
         if !scheduler::is_by_levels(scheduling) {
             tree.descent = Some(BlockDescent::new(device, scheduling, count)?);
         }
@@ -101,12 +96,12 @@ impl Tree {
         Ok(tree)
     }
 
-    /// As [`Tree::new`], without room for a descent.
-    pub fn sorted_only(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
-        Self::sorted_reusing(device, count, None)
-    }
-
-    fn sorted_reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
+    /// As [`Tree::new`], without lists for a descent.
+    pub fn sorted_only(
+        device: &Device,
+        count: [u32; 3],
+        old: Option<&Self>,
+    ) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge {
@@ -132,7 +127,7 @@ impl Tree {
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
         Ok(Self {
-            boxes: boxes_or(device, count, old.map(|old| &old.boxes))?,
+            boxes: boxes(device, count, old.map(|old| &old.boxes))?,
             leaves: device.buffer_or(
                 old.map(|old| &old.leaves),
                 "leaves",
@@ -140,7 +135,7 @@ impl Tree {
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
-            sort: Sort::reusing(device, n as u32, old.map(|old| &old.sort))?,
+            sort: Sort::new(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
             descent: None,

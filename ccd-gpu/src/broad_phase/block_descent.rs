@@ -59,7 +59,7 @@ impl BlockDescent {
         let trees = BlockTrees { boxes, slots };
         let of = Descended { frame, kind, trees: Trees::Blocks(trees), pairs };
         self.scheduled.run(recorder, &of, keeps_order, |recorder, written, (control, tasks)| {
-            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.record() };
+            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.args };
             let p = of.params(args, levels.start(kind), first.capacity());
             let (first, nodes, front) = (first.buffer(), tasks.buffer(), written.front);
             let pairs = pairs.buffer();

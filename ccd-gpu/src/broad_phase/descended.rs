@@ -76,26 +76,8 @@ impl BlockTrees<'_> {
 #[derive(Clone, Copy)]
 pub struct Written<'a> {
     pub front: &'a wgpu::Buffer,
-    /// Entries of either half; 0 if none is kept.
-    pub capacity: u32,
-    /// Which half is written.
-    pub written: u32,
-}
-
-impl<'a> Written<'a> {
-    /// None is kept; a kernel wants a buffer all the same.
-    pub fn none(front: &'a wgpu::Buffer) -> Self {
-        Self { front, capacity: 0, written: 0 }
-    }
-
-    /// What kernels are told of it.
-    pub fn record(&self) -> NodeDescent {
-        NodeDescent {
-            capacity_front: self.capacity,
-            written: self.written,
-            ..NodeDescent::default()
-        }
-    }
+    /// Its capacity and which half is written; 0 if none is kept.
+    pub args: NodeDescent,
 }
 
 /// What workers and fronts write: counters of workers, tasks, and the front.

@@ -21,11 +21,9 @@
 //! A search that was recorded and whose results the host has not seen may have been anything: after
 //! one, nothing is kept.
 
-use super::descended::{self, Buffers, Descended, Written};
+use super::descended::Written;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
-use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::pair_workers::FRONT;
 use ccd_core::backend::layout::NodeDescent;
 use ccd_core::backend::scheduling::front::{Fate, FrontState};
@@ -73,27 +71,12 @@ impl Front {
         let seen = !std::mem::replace(&mut search.is_open, true);
         search.state.begin(keeps_order && seen);
         let capacity = if search.state.is_written() { self.capacity } else { 0 };
-        let written = Written { front: &self.slots, capacity, written: self.written };
-        (search.state.begun() as u32, written)
-    }
-
-    /// Records that the pairs with which a search begins become tasks, or stay.
-    pub fn resume(
-        &self,
-        recorder: &mut Recorder,
-        of: &Descended,
-        begun: u32,
-        (control, tasks): (&wgpu::Buffer, &List),
-    ) {
-        let (capacity_front, written) = (self.capacity, self.written);
         let args = NodeDescent {
-            capacity_nodes: tasks.capacity(),
-            capacity_front,
-            written,
-            ..Default::default()
+            capacity_front: capacity,
+            written: self.written,
+            ..NodeDescent::default()
         };
-        let buffers = Buffers { control, nodes: tasks.buffer(), front: &self.slots };
-        descended::resume(recorder, of, buffers, &of.params(args, 0, begun));
+        (search.state.begun() as u32, Written { front: &self.slots, args })
     }
 
     /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it

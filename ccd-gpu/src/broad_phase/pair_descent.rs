@@ -86,7 +86,7 @@ impl PairDescent {
     ) {
         let (a_nodes, b_nodes, front) = (both.a_nodes, both.b_nodes, written.front);
         let (cuts, capacity_nodes) = (&self.cuts, tasks.capacity());
-        let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.record() };
+        let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.args };
         // The order of a cut is that of the threads that were first: another cut through the same
         // tree has another one, so that pairs within a tree need one cut for both sides.
         let sides = (0..).zip(trees.into_iter().zip(sets(of.kind)));

@@ -130,13 +130,8 @@ pub fn frame_of(count: [u32; 3]) -> Frame {
     Frame { count, start: [0, v, v + e, v + e + f], ..Frame::default() }
 }
 
-/// Room for the boxes of all sets.
-pub fn boxes_of(device: &Device, count: [u32; 3]) -> Result<wgpu::Buffer, Error> {
-    boxes_or(device, count, None)
-}
-
-/// The same, or a buffer that was that for other sets, if it is large enough.
-pub fn boxes_or(
+/// A buffer for the boxes of all sets; that of other sets, if it is large enough.
+pub fn boxes(
     device: &Device,
     count: [u32; 3],
     old: Option<&wgpu::Buffer>,

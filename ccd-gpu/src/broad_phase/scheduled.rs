@@ -1,7 +1,7 @@
 //! What binary trees and blocks have in common where a scheduler shares out their pairs: a schedule
 //! and a front for each kind of pairs.
 
-use super::descended::{Descended, Written};
+use super::descended::{self, Buffers, Descended, Written};
 use super::front::{COUNTERS, Front};
 use super::scheduler::{self, Schedule};
 use super::worker_counts::Counted;
@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::layout::NodeDescent;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{self, Scheduling};
 use std::ops::Range;
@@ -70,11 +71,15 @@ impl Scheduled {
         let Some(OfKind { schedule, front }) = &self.of_kind[of.kind as usize] else { return };
         let (begun, written) = match front {
             Some(front) => front.begin(keeps_order),
-            None => (0, Written::none(&self.none)),
+            None => (0, Written { front: &self.none, args: NodeDescent::default() }),
         };
-        match front {
-            Some(front) if begun > 0 => front.resume(recorder, of, begun, schedule.tasks()),
-            _ => first(recorder, written, schedule.tasks()),
+        let (control, tasks) = schedule.tasks();
+        if begun > 0 {
+            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.args };
+            let buffers = Buffers { control, nodes: tasks.buffer(), front: written.front };
+            descended::resume(recorder, of, buffers, &of.params(args, 0, begun));
+        } else {
+            first(recorder, written, (control, tasks));
         }
         schedule.run(recorder, of, written);
     }

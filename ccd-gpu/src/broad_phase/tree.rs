@@ -60,7 +60,13 @@ impl TreeSource {
             Volume::Obb => Some(OrientedBoxes::new(device, count, has_tree)?),
             _ => None,
         };
-        Ok(Self { blocks: Tree::sorted_only(device, count)?, trees, traversal, descent, oriented })
+        Ok(Self {
+            blocks: Tree::sorted_only(device, count, None)?,
+            trees,
+            traversal,
+            descent,
+            oriented,
+        })
     }
 
     fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, search: &Search) {

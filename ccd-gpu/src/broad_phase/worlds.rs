@@ -47,16 +47,10 @@ impl Worlds {
             leaves.copy_from_slice(of);
             leaves.sort_unstable();
         }
-        let sent = |what, words: &[u32]| -> Result<wgpu::Buffer, Error> {
-            let bytes: &[u8] = bytemuck::cast_slice(words);
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.write(what, &buffer, 0, bytes)?;
-            Ok(buffer)
-        };
         let words = worlds::BOUND_WORDS as u64 * n as u64;
         Ok(Some(Self {
-            of_boxes: sent("worlds of boxes", &sets.concat())?,
-            of_leaves: sent("worlds of leaves", &of_leaves)?,
+            of_boxes: device.sent("worlds of boxes", &sets.concat())?,
+            of_leaves: device.sent("worlds of leaves", &of_leaves)?,
             bounds: device.buffer("bounds of worlds", 4 * words, U::STORAGE | U::COPY_DST)?,
             bits: worlds::bits(n),
         }))

@@ -28,7 +28,7 @@ impl ContactOrder {
     pub fn new(device: &Device, capacity: u32) -> Result<Self, Error> {
         let bytes = capacity as u64 * size_of::<Touch>() as u64;
         let make = || {
-            let sort = Sort::new(device, capacity)?;
+            let sort = Sort::new(device, capacity, None)?;
             Ok((sort, device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?))
         };
         let ((sort, ordered), bytes) = device.counting(make)?;

@@ -69,7 +69,7 @@ pub struct Found {
 impl Frames {
     pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
         Ok(Self {
-            buffers: Buffers::new(device, mesh, options)?,
+            buffers: Buffers::new(device, mesh, options, None)?,
             bench: Bench::new(device)?,
             readback: Readback::default(),
             stages: Vec::new(),
@@ -289,7 +289,7 @@ impl Frames {
         })??;
         buffers.source.finder().check(&frame, &counted)?;
         self.stages = bench.times(&stages)?;
-        let lists = buffers.lists_mut().zip(headers.each_ref()).into_vec();
+        let lists = buffers.lists_mut().zip(headers.clone()).into_vec();
         let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
         let grown = List::grow_all(device, lists);
         let complete = matches!(grown, Ok(false));

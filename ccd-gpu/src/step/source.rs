@@ -8,10 +8,10 @@ use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::layout::{Decision, Frame, Params};
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -48,12 +48,11 @@ impl Source {
     /// Room for a mesh with these numbers of vertices, edges and faces, with buffers of another
     /// source: all of blocks, and lists of every other, as far as they are large enough. That one
     /// may be used again, if this fails.
-    pub fn reusing(
+    pub fn new(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
-        rules: Option<&Rules>,
-        count: [u32; 3],
+        (rules, count): (Option<&Rules>, [u32; 3]),
         old: Option<&Self>,
     ) -> Result<Self, Error> {
         let old_tree = match old {
@@ -67,7 +66,7 @@ impl Source {
                 Finder::Triangles(Box::new(pairs))
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                let mut tree = Tree::reusing(device, options.scheduling, count, old_tree)?;
+                let mut tree = Tree::new(device, options.scheduling, count, old_tree)?;
                 tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
                 return Ok(Self::Blocks(Box::new(tree)));
             }
@@ -245,11 +244,8 @@ impl Listed {
         output: &List,
         mut run: impl FnMut(&Params<Decision>, u32),
     ) {
-        let (capacity_in, capacity_out) = (self.pairs[kind].capacity(), output.capacity());
-        for first in (0..capacity_in).step_by(DISPATCH_LIMIT as usize) {
-            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, capacity_in, capacity_out };
-            let n = (capacity_in - first).min(DISPATCH_LIMIT);
-            let groups = n.div_ceil(Id::FilterListed.threads()).min(self.groups);
+        for dispatch in parts(self.pairs[kind].capacity(), DISPATCH_LIMIT, output.capacity()) {
+            let groups = dispatch.n.div_ceil(Id::FilterListed.threads()).min(self.groups);
             let args = Decision { kind: kind as u32, capacity_open: 0 };
             run(&Params { frame: *frame, dispatch, args }, groups);
         }

@@ -46,7 +46,7 @@ pub enum Boxes {
 impl Positions {
     /// Room for the paths of `n` vertices, with buffers that others had as far as they are large
     /// enough.
-    pub fn reusing(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
+    pub fn new(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
         let of = |old, what, bytes| device.buffer_or(old, what, bytes, usage);
         let [paths, wide, keys] = match old {

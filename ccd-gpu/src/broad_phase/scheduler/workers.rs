@@ -190,22 +190,22 @@ impl Schedule for Workers {
     fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written) {
         let Self { rule, control, nodes, left, workers, .. } = self;
         let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
-        let stealing = steal.map_or(NodeDescent::default(), |steal| {
-            let Steal { batches, batch, most, push, patience } = steal;
-            NodeDescent { batches, batch, most, push, patience, ..NodeDescent::default() }
-        });
+        let mut args = NodeDescent {
+            capacity_nodes: nodes.capacity(),
+            workers: *workers,
+            tasks,
+            piece,
+            idle,
+            stack,
+            turns,
+            ..written.args
+        };
+        if let Some(Steal { batches, batch, most, push, patience }) = steal {
+            args = NodeDescent { batches, batch, most, push, patience, ..args };
+        }
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         for round in 0..rounds {
-            let last = (round + 1 == rounds) as u32;
-            let NodeDescent { capacity_front, written, .. } = written.record();
-            let args = NodeDescent {
-                capacity_nodes: nodes.capacity(),
-                capacity_front,
-                written,
-                ..stealing
-            };
-            let args = NodeDescent { tasks, piece, idle, stack, turns, last, ..args };
-            let args = NodeDescent { workers: *workers, ..args };
+            args.last = (round + 1 == rounds) as u32;
             let p = of.params(args, round, 0);
             descended::round(recorder, of, buffers, &p, 1 << workers);
         }

@@ -18,7 +18,7 @@ impl Frames {
         mesh: &Mesh,
         options: &Options,
     ) -> Result<(), Error> {
-        let (buffers, bench) = (Buffers::new(device, mesh, options)?, Bench::new(device)?);
+        let (buffers, bench) = (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
         (self.buffers, self.bench, self.stale) = (buffers, bench, false);
         self.readback = Readback::default();
         self.order.forget();
@@ -49,7 +49,7 @@ impl Frames {
         self.stale = true;
         // Under a limit of memory nothing is reused: it could not be counted anew.
         let old = Some(&self.buffers).filter(|_| device.memory().is_none());
-        self.buffers = Buffers::reusing(device, mesh, options, old)?;
+        self.buffers = Buffers::new(device, mesh, options, old)?;
         (self.stale, self.of_bodies) = (false, 0);
         self.bench.forget();
         self.order.forget();
