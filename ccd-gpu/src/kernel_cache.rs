@@ -1,5 +1,5 @@
-//! Compiled kernels on disk, so that the next process takes them from there: one file for a kind of
-//! GPU, checked before it is used, replaced as a whole.
+//! Compiled kernels on disk, for the next process: one file for a kind of GPU, checked before it is
+//! used, replaced at once.
 //!
 //! A file is a header and what the driver gave: the magic word, a digest of everything that the
 //! content depends on and we know (this format, the kernels' manifest, adapter, driver), the length
@@ -118,9 +118,9 @@ impl KernelFile {
 
 /// Another version of the standard library may compute another one: then kernels are compiled once
 /// more.
-fn digest(of: &(impl Hash + ?Sized)) -> u64 {
+fn digest(content: &(impl Hash + ?Sized)) -> u64 {
     let mut hasher = std::hash::DefaultHasher::new();
-    of.hash(&mut hasher);
+    content.hash(&mut hasher);
     hasher.finish()
 }
 

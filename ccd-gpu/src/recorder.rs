@@ -338,7 +338,7 @@ pub fn submit(
     })?
 }
 
-/// The bindings of a kernel: of what it is told, at the offset of a dispatch, and its buffers.
+/// The bindings of a kernel: its parameters, at the offset of a dispatch, and its buffers.
 fn bind_group(
     device: &Device,
     id: Id,

@@ -35,7 +35,7 @@ impl Sort {
         })
     }
 
-    /// Pairs for which there is room.
+    /// Pairs that fit.
     pub fn capacity(&self) -> u32 {
         self.capacity
     }
@@ -92,7 +92,7 @@ pub struct Sorter {
 }
 
 impl Sorter {
-    /// Room for `n` pairs.
+    /// A sorter of `n` pairs.
     ///
     /// # Errors
     /// What the device refuses.
@@ -116,11 +116,11 @@ impl Sorter {
     /// What the device refuses.
     ///
     /// # Panics
-    /// If there are not as many keys, and values, as room was made for.
+    /// If the number of keys or values is not that of [`Sorter::new`].
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),
-            "another number of pairs than room was made for"
+            "another number of pairs than the sorter was made for"
         );
         for (to, words) in self.source.iter().zip([keys, values]) {
             self.device.write("keys and values", to, 0, bytemuck::cast_slice(words))?;

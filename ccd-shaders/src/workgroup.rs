@@ -1,7 +1,7 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 //!
-//! No index is checked here. What a wrong one does is said in `ccd_core::backend::kernel::memory`:
-//! of a buffer it stays inside by the device's robustness, of workgroup memory nothing bounds it.
+//! No index is checked here; see `ccd_core::backend::kernel::memory`. One past the end of a buffer
+//! stays inside by the device's robustness; of workgroup memory nothing bounds it.
 #![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
 use ccd_core::backend::kernel::Words;
@@ -138,7 +138,7 @@ pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
     word
 }
 
-/// Entries of a list that are there: those wanted, as far as there was room.
+/// Length of a list: the entries wanted, at most its capacity.
 #[inline(always)]
 pub fn length(list: &[u32], capacity: u32) -> u32 {
     at(list, 0).min(capacity)
@@ -159,7 +159,7 @@ pub fn read_pair(list: &[u32], i: u32) -> Pair {
     Pair { a: at(list, from), b: at(list, from + 1) }
 }
 
-/// Writes pair `i` of a list; one for which there is no room is only counted.
+/// Writes pair `i` of a list; one beyond the capacity is only counted.
 #[inline(always)]
 pub fn write_pair(list: &mut [u32], capacity: u32, i: u32, pair: Pair) {
     if i < capacity {
@@ -202,7 +202,7 @@ pub fn barrier_of_buffers() {
 pub struct DeviceWords<'a> {
     words: *mut [u32],
     first: usize,
-    of: PhantomData<&'a mut [u32]>,
+    lifetime: PhantomData<&'a mut [u32]>,
 }
 
 impl<'a> DeviceWords<'a> {
@@ -215,7 +215,7 @@ impl<'a> DeviceWords<'a> {
     /// The same from word `first` on.
     #[inline(always)]
     pub fn behind(words: &'a mut [u32], first: usize) -> Self {
-        Self { words, first, of: PhantomData }
+        Self { words, first, lifetime: PhantomData }
     }
 
     /// Word `i`, for an atomic operation.

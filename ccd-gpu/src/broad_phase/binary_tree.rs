@@ -26,7 +26,7 @@ pub struct BinaryTree {
     /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
     /// nodes with the boxes of both children.
     pub nodes: wgpu::Buffer,
-    /// For queries: nodes whose leaves are far from one another, the head of a list, then room for
+    /// For queries: a list of the nodes whose leaves are far from one another, of which it holds
     /// all.
     far: Option<wgpu::Buffer>,
     /// Leaves.
@@ -34,7 +34,7 @@ pub struct BinaryTree {
 }
 
 impl BinaryTree {
-    /// Room for a tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
+    /// A tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
     pub fn new(
         device: &Device,
         choice: Builder,
@@ -103,7 +103,7 @@ impl BinaryTree {
         }
     }
 
-    /// What kernels over the nodes of the tree are told.
+    /// The parameters of kernels over the nodes of the tree.
     pub fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
         let args = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
         Params { frame: *frame, dispatch: Dispatch::default(), args }

@@ -1,8 +1,9 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
-use super::block_descent::{BlockDescent, Nodes};
+use super::block_descent;
 use super::block_levels::Levels;
 use super::pair_source::boxes;
+use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
@@ -27,7 +28,7 @@ pub const DISPATCH_LIMIT: u32 = 1 << 20;
 /// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
-/// What a pass over a list of pairs of nodes is about.
+/// A pass over a list of pairs of nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
     /// 0: vertices against faces, 1: edges against edges.
@@ -56,12 +57,12 @@ pub struct Tree {
     /// If boxes are of several worlds.
     pub worlds: Option<Worlds>,
     /// The workers that descend, if a scheduler was chosen that has some.
-    pub(super) descent: Option<BlockDescent>,
+    pub(super) descent: Option<Scheduled>,
 }
 
 impl Tree {
-    /// For these numbers of boxes, with the buffers of another tree as far as they are large enough.
-    /// That one may be used again, if this fails.
+    /// For these numbers of boxes, with the buffers of another tree as far as they are large
+    /// enough. That one may be used again, if this fails.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
@@ -70,7 +71,7 @@ impl Tree {
     ) -> Result<Self, Error> {
         let mut tree = Self::sorted_only(device, count, old)?;
         if !scheduler::is_by_levels(scheduling) {
-            tree.descent = Some(BlockDescent::new(device, scheduling, count)?);
+            tree.descent = Some(block_descent::scheduled(device, scheduling, count)?);
         }
         let (levels, by_levels) = (&tree.levels, tree.descent.is_none());
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
@@ -146,7 +147,7 @@ impl Tree {
         })
     }
 
-    /// What kernels are told of the trees; the caller sets the rest.
+    /// Where the nodes of the trees are, for kernels; the caller sets the rest.
     pub fn record(&self) -> Blocks {
         Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
     }
@@ -154,7 +155,7 @@ impl Tree {
     /// What must be zero before [`Tree::descend`] besides the headers of lists.
     pub fn clear_descent(&self, recorder: &mut Recorder) {
         if let Some(descent) = &self.descent {
-            descent.scheduled.clear(recorder);
+            descent.clear(recorder);
         }
     }
 
@@ -189,7 +190,7 @@ impl Tree {
         self.sort.half(0)
     }
 
-    /// Room for another order of the boxes, until the next sort.
+    /// A buffer for another order of the boxes, until the next sort.
     pub fn spare_order(&self) -> &wgpu::Buffer {
         self.sort.half(1)[1]
     }
@@ -234,8 +235,8 @@ impl Tree {
         if let Some(descent) = &self.descent {
             for &kind in kinds {
                 let (first, pairs) = (&self.start[kind as usize], self.block_pairs(kind as usize));
-                let nodes = Nodes { levels: &self.levels, boxes: &self.nodes };
-                descent.run(recorder, (frame, kind, keeps_order), nodes, first, pairs);
+                let (what, nodes) = ((frame, kind, keeps_order), (&self.levels, &self.nodes));
+                block_descent::run(descent, recorder, what, nodes, first, pairs);
             }
             return;
         }

@@ -1,5 +1,5 @@
 //! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
-//! what kernels are told, and the kernels.
+//! kernels and their parameters.
 //!
 //! Twin: on a CPU `descend.rs`, and for blocks `block_descent.rs`.
 
@@ -91,14 +91,14 @@ pub struct Buffers<'a> {
 /// Records a round of so many workers, which may steal from each other.
 pub fn round(
     recorder: &mut Recorder,
-    of: &Descended,
+    descent: &Descended,
     buffers: Buffers,
     p: &Params<NodeDescent>,
     n: u32,
 ) {
     let Buffers { control, nodes, front } = buffers;
-    let (pairs, steals) = (of.pairs.buffer(), p.args.batches > 0);
-    match of.trees {
+    let (pairs, steals) = (descent.pairs.buffer(), p.args.batches > 0);
+    match descent.trees {
         Trees::Blocks(trees) => {
             let kernel = BlockWorkers { boxes: trees.boxes, control, nodes, pairs, front };
             recorder.dispatch_variant(&kernel, (None, steals), &trees.params(p), n);
@@ -111,10 +111,15 @@ pub fn round(
 }
 
 /// Records that `p.dispatch.n` pairs of a front become tasks, or stay.
-pub fn resume(recorder: &mut Recorder, of: &Descended, buffers: Buffers, p: &Params<NodeDescent>) {
+pub fn resume(
+    recorder: &mut Recorder,
+    descent: &Descended,
+    buffers: Buffers,
+    p: &Params<NodeDescent>,
+) {
     let Buffers { control, nodes, front } = buffers;
-    let (pairs, n) = (of.pairs.buffer(), p.dispatch.n);
-    match of.trees {
+    let (pairs, n) = (descent.pairs.buffer(), p.dispatch.n);
+    match descent.trees {
         Trees::Blocks(trees) => {
             let BlockTrees { boxes, .. } = trees;
             let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };

@@ -57,7 +57,7 @@ struct Search {
 }
 
 impl Front {
-    /// With room for `n` pairs, or for as many as half of its memory has room for.
+    /// For `n` pairs, or as many as fit in half of its memory.
     pub fn new(device: &Device, options: FrontOptions, n: u32) -> Result<Self, Error> {
         let capacity = (n as u64).min(most(device, &options, 0) / 2) as u32;
         let slots = slots(device, capacity)?;

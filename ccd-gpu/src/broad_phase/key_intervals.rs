@@ -32,7 +32,7 @@ const WORK: [&str; 2] = ["work vertex-face", "work edge-edge"];
 /// Boxes of each thread of a survey.
 const SURVEY_SHARE: u32 = 32;
 
-/// A method by keys, with room for sets of so many boxes.
+/// A method by keys, over sets of so many boxes.
 pub struct IntervalSource {
     method: u32,
     boxes: wgpu::Buffer,

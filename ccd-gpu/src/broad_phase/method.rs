@@ -55,7 +55,7 @@ pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<
     check_compiled((!is_by_levels(choice)).then_some(name))
 }
 
-/// The source of a choice, with room for sets of so many boxes.
+/// The source of a choice, over sets of so many boxes.
 pub fn source(
     device: &Device,
     choice: BroadPhaseMethod,

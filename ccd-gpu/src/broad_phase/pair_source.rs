@@ -79,7 +79,7 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// The same, to be told how a search came out.
+    /// The same, for [`PairSource::settle`].
     fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
         None
     }

@@ -78,8 +78,8 @@ impl TreeSource {
         match self.traversal {
             Traversal::Cut { .. } => {
                 if let Some((descent, a)) = self.descent.as_ref().zip(a) {
-                    let of = (frame, kind, search.keeps_order);
-                    descent.run(recorder, of, [a, b], oriented, pairs);
+                    let what = (frame, kind, search.keeps_order);
+                    descent.run(recorder, what, [a, b], oriented, pairs);
                 }
             }
             Traversal::Half if kind == EDGE_EDGE => {

@@ -41,10 +41,10 @@ impl Worlds {
             mesh.faces().iter().map(|face| world(&face[0])).collect(),
         ];
         let mut of_leaves = vec![0; levels.padded(0) as usize];
-        for (set, of) in sets.iter().enumerate() {
+        for (set, worlds_of_set) in sets.iter().enumerate() {
             let first = (levels.slots[0][set] - levels.slots[0][0]) as usize;
-            let leaves = &mut of_leaves[first..first + of.len()];
-            leaves.copy_from_slice(of);
+            let leaves = &mut of_leaves[first..first + worlds_of_set.len()];
+            leaves.copy_from_slice(worlds_of_set);
             leaves.sort_unstable();
         }
         let words = worlds::BOUND_WORDS as u64 * n as u64;

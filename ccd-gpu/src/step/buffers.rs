@@ -31,7 +31,7 @@ pub struct Buffers {
     pub faces: wgpu::Buffer,
     /// A word a vertex, then the table of rules.
     pub bodies: wgpu::Buffer,
-    /// What kernels are told of bodies.
+    /// Flags of the frame that say what kernels read of bodies.
     body_flags: u32,
     pub rules: Option<Rules>,
     /// Pairs that the filters leave, by kind.
@@ -68,13 +68,13 @@ impl Buffers {
     ) -> Result<Self, Error> {
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
         let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
-        let capacity = |of: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
-            device.buffer_or(old.map(of), what, bytes as u64, usage)
+        let capacity = |field: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
+            device.buffer_or(old.map(field), what, bytes as u64, usage)
         };
         let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
         let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
-        let list = |of: fn(&Self) -> &List, what, words, capacity: u32| {
-            List::reusing(device, old.map(of), what, words, capacity.max(1024))
+        let list = |field: fn(&Self) -> &List, what, words, capacity: u32| {
+            List::reusing(device, old.map(field), what, words, capacity.max(1024))
         };
         let features = count[0] + count[1] + count[2];
         let old_positions = old.map(|old| &old.positions);

@@ -12,7 +12,7 @@ use ccd_core::backend::layout::{Frame, Params, Plain, TouchGeometry};
 use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 
-/// A record for each contact for which the list has room.
+/// A record for each contact that the list can hold.
 #[derive(Default)]
 pub struct Geometry {
     /// Whether the list of contacts on the device is that of the last call.

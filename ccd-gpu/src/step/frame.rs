@@ -23,7 +23,7 @@ use ccd_core::model::report::TriangleCounts;
 
 mod changes;
 
-/// What frames run on, and what one learns from the frame before.
+/// Buffers of all frames, and what one learns from the frame before.
 pub struct Frames {
     pub buffers: Buffers,
     pub bench: Bench,
@@ -49,7 +49,7 @@ pub struct Frames {
     of_bodies: u64,
 }
 
-/// What a frame gave.
+/// Results of a frame.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
     pub earliest: u32,
@@ -190,8 +190,8 @@ impl Frames {
         reading.with(device, |bytes| [part_vf, part_ee].map(|part| read_pairs(part.of(bytes))))
     }
 
-    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how
-    /// many are to be read at once.
+    /// Makes buffers for the order of as many contacts as are expected, if they are many. Returns
+    /// how many are to be read at once.
     fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
         let Self { buffers, bench, expected, .. } = self;
         let n = if goal == Goal::Contacts {
@@ -239,7 +239,7 @@ impl Frames {
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let counters = buffers.source.finder().counters();
         let of_counters: Vec<_> =
-            counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
+            counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let stages = submit(device, bench, |recorder| {
@@ -251,8 +251,8 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
-            for (part, (counters, of)) in of_counters.iter().zip(&counters) {
-                recorder.read(&reading, *part, counters, of.start);
+            for (part, (counters, range)) in of_counters.iter().zip(&counters) {
+                recorder.read(&reading, *part, counters, range.start);
             }
             if let Some(triangles) = buffers.source.triangles() {
                 recorder.read(&reading, of_counts, triangles.counts(), 0);

@@ -76,11 +76,12 @@ mod tests {
 
     #[test]
     fn an_order_is_kept_until_its_pairs_have_cost_a_sort() {
-        let of = |n, pairs: &[u64]| kept(n, &pairs.iter().map(|&p| Some(p)).collect::<Vec<_>>());
+        let kept_of =
+            |n, pairs: &[u64]| kept(n, &pairs.iter().map(|&p| Some(p)).collect::<Vec<_>>());
         let (half, all) = (SORT_PAIRS / 2, SORT_PAIRS);
         let pairs = [7, 7 + half, 3, 7 + half - 1, 8, 9, 9 + all, 9];
-        assert_eq!(of(0, &pairs), [false, true, true, true, true, false, true, false]);
-        assert_eq!(of(32, &pairs), [false, true, true, true, true, true, false, true]);
+        assert_eq!(kept_of(0, &pairs), [false, true, true, true, true, false, true, false]);
+        assert_eq!(kept_of(32, &pairs), [false, true, true, true, true, true, false, true]);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What a frame is: the dispatches from positions to results.
+//! The dispatches of a frame, from positions to results.
 
 use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
@@ -175,7 +175,7 @@ impl Buffers {
 /// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
 pub const DISPATCH_LIMIT: u32 = 1 << 21;
 
-/// Parameters of a kernel that needs to know no more than the frame.
+/// Parameters of a kernel that reads the frame alone.
 fn plain(frame: &Frame) -> Params {
     Params { frame: *frame, ..Params::default() }
 }

@@ -41,7 +41,7 @@ pub struct TrianglePairs {
     boxes: wgpu::Buffer,
     /// Finds pairs of triangles: one set of boxes.
     source: Box<dyn PairSource>,
-    /// What that is told.
+    /// The frame of that source.
     frame: Frame,
     pairs: List,
     inputs: ExpansionInputs,
@@ -52,7 +52,7 @@ pub struct TrianglePairs {
     groups: u32,
 }
 
-/// What kernels are told of triangles, by the rules of bodies.
+/// Inputs of the kernels that expand triangles, by the rules of bodies.
 struct ExpansionInputs {
     triangles: wgpu::Buffer,
     /// Those of neighbours, and how many.
@@ -123,7 +123,7 @@ impl TrianglePairs {
         Ok(())
     }
 
-    /// Room for a mesh with these numbers of vertices, edges and faces.
+    /// For a mesh with these numbers of vertices, edges and faces.
     pub fn new(
         device: &Device,
         mesh: &Mesh,
@@ -220,8 +220,8 @@ pub fn read_counts(bytes: &[u8]) -> TriangleCounts {
 
 /// The tests of neighbours, if there are not too many.
 fn near_tests(mesh: &Mesh, options: &Options, triangles: &Triangles) -> Option<NearTests> {
-    let wanted = |of: Pair| {
-        let [a, b] = [of.a, of.b].map(|t| triangles.corners(t)[0]);
+    let wanted = |pair: Pair| {
+        let [a, b] = [pair.a, pair.b].map(|t| triangles.corners(t)[0]);
         options.bodies.as_ref().is_none_or(|bodies| bodies.wants(a, b))
     };
     let sets = OrphanSets::new(mesh, triangles)?;

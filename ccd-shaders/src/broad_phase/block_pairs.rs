@@ -26,7 +26,7 @@ const BASE: u32 = 6;
 pub(super) const SHARE: u32 = POOL / THREADS;
 
 /// A workgroup of four teams, as one of its threads sees it: its nodes and its memory. `N`: words
-/// of worlds; 1 where pairs are not told apart by them.
+/// of worlds; 1 where worlds do not matter.
 pub(super) struct Teams<'a, const N: usize> {
     pub t: Thread,
     pub params: &'a Params<Blocks>,

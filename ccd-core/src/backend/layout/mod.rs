@@ -354,8 +354,8 @@ pub fn split(x: f64) -> [u32; 2] {
 }
 
 /// Words before the first entry of a list that a device writes: the number of entries wanted, which
-/// may exceed the room; the number of candidates looked at; how often each of the two exceeded 32
-/// bits.
+/// may exceed the capacity; the number of candidates looked at; how often each of the two exceeded
+/// 32 bits.
 pub const LIST_HEADER: usize = 4;
 
 /// Words of a [`Touch`].

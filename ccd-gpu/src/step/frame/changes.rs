@@ -1,4 +1,4 @@
-//! What changes between frames: device, mesh, options, bodies, room in lists; all of it or nothing.
+//! Changes between frames: device, mesh, options, bodies, capacity of lists; all of it or nothing.
 
 use super::Frames;
 use crate::device::Device;
@@ -57,7 +57,7 @@ impl Frames {
         Ok(())
     }
 
-    /// Makes room for so many entries in every list.
+    /// Gives every list this capacity.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();
         self.geometry.listed = false;

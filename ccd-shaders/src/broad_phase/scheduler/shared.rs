@@ -4,7 +4,7 @@ use ccd_core::backend::broad_phase::pair_workers::STACK;
 
 /// Pairs in the memory of a worker.
 pub(super) type Stack = [u32; 2 * STACK as usize];
-/// What its threads say to each other.
+/// Words that its threads share.
 pub(super) type Shared = [u32; 22];
 
 /// Words that the threads of a worker share: pairs on its stack; of those, how many are expanded in
@@ -20,7 +20,7 @@ pub(super) const NEXT: u32 = 5;
 pub(super) const NODES: u32 = 6;
 pub(super) const LEAVES: u32 = 7;
 pub(super) const ENDED: u32 = 8;
-/// Where they go: the first place on the stack, how many have room there, then on the lists.
+/// Where they go: the first place on the stack, how many fit there, then on the lists.
 pub(super) const BELOW: u32 = 9;
 pub(super) const TO_STACK: u32 = 10;
 pub(super) const SPILL_BASE: u32 = 11;

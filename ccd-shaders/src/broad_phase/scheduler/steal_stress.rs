@@ -43,7 +43,7 @@ const RETIRED: u32 = 4;
 const FULL: u32 = u32::MAX;
 
 /// Words of the status, which all workers add to: batches that were popped, stolen; pushes that
-/// found no room; takes from stacks; workers that have work left.
+/// found a full deque; takes from stacks; workers that have work left.
 const STATUS_LEFT: usize = 4;
 
 /// The first thread notes which batch is taken.
@@ -64,7 +64,7 @@ fn note(
 
 kernel! {
     /// For tests: worker `i` takes items `[tag, lives]`, counts each, and keeps those that have
-    /// lives left with one less; all that it keeps goes through its deque as far as there is room.
+    /// lives left with one less; all that it keeps goes through its deque unless that is full.
     /// The number of workers is a power of two.
     ///
     /// `words`: [`Workers`] of the record; `stacks`: of each worker, what it had when it ended.
