@@ -15,8 +15,7 @@ use crate::sort::Sort;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::VERTEX_FACE;
-use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain, VERTEX_FACE};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 

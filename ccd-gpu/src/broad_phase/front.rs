@@ -48,11 +48,11 @@ pub struct Front {
     written: u32,
 }
 
-/// What is known of the last search that was recorded.
+/// The last search that was recorded.
 #[derive(Debug, Default)]
 struct Search {
     state: FrontState,
-    /// The host has not seen what became of it.
+    /// The host has not seen its results.
     is_open: bool,
 }
 

@@ -63,7 +63,7 @@ pub struct BroadPhase {
     stages: Vec<(&'static str, f64)>,
 }
 
-/// What is made for certain numbers of boxes.
+/// A source for certain numbers of boxes.
 struct Buffers {
     /// Boxes of the sets that a call has.
     count: [u32; 3],

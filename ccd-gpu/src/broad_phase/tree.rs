@@ -17,8 +17,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Frame, Queries};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
 use ccd_core::model::scheduling::Scheduling;
 

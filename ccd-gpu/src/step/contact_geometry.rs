@@ -24,7 +24,7 @@ pub struct Geometry {
 struct Made {
     buffer: wgpu::Buffer,
     capacity: u32,
-    /// What the recording needs: of its own, because a frame that the same encoder has is not
+    /// Parameters and bind groups of its own, because the frame in the same encoder is not
     /// submitted yet.
     bench: Bench,
 }

@@ -43,7 +43,7 @@ pub struct Frames {
     order: KeptOrder,
     /// Of the contacts on the device.
     pub geometry: Geometry,
-    /// What ends frames before they are submitted.
+    /// Ends frames before they are submitted.
     pub cancel: Option<CancelToken>,
     /// Bytes of the last bodies that were set, if there is a limit of memory.
     of_bodies: u64,
@@ -126,7 +126,7 @@ impl Frames {
         self.refresh(device, mesh)?;
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
-        // Nobody knows what becomes of the encoder.
+        // The caller may submit the encoder or not.
         self.order.forget();
         self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);

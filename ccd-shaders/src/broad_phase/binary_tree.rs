@@ -130,7 +130,8 @@ kernel! {
             let branch = branch_at(branches, i as usize);
             let split = radix_tree::last_of_left(&branch, n_internal);
             let left = block_bvh::range_box(&params.args, tree, branch.first, split, block_nodes);
-            let right = block_bvh::range_box(&params.args, tree, split + 1, branch.last, block_nodes);
+            let right =
+                block_bvh::range_box(&params.args, tree, split + 1, branch.last, block_nodes);
             let node = wide::wide_node(&branch, split, n_internal, &left, &right);
             put(nodes, i as usize, NodeWords::of(&node));
         }

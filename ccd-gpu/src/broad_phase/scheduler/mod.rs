@@ -1,5 +1,5 @@
 //! Schedulers of a device: which workgroup expands which pairs of nodes, of binary trees or of
-//! blocks, where nobody knows beforehand what is below one.
+//! blocks, where the number of pairs below one is not known beforehand.
 //!
 //! Twin: on a CPU `scheduler/` has a file for each way to share out work.
 //!
@@ -44,7 +44,7 @@ pub trait Schedule: Send + Sync {
     /// and the list.
     fn tasks(&self) -> (&wgpu::Buffer, &List);
 
-    /// Records that all counters become zero.
+    /// Clears all counters.
     fn clear(&self, recorder: &mut Recorder);
 
     /// Records the rounds. What ends goes to the front that is written, if one is.

@@ -9,7 +9,7 @@
 //! batch of its bottom goes to the deque: these are the oldest, with most below them; what is at
 //! the top takes their place. Where the deque is full, they stay.
 //!
-//! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
+//! A worker that ends has an empty stack, deque and hands, or leaves the rest to the next round.
 
 use super::shared::{EXPANDED, FROM_STACK, FROM_TASKS, SPILL_BASE, Stack, TOP};
 use super::stolen_batches::{
