@@ -50,7 +50,7 @@ struct type_20 {
     member_1: array<f32, 3>,
 }
 
-struct type_21 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -72,7 +72,7 @@ struct type_21 {
 }
 
 struct type_24 {
-    member: type_21,
+    member: type_22,
     member_1: array<array<u32, 2>, 8>,
 }
 

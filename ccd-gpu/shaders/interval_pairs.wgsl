@@ -67,8 +67,8 @@ struct type_27 {
 
 @group(0) @binding(2) 
 var<storage> keys: type_11;
-var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> names: array<u32, 128>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_27;
@@ -85,95 +85,95 @@ var<storage> work: type_11;
 var<workgroup> boxes: array<type_16, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_166_: bool;
-    var phi_207_: bool;
-    var phi_248_: bool;
-    var phi_249_: bool;
-    var phi_250_: bool;
-    var phi_251_: bool;
-    var phi_255_: bool;
-    var phi_276_: u32;
-    var phi_286_: u32;
-    var phi_293_: u32;
-    var phi_294_: u32;
-    var phi_313_: u32;
-    var phi_334_: u32;
-    var phi_335_: u32;
-    var phi_338_: type_9;
-    var phi_339_: type_9;
-    var phi_362_: type_9;
-    var phi_416_: array<u32, 2>;
-    var phi_428_: array<u32, 2>;
-    var phi_429_: bool;
-    var phi_430_: array<u32, 2>;
-    var phi_431_: bool;
-    var phi_436_: array<u32, 2>;
-    var phi_472_: array<u32, 2>;
-    var phi_484_: array<u32, 2>;
-    var phi_485_: bool;
-    var phi_486_: array<u32, 2>;
-    var phi_487_: bool;
-    var phi_492_: array<u32, 2>;
-    var phi_573_: u32;
-    var phi_609_: bool;
-    var phi_610_: bool;
-    var phi_615_: u32;
-    var phi_616_: bool;
-    var phi_617_: u32;
-    var phi_618_: bool;
-    var phi_622_: u32;
-    var phi_629_: u32;
-    var phi_643_: array<u32, 2>;
-    var phi_644_: array<u32, 2>;
+    var phi_182_: bool;
+    var phi_228_: bool;
+    var phi_274_: bool;
+    var phi_275_: bool;
+    var phi_276_: bool;
+    var phi_277_: bool;
+    var phi_281_: bool;
+    var phi_302_: u32;
+    var phi_312_: u32;
+    var phi_319_: u32;
+    var phi_320_: u32;
+    var phi_339_: u32;
+    var phi_360_: u32;
+    var phi_361_: u32;
+    var phi_364_: type_9;
+    var phi_365_: type_9;
+    var phi_388_: type_9;
+    var phi_444_: array<u32, 2>;
+    var phi_456_: array<u32, 2>;
+    var phi_457_: bool;
+    var phi_458_: array<u32, 2>;
+    var phi_459_: bool;
+    var phi_464_: array<u32, 2>;
+    var phi_502_: array<u32, 2>;
+    var phi_514_: array<u32, 2>;
+    var phi_515_: bool;
+    var phi_516_: array<u32, 2>;
+    var phi_517_: bool;
+    var phi_522_: array<u32, 2>;
+    var phi_609_: u32;
     var phi_645_: bool;
-    var phi_646_: array<u32, 2>;
-    var phi_647_: bool;
-    var phi_648_: array<u32, 2>;
-    var phi_649_: bool;
-    var phi_654_: array<u32, 2>;
-    var phi_661_: array<u32, 2>;
-    var phi_543_: f32;
-    var phi_544_: f32;
-    var phi_550_: u32;
-    var phi_560_: u32;
-    var phi_662_: array<u32, 2>;
-    var phi_670_: u32;
-    var phi_673_: array<u32, 3>;
-    var phi_690_: type_16;
-    var phi_693_: type_9;
-    var phi_694_: type_9;
-    var phi_717_: type_9;
-    var phi_752_: type_16;
-    var phi_753_: u32;
-    var phi_774_: type_9;
-    var phi_775_: type_9;
-    var phi_798_: type_9;
-    var phi_931_: type_9;
-    var phi_932_: bool;
-    var phi_933_: type_9;
-    var phi_934_: bool;
-    var phi_943_: type_9;
-    var phi_911_: type_9;
-    var phi_944_: type_9;
-    var phi_979_: u32;
-    var phi_1005_: type_9;
-    var phi_1006_: type_9;
-    var phi_1029_: type_9;
-    var phi_1058_: array<u32, 2>;
-    var phi_1070_: array<u32, 2>;
-    var phi_1071_: bool;
-    var phi_1072_: array<u32, 2>;
-    var phi_1073_: bool;
-    var phi_1078_: array<u32, 2>;
-    var phi_1161_: type_9;
-    var phi_1162_: bool;
-    var phi_1163_: type_9;
-    var phi_1164_: bool;
-    var phi_1173_: type_9;
-    var phi_1141_: type_9;
-    var phi_1174_: type_9;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
+    var phi_646_: bool;
+    var phi_651_: u32;
+    var phi_652_: bool;
+    var phi_653_: u32;
+    var phi_654_: bool;
+    var phi_658_: u32;
+    var phi_665_: u32;
+    var phi_679_: array<u32, 2>;
+    var phi_680_: array<u32, 2>;
+    var phi_681_: bool;
+    var phi_682_: array<u32, 2>;
+    var phi_683_: bool;
+    var phi_684_: array<u32, 2>;
+    var phi_685_: bool;
+    var phi_690_: array<u32, 2>;
+    var phi_697_: array<u32, 2>;
+    var phi_579_: f32;
+    var phi_580_: f32;
+    var phi_586_: u32;
+    var phi_596_: u32;
+    var phi_698_: array<u32, 2>;
+    var phi_706_: u32;
+    var phi_709_: array<u32, 3>;
+    var phi_726_: type_16;
+    var phi_729_: type_9;
+    var phi_730_: type_9;
+    var phi_753_: type_9;
+    var phi_788_: type_16;
+    var phi_789_: u32;
+    var phi_810_: type_9;
+    var phi_811_: type_9;
+    var phi_834_: type_9;
+    var phi_967_: type_9;
+    var phi_968_: bool;
+    var phi_969_: type_9;
+    var phi_970_: bool;
+    var phi_979_: type_9;
+    var phi_947_: type_9;
+    var phi_980_: type_9;
+    var phi_1015_: u32;
+    var phi_1041_: type_9;
+    var phi_1042_: type_9;
+    var phi_1065_: type_9;
+    var phi_1096_: array<u32, 2>;
+    var phi_1108_: array<u32, 2>;
+    var phi_1109_: bool;
+    var phi_1110_: array<u32, 2>;
+    var phi_1111_: bool;
+    var phi_1116_: array<u32, 2>;
+    var phi_1199_: type_9;
+    var phi_1200_: bool;
+    var phi_1201_: type_9;
+    var phi_1202_: bool;
+    var phi_1211_: type_9;
+    var phi_1179_: type_9;
+    var phi_1212_: type_9;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -188,88 +188,88 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e72 = (_e56.x * _e56.y);
     let _e74 = survey.member[10u];
     if (_e74 > 0u) {
-        phi_166_ = true;
+        phi_182_ = true;
     } else {
         let _e77 = survey.member[9u];
         let _e81 = params.member.member_2.member_3[0u];
-        phi_166_ = (_e77 > _e81);
+        phi_182_ = (_e77 > _e81);
     }
-    let _e84 = phi_166_;
+    let _e84 = phi_182_;
     if _e84 {
-        phi_250_ = bool();
-        phi_251_ = true;
+        phi_276_ = bool();
+        phi_277_ = true;
     } else {
         let _e86 = survey.member[15u];
         if (_e86 > 0u) {
-            phi_207_ = true;
+            phi_228_ = true;
         } else {
             let _e89 = survey.member[14u];
             let _e93 = params.member.member_2.member_3[1u];
-            phi_207_ = (_e89 > _e93);
+            phi_228_ = (_e89 > _e93);
         }
-        let _e96 = phi_207_;
+        let _e96 = phi_228_;
         if _e96 {
-            phi_249_ = bool();
+            phi_275_ = bool();
         } else {
             let _e98 = survey.member[20u];
             if (_e98 > 0u) {
-                phi_248_ = true;
+                phi_274_ = true;
             } else {
                 let _e101 = survey.member[19u];
                 let _e105 = params.member.member_2.member_3[2u];
-                phi_248_ = (_e101 > _e105);
+                phi_274_ = (_e101 > _e105);
             }
-            let _e108 = phi_248_;
-            phi_249_ = _e108;
+            let _e108 = phi_274_;
+            phi_275_ = _e108;
         }
-        let _e110 = phi_249_;
-        phi_250_ = _e110;
-        phi_251_ = _e96;
+        let _e110 = phi_275_;
+        phi_276_ = _e110;
+        phi_277_ = _e96;
     }
-    let _e112 = phi_250_;
-    let _e114 = phi_251_;
+    let _e112 = phi_276_;
+    let _e114 = phi_277_;
     if _e114 {
-        phi_255_ = true;
+        phi_281_ = true;
     } else {
-        phi_255_ = _e112;
+        phi_281_ = _e112;
     }
-    let _e116 = phi_255_;
+    let _e116 = phi_281_;
     if _e116 {
-        phi_294_ = 0u;
+        phi_320_ = 0u;
     } else {
         let _e119 = params.member.member_1.member_2;
         let _e121 = work.member[0u];
         if (_e119 < _e121) {
-            phi_276_ = _e119;
+            phi_302_ = _e119;
         } else {
-            phi_276_ = _e121;
+            phi_302_ = _e121;
         }
-        let _e124 = phi_276_;
+        let _e124 = phi_302_;
         let _e126 = params.member.member_1.member_1;
         if (_e124 > _e126) {
             let _e129 = params.member.member_1.member_1;
-            phi_286_ = (_e124 - _e129);
+            phi_312_ = (_e124 - _e129);
         } else {
-            phi_286_ = 0u;
+            phi_312_ = 0u;
         }
-        let _e132 = phi_286_;
+        let _e132 = phi_312_;
         let _e134 = params.member.member_1.member;
         if (_e134 < _e132) {
-            phi_293_ = _e134;
+            phi_319_ = _e134;
         } else {
-            phi_293_ = _e132;
+            phi_319_ = _e132;
         }
-        let _e137 = phi_293_;
-        phi_294_ = _e137;
+        let _e137 = phi_319_;
+        phi_320_ = _e137;
     }
-    let _e139 = phi_294_;
+    let _e139 = phi_320_;
     let _e143 = params.member.member.member_2[3u];
     if false {
-        phi_313_ = (_e139 + 1u);
+        phi_339_ = (_e139 + 1u);
     } else {
-        phi_313_ = _e139;
+        phi_339_ = _e139;
     }
-    let _e146 = phi_313_;
+    let _e146 = phi_339_;
     if (_e146 > _e69) {
         let _e148 = (_e146 - _e69);
         if (_e72 == 0u) {
@@ -280,28 +280,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e148 % _e72) > 0u) {
-            phi_334_ = (_e150 + 1u);
+            phi_360_ = (_e150 + 1u);
         } else {
-            phi_334_ = _e150;
+            phi_360_ = _e150;
         }
-        let _e156 = phi_334_;
-        phi_335_ = _e156;
+        let _e156 = phi_360_;
+        phi_361_ = _e156;
     } else {
-        phi_335_ = 0u;
+        phi_361_ = 0u;
     }
-    let _e158 = phi_335_;
-    phi_338_ = type_9(0u, _e158);
+    let _e158 = phi_361_;
+    phi_364_ = type_9(0u, _e158);
     loop {
-        let _e161 = phi_338_;
+        let _e161 = phi_364_;
         if (_e161.member < _e161.member_1) {
-            phi_339_ = type_9((_e161.member + 1u), _e161.member_1);
-            phi_362_ = type_9(1u, _e161.member);
+            phi_365_ = type_9((_e161.member + 1u), _e161.member_1);
+            phi_388_ = type_9(1u, _e161.member);
         } else {
-            phi_339_ = _e161;
-            phi_362_ = type_9(0u, type_9().member_1);
+            phi_365_ = _e161;
+            phi_388_ = type_9(0u, type_9().member_1);
         }
-        let _e173 = phi_339_;
-        let _e175 = phi_362_;
+        let _e173 = phi_365_;
+        let _e175 = phi_388_;
         let _e179 = (bitcast<i32>(_e175.member) != 0i);
         if _e179 {
             let _e182 = params.member.member_1.member_1;
@@ -313,35 +313,35 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e202 = params.member.member_2.member;
             let _e205 = params.member.member_2.member_1;
             if (_e205 == 0u) {
-                phi_416_ = array<u32, 2>(0u, 2u);
+                phi_444_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_416_ = array<u32, 2>(1u, 1u);
+                phi_444_ = array<u32, 2>(1u, 1u);
             }
-            let _e208 = phi_416_;
+            let _e208 = phi_444_;
             if (_e202 == 1u) {
                 if (_e194 == 1u) {
-                    phi_428_ = array<u32, 2>(_e208[1], _e208[0]);
-                    phi_429_ = false;
+                    phi_456_ = array<u32, 2>(_e208[1], _e208[0]);
+                    phi_457_ = false;
                 } else {
-                    phi_428_ = array<u32, 2>();
-                    phi_429_ = true;
+                    phi_456_ = array<u32, 2>();
+                    phi_457_ = true;
                 }
-                let _e215 = phi_428_;
-                let _e217 = phi_429_;
-                phi_430_ = _e215;
-                phi_431_ = _e217;
+                let _e215 = phi_456_;
+                let _e217 = phi_457_;
+                phi_458_ = _e215;
+                phi_459_ = _e217;
             } else {
-                phi_430_ = array<u32, 2>();
-                phi_431_ = true;
+                phi_458_ = array<u32, 2>();
+                phi_459_ = true;
             }
-            let _e219 = phi_430_;
-            let _e221 = phi_431_;
+            let _e219 = phi_458_;
+            let _e221 = phi_459_;
             if _e221 {
-                phi_436_ = _e208;
+                phi_464_ = _e208;
             } else {
-                phi_436_ = _e219;
+                phi_464_ = _e219;
             }
-            let _e223 = phi_436_;
+            let _e223 = phi_464_;
             let _e226 = ((_e199 * 128u) + _e57);
             let _e230 = params.member.member.member_2[_e223[0]];
             let _e231 = (_e230 + _e226);
@@ -351,35 +351,35 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e239 = params.member.member_2.member;
                 let _e242 = params.member.member_2.member_1;
                 if (_e242 == 0u) {
-                    phi_472_ = array<u32, 2>(0u, 2u);
+                    phi_502_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_472_ = array<u32, 2>(1u, 1u);
+                    phi_502_ = array<u32, 2>(1u, 1u);
                 }
-                let _e245 = phi_472_;
+                let _e245 = phi_502_;
                 if (_e239 == 1u) {
                     if (_e194 == 1u) {
-                        phi_484_ = array<u32, 2>(_e245[1], _e245[0]);
-                        phi_485_ = false;
+                        phi_514_ = array<u32, 2>(_e245[1], _e245[0]);
+                        phi_515_ = false;
                     } else {
-                        phi_484_ = array<u32, 2>();
-                        phi_485_ = true;
+                        phi_514_ = array<u32, 2>();
+                        phi_515_ = true;
                     }
-                    let _e252 = phi_484_;
-                    let _e254 = phi_485_;
-                    phi_486_ = _e252;
-                    phi_487_ = _e254;
+                    let _e252 = phi_514_;
+                    let _e254 = phi_515_;
+                    phi_516_ = _e252;
+                    phi_517_ = _e254;
                 } else {
-                    phi_486_ = array<u32, 2>();
-                    phi_487_ = true;
+                    phi_516_ = array<u32, 2>();
+                    phi_517_ = true;
                 }
-                let _e256 = phi_486_;
-                let _e258 = phi_487_;
+                let _e256 = phi_516_;
+                let _e258 = phi_517_;
                 if _e258 {
-                    phi_492_ = _e245;
+                    phi_522_ = _e245;
                 } else {
-                    phi_492_ = _e256;
+                    phi_522_ = _e256;
                 }
-                let _e260 = phi_492_;
+                let _e260 = phi_522_;
                 let _e263 = keys.member[_e231];
                 let _e265 = sorted.member[_e231];
                 let _e267 = (_e260[1] << bitcast<u32>(30u));
@@ -387,164 +387,164 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (_e239 == 1u) {
                     let _e355 = survey.member[6u];
                     if (_e355 == 0u) {
-                        phi_544_ = _e265.member_1[0];
+                        phi_580_ = _e265.member_1[0];
                     } else {
                         if (_e355 == 1u) {
-                            phi_543_ = _e265.member_1[1];
+                            phi_579_ = _e265.member_1[1];
                         } else {
-                            phi_543_ = _e265.member_1[2];
+                            phi_579_ = _e265.member_1[2];
                         }
-                        let _e363 = phi_543_;
-                        phi_544_ = _e363;
+                        let _e363 = phi_579_;
+                        phi_580_ = _e363;
                     }
-                    let _e367 = phi_544_;
+                    let _e367 = phi_580_;
                     let _e368 = bitcast<u32>(_e367);
                     if (_e368 == 2147483648u) {
-                        phi_550_ = 0u;
+                        phi_586_ = 0u;
                     } else {
-                        phi_550_ = _e368;
+                        phi_586_ = _e368;
                     }
-                    let _e371 = phi_550_;
+                    let _e371 = phi_586_;
                     let _e373 = bitcast<u32>(bitcast<f32>(_e371));
                     if ((_e373 >> bitcast<u32>(31i)) == 1u) {
-                        phi_560_ = ~(_e373);
+                        phi_596_ = ~(_e373);
                     } else {
-                        phi_560_ = (_e373 | 2147483648u);
+                        phi_596_ = (_e373 | 2147483648u);
                     }
-                    let _e380 = phi_560_;
-                    phi_662_ = array<u32, 2>(((_e267 | _e268) + _e194), (_e267 | (_e380 >> bitcast<u32>(2i))));
+                    let _e380 = phi_596_;
+                    phi_698_ = array<u32, 2>(((_e267 | _e268) + _e194), (_e267 | (_e380 >> bitcast<u32>(2i))));
                 } else {
                     if (_e239 == 2u) {
                         let _e272 = (_e242 == 1u);
                         if _e272 {
-                            phi_573_ = (4u + _e194);
+                            phi_609_ = (4u + _e194);
                         } else {
-                            phi_573_ = _e194;
+                            phi_609_ = _e194;
                         }
-                        let _e275 = phi_573_;
+                        let _e275 = phi_609_;
                         let _e276 = (_e268 & 1023u);
                         let _e283 = (((_e268 >> bitcast<u32>(10u)) & 1023u) + (_e275 % 3u));
                         let _e285 = ((_e268 >> bitcast<u32>(20u)) + (_e275 / 3u));
                         if (_e283 < 1u) {
-                            phi_648_ = array<u32, 2>();
-                            phi_649_ = true;
+                            phi_684_ = array<u32, 2>();
+                            phi_685_ = true;
                         } else {
                             if (_e285 < 1u) {
-                                phi_646_ = array<u32, 2>();
-                                phi_647_ = true;
+                                phi_682_ = array<u32, 2>();
+                                phi_683_ = true;
                             } else {
                                 if (_e283 > 1024u) {
-                                    phi_644_ = array<u32, 2>();
-                                    phi_645_ = true;
+                                    phi_680_ = array<u32, 2>();
+                                    phi_681_ = true;
                                 } else {
                                     let _e289 = (_e285 > 1024u);
                                     if _e289 {
-                                        phi_643_ = array<u32, 2>();
+                                        phi_679_ = array<u32, 2>();
                                     } else {
                                         if (_e276 > 0u) {
                                             if _e272 {
                                                 if (_e275 == 4u) {
-                                                    phi_609_ = false;
+                                                    phi_645_ = false;
                                                 } else {
-                                                    phi_609_ = true;
+                                                    phi_645_ = true;
                                                 }
-                                                let _e293 = phi_609_;
-                                                phi_610_ = _e293;
+                                                let _e293 = phi_645_;
+                                                phi_646_ = _e293;
                                             } else {
-                                                phi_610_ = true;
+                                                phi_646_ = true;
                                             }
-                                            let _e295 = phi_610_;
+                                            let _e295 = phi_646_;
                                             if _e295 {
-                                                phi_615_ = (_e276 - 1u);
-                                                phi_616_ = false;
+                                                phi_651_ = (_e276 - 1u);
+                                                phi_652_ = false;
                                             } else {
-                                                phi_615_ = u32();
-                                                phi_616_ = true;
+                                                phi_651_ = u32();
+                                                phi_652_ = true;
                                             }
-                                            let _e298 = phi_615_;
-                                            let _e300 = phi_616_;
-                                            phi_617_ = _e298;
-                                            phi_618_ = _e300;
+                                            let _e298 = phi_651_;
+                                            let _e300 = phi_652_;
+                                            phi_653_ = _e298;
+                                            phi_654_ = _e300;
                                         } else {
-                                            phi_617_ = u32();
-                                            phi_618_ = true;
+                                            phi_653_ = u32();
+                                            phi_654_ = true;
                                         }
-                                        let _e302 = phi_617_;
-                                        let _e304 = phi_618_;
+                                        let _e302 = phi_653_;
+                                        let _e304 = phi_654_;
                                         if _e304 {
-                                            phi_622_ = _e276;
+                                            phi_658_ = _e276;
                                         } else {
-                                            phi_622_ = _e302;
+                                            phi_658_ = _e302;
                                         }
-                                        let _e306 = phi_622_;
+                                        let _e306 = phi_658_;
                                         if ((_e276 + 1u) < 1024u) {
-                                            phi_629_ = (_e276 + 1u);
+                                            phi_665_ = (_e276 + 1u);
                                         } else {
-                                            phi_629_ = _e276;
+                                            phi_665_ = _e276;
                                         }
-                                        let _e311 = phi_629_;
-                                        phi_643_ = array<u32, 2>(((((_e285 - 1u) << bitcast<u32>(20u)) | ((_e283 - 1u) << bitcast<u32>(10u))) | _e306), ((((_e285 - 1u) << bitcast<u32>(20u)) | ((_e283 - 1u) << bitcast<u32>(10u))) | _e311));
+                                        let _e311 = phi_665_;
+                                        phi_679_ = array<u32, 2>(((((_e285 - 1u) << bitcast<u32>(20u)) | ((_e283 - 1u) << bitcast<u32>(10u))) | _e306), ((((_e285 - 1u) << bitcast<u32>(20u)) | ((_e283 - 1u) << bitcast<u32>(10u))) | _e311));
                                     }
-                                    let _e330 = phi_643_;
-                                    phi_644_ = _e330;
-                                    phi_645_ = _e289;
+                                    let _e330 = phi_679_;
+                                    phi_680_ = _e330;
+                                    phi_681_ = _e289;
                                 }
-                                let _e332 = phi_644_;
-                                let _e334 = phi_645_;
-                                phi_646_ = _e332;
-                                phi_647_ = _e334;
+                                let _e332 = phi_680_;
+                                let _e334 = phi_681_;
+                                phi_682_ = _e332;
+                                phi_683_ = _e334;
                             }
-                            let _e336 = phi_646_;
-                            let _e338 = phi_647_;
-                            phi_648_ = _e336;
-                            phi_649_ = _e338;
+                            let _e336 = phi_682_;
+                            let _e338 = phi_683_;
+                            phi_684_ = _e336;
+                            phi_685_ = _e338;
                         }
-                        let _e340 = phi_648_;
-                        let _e342 = phi_649_;
+                        let _e340 = phi_684_;
+                        let _e342 = phi_685_;
                         if _e342 {
-                            phi_654_ = array<u32, 2>(1u, 0u);
+                            phi_690_ = array<u32, 2>(1u, 0u);
                         } else {
-                            phi_654_ = _e340;
+                            phi_690_ = _e340;
                         }
-                        let _e344 = phi_654_;
-                        phi_661_ = array<u32, 2>((_e267 | _e344[0]), (_e267 | _e344[1]));
+                        let _e344 = phi_690_;
+                        phi_697_ = array<u32, 2>((_e267 | _e344[0]), (_e267 | _e344[1]));
                     } else {
-                        phi_661_ = array<u32, 2>(_e267, _e267);
+                        phi_697_ = array<u32, 2>(_e267, _e267);
                     }
-                    let _e351 = phi_661_;
-                    phi_662_ = _e351;
+                    let _e351 = phi_697_;
+                    phi_698_ = _e351;
                 }
-                let _e386 = phi_662_;
+                let _e386 = phi_698_;
                 if (_e242 == 1u) {
-                    phi_670_ = (_e231 + 1u);
+                    phi_706_ = (_e231 + 1u);
                 } else {
-                    phi_670_ = 0u;
+                    phi_706_ = 0u;
                 }
-                let _e392 = phi_670_;
-                phi_673_ = array<u32, 3>(_e386[0], _e386[1], _e392);
+                let _e392 = phi_706_;
+                phi_709_ = array<u32, 3>(_e386[0], _e386[1], _e392);
             } else {
-                phi_673_ = array<u32, 3>(4294967295u, 0u, 0u);
+                phi_709_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e395 = phi_673_;
+            let _e395 = phi_709_;
             if _e236 {
                 let _e400 = sorted.member[_e231];
-                phi_690_ = _e400;
+                phi_726_ = _e400;
             } else {
-                phi_690_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_726_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e402 = phi_690_;
-            phi_693_ = type_9(0u, (((_e189 >> bitcast<u32>(24i)) & 15u) + 1u));
+            let _e402 = phi_726_;
+            phi_729_ = type_9(0u, (((_e189 >> bitcast<u32>(24i)) & 15u) + 1u));
             loop {
-                let _e405 = phi_693_;
+                let _e405 = phi_729_;
                 if (_e405.member < _e405.member_1) {
-                    phi_694_ = type_9((_e405.member + 1u), _e405.member_1);
-                    phi_717_ = type_9(1u, _e405.member);
+                    phi_730_ = type_9((_e405.member + 1u), _e405.member_1);
+                    phi_753_ = type_9(1u, _e405.member);
                 } else {
-                    phi_694_ = _e405;
-                    phi_717_ = type_9(0u, type_9().member_1);
+                    phi_730_ = _e405;
+                    phi_753_ = type_9(0u, type_9().member_1);
                 }
-                let _e417 = phi_694_;
-                let _e419 = phi_717_;
+                let _e417 = phi_730_;
+                let _e419 = phi_753_;
                 let _e423 = (bitcast<i32>(_e419.member) != 0i);
                 if _e423 {
                     let _e425 = (_e192 + (_e419.member_1 * 128u));
@@ -552,32 +552,32 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e426 < _e143) {
                         let _e429 = keys.member[_e426];
                         let _e431 = sorted.member[_e426];
-                        phi_752_ = _e431;
-                        phi_753_ = _e429;
+                        phi_788_ = _e431;
+                        phi_789_ = _e429;
                     } else {
-                        phi_752_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_753_ = 4294967295u;
+                        phi_788_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_789_ = 4294967295u;
                     }
-                    let _e433 = phi_752_;
-                    let _e435 = phi_753_;
+                    let _e433 = phi_788_;
+                    let _e435 = phi_789_;
                     names[_e57] = _e435;
                     boxes[_e57] = type_16(array<f32, 3>(_e433.member[0], _e433.member[1], _e433.member[2]), array<f32, 3>(_e433.member_1[0], _e433.member_1[1], _e433.member_1[2]));
                     if (_e57 == 0u) {
                         atomicStore((&counters[4u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_774_ = type_9(0u, 128u);
+                    phi_810_ = type_9(0u, 128u);
                     loop {
-                        let _e452 = phi_774_;
+                        let _e452 = phi_810_;
                         if (_e452.member < _e452.member_1) {
-                            phi_775_ = type_9((_e452.member + 1u), _e452.member_1);
-                            phi_798_ = type_9(1u, _e452.member);
+                            phi_811_ = type_9((_e452.member + 1u), _e452.member_1);
+                            phi_834_ = type_9(1u, _e452.member);
                         } else {
-                            phi_775_ = _e452;
-                            phi_798_ = type_9(0u, type_9().member_1);
+                            phi_811_ = _e452;
+                            phi_834_ = type_9(0u, type_9().member_1);
                         }
-                        let _e464 = phi_775_;
-                        let _e466 = phi_798_;
+                        let _e464 = phi_811_;
+                        let _e466 = phi_834_;
                         let _e470 = (bitcast<i32>(_e466.member) != 0i);
                         if _e470 {
                             let _e472 = names[_e466.member_1];
@@ -599,43 +599,43 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e557 = params.member.member.member_2[1u];
                                                     let _e558 = (_e517 - _e557);
                                                     if (_e553 < _e558) {
-                                                        phi_911_ = type_9(_e553, _e558);
+                                                        phi_947_ = type_9(_e553, _e558);
                                                     } else {
-                                                        phi_911_ = type_9(_e558, _e553);
+                                                        phi_947_ = type_9(_e558, _e553);
                                                     }
-                                                    let _e563 = phi_911_;
-                                                    phi_944_ = _e563;
+                                                    let _e563 = phi_947_;
+                                                    phi_980_ = _e563;
                                                 } else {
                                                     let _e524 = params.member.member_2.member;
                                                     if (_e524 == 1u) {
                                                         if (_e194 == 1u) {
                                                             let _e530 = params.member.member.member_2[2u];
-                                                            phi_931_ = type_9(_e517, (_e515 - _e530));
-                                                            phi_932_ = false;
+                                                            phi_967_ = type_9(_e517, (_e515 - _e530));
+                                                            phi_968_ = false;
                                                         } else {
-                                                            phi_931_ = type_9();
-                                                            phi_932_ = true;
+                                                            phi_967_ = type_9();
+                                                            phi_968_ = true;
                                                         }
-                                                        let _e534 = phi_931_;
-                                                        let _e536 = phi_932_;
-                                                        phi_933_ = _e534;
-                                                        phi_934_ = _e536;
+                                                        let _e534 = phi_967_;
+                                                        let _e536 = phi_968_;
+                                                        phi_969_ = _e534;
+                                                        phi_970_ = _e536;
                                                     } else {
-                                                        phi_933_ = type_9();
-                                                        phi_934_ = true;
+                                                        phi_969_ = type_9();
+                                                        phi_970_ = true;
                                                     }
-                                                    let _e538 = phi_933_;
-                                                    let _e540 = phi_934_;
+                                                    let _e538 = phi_969_;
+                                                    let _e540 = phi_970_;
                                                     if _e540 {
                                                         let _e544 = params.member.member.member_2[2u];
-                                                        phi_943_ = type_9(_e515, (_e517 - _e544));
+                                                        phi_979_ = type_9(_e515, (_e517 - _e544));
                                                     } else {
-                                                        phi_943_ = _e538;
+                                                        phi_979_ = _e538;
                                                     }
-                                                    let _e548 = phi_943_;
-                                                    phi_944_ = _e548;
+                                                    let _e548 = phi_979_;
+                                                    phi_980_ = _e548;
                                                 }
-                                                let _e565 = phi_944_;
+                                                let _e565 = phi_980_;
                                                 let _e570 = params.member.member_1.member_3;
                                                 let _e572 = atomicAdd((&pairs.member[0u]), 1u);
                                                 if ((_e572 + 1u) < _e572) {
@@ -654,18 +654,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_774_ = _e464;
+                            phi_810_ = _e464;
                             break if !(_e470);
                         }
                     }
                     workgroupBarrier();
                     let _e589 = atomicLoad((&counters[4u]));
                     if (2048u < _e589) {
-                        phi_979_ = 2048u;
+                        phi_1015_ = 2048u;
                     } else {
-                        phi_979_ = _e589;
+                        phi_1015_ = _e589;
                     }
-                    let _e592 = phi_979_;
+                    let _e592 = phi_1015_;
                     if (_e57 == 0u) {
                         if (_e592 > 0u) {
                             let _e596 = atomicAdd((&pairs.member[0u]), _e592);
@@ -677,56 +677,56 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     workgroupBarrier();
                     let _e603 = atomicLoad((&counters[5u]));
-                    phi_1005_ = type_9(0u, 16u);
+                    phi_1041_ = type_9(0u, 16u);
                     loop {
-                        let _e605 = phi_1005_;
+                        let _e605 = phi_1041_;
                         if (_e605.member < _e605.member_1) {
-                            phi_1006_ = type_9((_e605.member + 1u), _e605.member_1);
-                            phi_1029_ = type_9(1u, _e605.member);
+                            phi_1042_ = type_9((_e605.member + 1u), _e605.member_1);
+                            phi_1065_ = type_9(1u, _e605.member);
                         } else {
-                            phi_1006_ = _e605;
-                            phi_1029_ = type_9(0u, type_9().member_1);
+                            phi_1042_ = _e605;
+                            phi_1065_ = type_9(0u, type_9().member_1);
                         }
-                        let _e617 = phi_1006_;
-                        let _e619 = phi_1029_;
+                        let _e617 = phi_1042_;
+                        let _e619 = phi_1065_;
                         if (bitcast<i32>(_e619.member) != 0i) {
                             let _e625 = ((_e619.member_1 * 128u) + _e57);
                             if (_e625 >= _e592) {
-                                phi_1192_ = false;
+                                phi_1230_ = false;
                             } else {
                                 let _e628 = hits[_e625];
                                 let _e633 = params.member.member_2.member;
                                 let _e636 = params.member.member_2.member_1;
                                 if (_e636 == 0u) {
-                                    phi_1058_ = array<u32, 2>(0u, 2u);
+                                    phi_1096_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_1058_ = array<u32, 2>(1u, 1u);
+                                    phi_1096_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e639 = phi_1058_;
+                                let _e639 = phi_1096_;
                                 if (_e633 == 1u) {
                                     if (_e194 == 1u) {
-                                        phi_1070_ = array<u32, 2>(_e639[1], _e639[0]);
-                                        phi_1071_ = false;
+                                        phi_1108_ = array<u32, 2>(_e639[1], _e639[0]);
+                                        phi_1109_ = false;
                                     } else {
-                                        phi_1070_ = array<u32, 2>();
-                                        phi_1071_ = true;
+                                        phi_1108_ = array<u32, 2>();
+                                        phi_1109_ = true;
                                     }
-                                    let _e646 = phi_1070_;
-                                    let _e648 = phi_1071_;
-                                    phi_1072_ = _e646;
-                                    phi_1073_ = _e648;
+                                    let _e646 = phi_1108_;
+                                    let _e648 = phi_1109_;
+                                    phi_1110_ = _e646;
+                                    phi_1111_ = _e648;
                                 } else {
-                                    phi_1072_ = array<u32, 2>();
-                                    phi_1073_ = true;
+                                    phi_1110_ = array<u32, 2>();
+                                    phi_1111_ = true;
                                 }
-                                let _e650 = phi_1072_;
-                                let _e652 = phi_1073_;
+                                let _e650 = phi_1110_;
+                                let _e652 = phi_1111_;
                                 if _e652 {
-                                    phi_1078_ = _e639;
+                                    phi_1116_ = _e639;
                                 } else {
-                                    phi_1078_ = _e650;
+                                    phi_1116_ = _e650;
                                 }
-                                let _e654 = phi_1078_;
+                                let _e654 = phi_1116_;
                                 let _e661 = params.member.member.member_2[_e654[0]];
                                 let _e666 = order.member[(_e661 + ((_e199 * 128u) + (_e628 >> bitcast<u32>(7i))))];
                                 let _e668 = order.member[(_e425 + (_e628 % 128u))];
@@ -737,43 +737,43 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e708 = params.member.member.member_2[1u];
                                     let _e709 = (_e668 - _e708);
                                     if (_e704 < _e709) {
-                                        phi_1141_ = type_9(_e704, _e709);
+                                        phi_1179_ = type_9(_e704, _e709);
                                     } else {
-                                        phi_1141_ = type_9(_e709, _e704);
+                                        phi_1179_ = type_9(_e709, _e704);
                                     }
-                                    let _e714 = phi_1141_;
-                                    phi_1174_ = _e714;
+                                    let _e714 = phi_1179_;
+                                    phi_1212_ = _e714;
                                 } else {
                                     let _e675 = params.member.member_2.member;
                                     if (_e675 == 1u) {
                                         if (_e194 == 1u) {
                                             let _e681 = params.member.member.member_2[2u];
-                                            phi_1161_ = type_9(_e668, (_e666 - _e681));
-                                            phi_1162_ = false;
+                                            phi_1199_ = type_9(_e668, (_e666 - _e681));
+                                            phi_1200_ = false;
                                         } else {
-                                            phi_1161_ = type_9();
-                                            phi_1162_ = true;
+                                            phi_1199_ = type_9();
+                                            phi_1200_ = true;
                                         }
-                                        let _e685 = phi_1161_;
-                                        let _e687 = phi_1162_;
-                                        phi_1163_ = _e685;
-                                        phi_1164_ = _e687;
+                                        let _e685 = phi_1199_;
+                                        let _e687 = phi_1200_;
+                                        phi_1201_ = _e685;
+                                        phi_1202_ = _e687;
                                     } else {
-                                        phi_1163_ = type_9();
-                                        phi_1164_ = true;
+                                        phi_1201_ = type_9();
+                                        phi_1202_ = true;
                                     }
-                                    let _e689 = phi_1163_;
-                                    let _e691 = phi_1164_;
+                                    let _e689 = phi_1201_;
+                                    let _e691 = phi_1202_;
                                     if _e691 {
                                         let _e695 = params.member.member.member_2[2u];
-                                        phi_1173_ = type_9(_e666, (_e668 - _e695));
+                                        phi_1211_ = type_9(_e666, (_e668 - _e695));
                                     } else {
-                                        phi_1173_ = _e689;
+                                        phi_1211_ = _e689;
                                     }
-                                    let _e699 = phi_1173_;
-                                    phi_1174_ = _e699;
+                                    let _e699 = phi_1211_;
+                                    phi_1212_ = _e699;
                                 }
-                                let _e716 = phi_1174_;
+                                let _e716 = phi_1212_;
                                 let _e721 = params.member.member_1.member_3;
                                 let _e722 = (_e603 + _e625);
                                 if (_e722 < _e721) {
@@ -781,17 +781,17 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     atomicStore((&pairs.member[(4u + _e724)]), _e716.member);
                                     atomicStore((&pairs.member[(_e724 + 5u)]), _e716.member_1);
                                 }
-                                phi_1192_ = true;
+                                phi_1230_ = true;
                             }
-                            let _e730 = phi_1192_;
-                            phi_1193_ = _e730;
+                            let _e730 = phi_1230_;
+                            phi_1231_ = _e730;
                         } else {
-                            phi_1193_ = false;
+                            phi_1231_ = false;
                         }
-                        let _e732 = phi_1193_;
+                        let _e732 = phi_1231_;
                         continue;
                         continuing {
-                            phi_1005_ = _e617;
+                            phi_1041_ = _e617;
                             break if !(_e732);
                         }
                     }
@@ -799,14 +799,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_693_ = _e417;
+                    phi_729_ = _e417;
                     break if !(_e423);
                 }
             }
         }
         continue;
         continuing {
-            phi_338_ = _e173;
+            phi_364_ = _e173;
             break if !(_e179);
         }
     }

@@ -80,59 +80,59 @@ var<storage> nodes: type_22;
 var<storage> input: type_11;
 @group(0) @binding(3) 
 var<storage, read_write> output: type_30;
-var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
+var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_130_: u32;
-    var phi_162_: u32;
-    var phi_163_: u32;
-    var phi_171_: u32;
-    var phi_187_: u32;
-    var phi_208_: u32;
-    var phi_209_: u32;
-    var phi_212_: type_9;
-    var phi_213_: type_9;
-    var phi_236_: type_9;
-    var phi_277_: u32;
-    var phi_278_: u32;
-    var phi_286_: u32;
-    var phi_298_: u32;
-    var phi_353_: array<u32, 2>;
-    var phi_557_: bool;
-    var phi_558_: bool;
-    var phi_562_: type_24;
-    var phi_571_: bool;
-    var phi_578_: type_9;
-    var phi_581_: u32;
-    var phi_579_: type_9;
-    var phi_604_: type_9;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_676_: bool;
-    var phi_694_: u32;
-    var phi_695_: u32;
-    var phi_696_: u32;
-    var phi_582_: u32;
-    var phi_699_: type_9;
-    var phi_702_: u32;
-    var phi_700_: type_9;
-    var phi_725_: type_9;
-    var phi_775_: u32;
-    var phi_776_: bool;
-    var phi_703_: u32;
-    var phi_777_: bool;
-    var phi_784_: u32;
-    var phi_817_: type_9;
-    var phi_818_: type_9;
-    var phi_841_: type_9;
-    var phi_886_: bool;
-    var phi_887_: bool;
+    var phi_151_: u32;
+    var phi_188_: u32;
+    var phi_189_: u32;
+    var phi_197_: u32;
+    var phi_213_: u32;
+    var phi_236_: u32;
+    var phi_237_: u32;
+    var phi_240_: type_9;
+    var phi_241_: type_9;
+    var phi_264_: type_9;
+    var phi_311_: u32;
+    var phi_312_: u32;
+    var phi_320_: u32;
+    var phi_334_: u32;
+    var phi_394_: array<u32, 2>;
+    var phi_592_: bool;
+    var phi_593_: bool;
+    var phi_597_: type_24;
+    var phi_606_: bool;
+    var phi_615_: type_9;
+    var phi_618_: u32;
+    var phi_616_: type_9;
+    var phi_641_: type_9;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_713_: bool;
+    var phi_731_: u32;
+    var phi_732_: u32;
+    var phi_733_: u32;
+    var phi_619_: u32;
+    var phi_736_: type_9;
+    var phi_739_: u32;
+    var phi_737_: type_9;
+    var phi_762_: type_9;
+    var phi_812_: u32;
+    var phi_813_: bool;
+    var phi_740_: u32;
+    var phi_814_: bool;
+    var phi_821_: u32;
+    var phi_855_: type_9;
+    var phi_856_: type_9;
+    var phi_879_: type_9;
+    var phi_924_: bool;
+    var phi_925_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -149,11 +149,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e54 = params.member.member_1.member_2;
     let _e56 = input.member[0u];
     if (_e54 < _e56) {
-        phi_130_ = _e54;
+        phi_151_ = _e54;
     } else {
-        phi_130_ = _e56;
+        phi_151_ = _e56;
     }
-    let _e59 = phi_130_;
+    let _e59 = phi_151_;
     let _e60 = (_e39 / 32u);
     let _e61 = (_e39 % 32u);
     let _e64 = params.member.member_1.member_1;
@@ -169,30 +169,30 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e69 % _e72) > 0u) {
-            phi_162_ = (_e74 + 1u);
+            phi_188_ = (_e74 + 1u);
         } else {
-            phi_162_ = _e74;
+            phi_188_ = _e74;
         }
-        let _e80 = phi_162_;
-        phi_163_ = _e80;
+        let _e80 = phi_188_;
+        phi_189_ = _e80;
     } else {
-        phi_163_ = 0u;
+        phi_189_ = 0u;
     }
-    let _e82 = phi_163_;
+    let _e82 = phi_189_;
     let _e85 = params.member.member_2.member_4;
     if (_e85 < _e82) {
-        phi_171_ = _e85;
+        phi_197_ = _e85;
     } else {
-        phi_171_ = _e82;
+        phi_197_ = _e82;
     }
-    let _e88 = phi_171_;
+    let _e88 = phi_197_;
     let _e89 = (_e88 / 4u);
     if ((_e88 % 4u) > 0u) {
-        phi_187_ = (_e89 + 1u);
+        phi_213_ = (_e89 + 1u);
     } else {
-        phi_187_ = _e89;
+        phi_213_ = _e89;
     }
-    let _e94 = phi_187_;
+    let _e94 = phi_213_;
     if (_e94 > _e48) {
         let _e96 = (_e94 - _e48);
         if (_e51 == 0u) {
@@ -203,340 +203,340 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e96 % _e51) > 0u) {
-            phi_208_ = (_e98 + 1u);
+            phi_236_ = (_e98 + 1u);
         } else {
-            phi_208_ = _e98;
+            phi_236_ = _e98;
         }
-        let _e104 = phi_208_;
-        phi_209_ = _e104;
+        let _e104 = phi_236_;
+        phi_237_ = _e104;
     } else {
-        phi_209_ = 0u;
+        phi_237_ = 0u;
     }
-    let _e106 = phi_209_;
-    phi_212_ = type_9(0u, _e106);
+    let _e106 = phi_237_;
+    phi_240_ = type_9(0u, _e106);
     loop {
-        let _e109 = phi_212_;
+        let _e109 = phi_240_;
         if (_e109.member < _e109.member_1) {
-            phi_213_ = type_9((_e109.member + 1u), _e109.member_1);
-            phi_236_ = type_9(1u, _e109.member);
+            phi_241_ = type_9((_e109.member + 1u), _e109.member_1);
+            phi_264_ = type_9(1u, _e109.member);
         } else {
-            phi_213_ = _e109;
-            phi_236_ = type_9(0u, type_9().member_1);
+            phi_241_ = _e109;
+            phi_264_ = type_9(0u, type_9().member_1);
         }
-        let _e121 = phi_213_;
-        let _e123 = phi_236_;
+        let _e121 = phi_241_;
+        let _e123 = phi_264_;
         let _e127 = (bitcast<i32>(_e123.member) != 0i);
         if _e127 {
-            let _e131 = (((_e48 + (_e123.member_1 * _e51)) * 4u) + _e60);
-            let _e134 = params.member.member_1.member_1;
-            if (_e59 > _e134) {
-                let _e138 = params.member.member_1.member_1;
-                let _e139 = (_e59 - _e138);
-                let _e142 = params.member.member_2.member_3;
-                if (_e142 == 0u) {
+            let _e132 = (((_e48 + (_e123.member_1 * _e51)) * 4u) + (_e39 / 32u));
+            let _e135 = params.member.member_1.member_1;
+            if (_e59 > _e135) {
+                let _e139 = params.member.member_1.member_1;
+                let _e140 = (_e59 - _e139);
+                let _e143 = params.member.member_2.member_3;
+                if (_e143 == 0u) {
                     return;
                 }
-                let _e144 = (_e139 / _e142);
-                if (_e142 == 0u) {
+                let _e145 = (_e140 / _e143);
+                if (_e143 == 0u) {
                     return;
                 }
-                if ((_e139 % _e142) > 0u) {
-                    phi_277_ = (_e144 + 1u);
+                if ((_e140 % _e143) > 0u) {
+                    phi_311_ = (_e145 + 1u);
                 } else {
-                    phi_277_ = _e144;
+                    phi_311_ = _e145;
                 }
-                let _e150 = phi_277_;
-                phi_278_ = _e150;
+                let _e151 = phi_311_;
+                phi_312_ = _e151;
             } else {
-                phi_278_ = 0u;
+                phi_312_ = 0u;
             }
-            let _e152 = phi_278_;
-            let _e155 = params.member.member_2.member_4;
-            if (_e155 < _e152) {
-                phi_286_ = _e155;
+            let _e153 = phi_312_;
+            let _e156 = params.member.member_2.member_4;
+            if (_e156 < _e153) {
+                phi_320_ = _e156;
             } else {
-                phi_286_ = _e152;
+                phi_320_ = _e153;
             }
-            let _e158 = phi_286_;
-            let _e159 = (_e131 < _e158);
-            let _e162 = params.member.member_1.member_1;
-            if _e159 {
-                let _e165 = params.member.member_2.member_3;
-                phi_298_ = (_e131 * _e165);
+            let _e159 = phi_320_;
+            let _e160 = (_e132 < _e159);
+            let _e163 = params.member.member_1.member_1;
+            let _e166 = params.member.member_2.member_3;
+            if _e160 {
+                phi_334_ = (_e132 * _e166);
             } else {
-                phi_298_ = 0u;
+                phi_334_ = 0u;
             }
-            let _e168 = phi_298_;
-            let _e170 = (2u * (_e162 + _e168));
-            let _e173 = input.member[(4u + _e170)];
-            let _e176 = input.member[(_e170 + 5u)];
+            let _e169 = phi_334_;
+            let _e171 = (2u * (_e163 + _e169));
+            let _e174 = input.member[(4u + _e171)];
+            let _e177 = input.member[(_e171 + 5u)];
             if (_e39 < 8u) {
                 atomicStore((&counters[_e39]), 0u);
             }
             workgroupBarrier();
             if (_e61 == 0u) {
-                firsts[(2u * _e60)] = (_e173 * 32u);
-                firsts[((2u * _e60) + 1u)] = (_e176 * 32u);
+                firsts[(2u * _e60)] = (_e174 * 32u);
+                firsts[((2u * _e60) + 1u)] = (_e177 * 32u);
             }
-            let _e189 = params.member.member_2.member_1;
-            if (_e189 == 0u) {
-                phi_353_ = array<u32, 2>(0u, 2u);
+            let _e190 = params.member.member_2.member_1;
+            if (_e190 == 0u) {
+                phi_394_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_353_ = array<u32, 2>(1u, 1u);
+                phi_394_ = array<u32, 2>(1u, 1u);
             }
-            let _e192 = phi_353_;
-            let _e195 = (_e39 / 32u);
-            let _e196 = (_e39 % 32u);
-            let _e200 = params.member.member_2.member_2;
-            let _e204 = params.member.member_2.member[_e200][_e192[0]];
-            let _e207 = nodes.member[(_e204 + _e173)];
-            let _e223 = params.member.member_2.member_2;
-            let _e227 = params.member.member_2.member[_e223][_e192[1]];
-            let _e230 = nodes.member[(_e227 + _e176)];
-            let _e246 = params.member.member_2.member_2;
-            let _e253 = params.member.member_2.member[(_e246 - 1u)][_e192[0]];
-            let _e256 = nodes.member[(_e253 + ((_e173 * 32u) + _e196))];
-            let _e275 = params.member.member_2.member_2;
-            let _e282 = params.member.member_2.member[(_e275 - 1u)][_e192[1]];
-            let _e285 = nodes.member[(_e282 + ((_e176 * 32u) + _e196))];
-            if _e159 {
-                if ((((((_e285.member.x <= _e207.member_1.y) && (_e207.member.x <= _e285.member_1.y)) && (_e285.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e285.member_2.x)) && (_e285.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e285.member_2.y)) {
-                    let _e311 = atomicAdd((&counters[_e195]), 1u);
-                    let _e312 = ((_e195 * 32u) + _e311);
-                    columns[_e312] = type_24(array<f32, 3>(_e285.member.x, _e285.member.y, _e285.member_1.x), array<f32, 3>(_e285.member_1.y, _e285.member_2.x, _e285.member_2.y));
-                    names[_e312] = _e196;
+            let _e193 = phi_394_;
+            let _e196 = (_e39 / 32u);
+            let _e197 = (_e39 % 32u);
+            let _e199 = params.member.member_2.member_2;
+            let _e203 = params.member.member_2.member[_e199][_e193[0]];
+            let _e206 = nodes.member[(_e203 + _e174)];
+            let _e220 = params.member.member_2.member_2;
+            let _e224 = params.member.member_2.member[_e220][_e193[1]];
+            let _e227 = nodes.member[(_e224 + _e177)];
+            let _e241 = params.member.member_2.member_2;
+            let _e248 = params.member.member_2.member[(_e241 - 1u)][_e193[0]];
+            let _e251 = nodes.member[(_e248 + ((_e174 * 32u) + _e197))];
+            let _e268 = params.member.member_2.member_2;
+            let _e275 = params.member.member_2.member[(_e268 - 1u)][_e193[1]];
+            let _e278 = nodes.member[(_e275 + ((_e177 * 32u) + _e197))];
+            if _e160 {
+                if ((((((_e278.member.x <= _e206.member_1.y) && (_e206.member.x <= _e278.member_1.y)) && (_e278.member.y <= _e206.member_2.x)) && (_e206.member.y <= _e278.member_2.x)) && (_e278.member_1.x <= _e206.member_2.y)) && (_e206.member_1.x <= _e278.member_2.y)) {
+                    let _e304 = atomicAdd((&counters[_e196]), 1u);
+                    let _e305 = ((_e196 * 32u) + _e304);
+                    columns[_e305] = type_24(array<f32, 3>(_e278.member.x, _e278.member.y, _e278.member_1.x), array<f32, 3>(_e278.member_1.y, _e278.member_2.x, _e278.member_2.y));
+                    names[_e305] = _e197;
                 }
             }
             workgroupBarrier();
-            if _e159 {
-                if ((((((_e256.member.x <= _e230.member_1.y) && (_e230.member.x <= _e256.member_1.y)) && (_e256.member.y <= _e230.member_2.x)) && (_e230.member.y <= _e256.member_2.x)) && (_e256.member_1.x <= _e230.member_2.y)) && (_e230.member_1.x <= _e256.member_2.y)) {
-                    phi_557_ = false;
+            if _e160 {
+                if ((((((_e251.member.x <= _e227.member_1.y) && (_e227.member.x <= _e251.member_1.y)) && (_e251.member.y <= _e227.member_2.x)) && (_e227.member.y <= _e251.member_2.x)) && (_e251.member_1.x <= _e227.member_2.y)) && (_e227.member_1.x <= _e251.member_2.y)) {
+                    phi_592_ = false;
                 } else {
-                    phi_557_ = true;
+                    phi_592_ = true;
                 }
-                let _e330 = phi_557_;
-                phi_558_ = _e330;
+                let _e323 = phi_592_;
+                phi_593_ = _e323;
             } else {
-                phi_558_ = true;
+                phi_593_ = true;
             }
-            let _e332 = phi_558_;
-            if _e332 {
-                phi_562_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e325 = phi_593_;
+            if _e325 {
+                phi_597_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_562_ = type_24(array<f32, 3>(_e256.member.x, _e256.member.y, _e256.member_1.x), array<f32, 3>(_e256.member_1.y, _e256.member_2.x, _e256.member_2.y));
+                phi_597_ = type_24(array<f32, 3>(_e251.member.x, _e251.member.y, _e251.member_1.x), array<f32, 3>(_e251.member_1.y, _e251.member_2.x, _e251.member_2.y));
             }
-            let _e334 = phi_562_;
-            let _e337 = params.member.member_2.member_1;
-            if (_e337 == 1u) {
-                phi_571_ = (_e173 == _e176);
+            let _e327 = phi_597_;
+            let _e330 = params.member.member_2.member_1;
+            if (_e330 == 1u) {
+                phi_606_ = (_e174 == _e177);
             } else {
-                phi_571_ = false;
+                phi_606_ = false;
             }
-            let _e341 = phi_571_;
-            let _e342 = (_e39 / 32u);
-            let _e343 = (_e39 % 32u);
-            let _e345 = atomicLoad((&counters[_e342]));
-            phi_578_ = type_9(0u, _e345);
-            phi_581_ = 0u;
+            let _e334 = phi_606_;
+            let _e335 = (_e39 / 32u);
+            let _e336 = (_e39 % 32u);
+            let _e338 = atomicLoad((&counters[_e335]));
+            phi_615_ = type_9(0u, _e338);
+            phi_618_ = 0u;
             loop {
-                let _e348 = phi_578_;
-                let _e350 = phi_581_;
-                local = _e350;
-                if (_e348.member < _e348.member_1) {
-                    phi_579_ = type_9((_e348.member + 1u), _e348.member_1);
-                    phi_604_ = type_9(1u, _e348.member);
+                let _e341 = phi_615_;
+                let _e343 = phi_618_;
+                local = _e343;
+                if (_e341.member < _e341.member_1) {
+                    phi_616_ = type_9((_e341.member + 1u), _e341.member_1);
+                    phi_641_ = type_9(1u, _e341.member);
                 } else {
-                    phi_579_ = _e348;
-                    phi_604_ = type_9(0u, type_9().member_1);
+                    phi_616_ = _e341;
+                    phi_641_ = type_9(0u, type_9().member_1);
                 }
-                let _e362 = phi_579_;
-                let _e364 = phi_604_;
-                let _e368 = (bitcast<i32>(_e364.member) != 0i);
-                if _e368 {
-                    let _e372 = names[((_e342 * 32u) + _e364.member_1)];
-                    let _e376 = columns[((_e342 * 32u) + _e364.member_1)];
-                    if ((((((_e334.member[0] <= _e376.member_1[0]) && (_e376.member[0] <= _e334.member_1[0])) && (_e334.member[1] <= _e376.member_1[1])) && (_e376.member[1] <= _e334.member_1[1])) && (_e334.member[2] <= _e376.member_1[2])) && (_e376.member[2] <= _e334.member_1[2])) {
-                        if _e341 {
-                            let _e408 = (_e343 < _e372);
-                            if _e408 {
-                                phi_670_ = bool();
+                let _e355 = phi_616_;
+                let _e357 = phi_641_;
+                let _e361 = (bitcast<i32>(_e357.member) != 0i);
+                if _e361 {
+                    let _e365 = names[((_e335 * 32u) + _e357.member_1)];
+                    let _e369 = columns[((_e335 * 32u) + _e357.member_1)];
+                    if ((((((_e327.member[0] <= _e369.member_1[0]) && (_e369.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e369.member_1[1])) && (_e369.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e369.member_1[2])) && (_e369.member[2] <= _e327.member_1[2])) {
+                        if _e334 {
+                            let _e401 = (_e336 < _e365);
+                            if _e401 {
+                                phi_707_ = bool();
                             } else {
-                                if (_e343 == _e372) {
-                                    phi_669_ = true;
+                                if (_e336 == _e365) {
+                                    phi_706_ = true;
                                 } else {
-                                    phi_669_ = false;
+                                    phi_706_ = false;
                                 }
-                                let _e411 = phi_669_;
-                                phi_670_ = _e411;
+                                let _e404 = phi_706_;
+                                phi_707_ = _e404;
                             }
-                            let _e413 = phi_670_;
-                            phi_671_ = _e413;
-                            phi_672_ = _e408;
+                            let _e406 = phi_707_;
+                            phi_708_ = _e406;
+                            phi_709_ = _e401;
                         } else {
-                            phi_671_ = bool();
-                            phi_672_ = true;
+                            phi_708_ = bool();
+                            phi_709_ = true;
                         }
-                        let _e415 = phi_671_;
-                        let _e417 = phi_672_;
-                        if _e417 {
-                            phi_676_ = true;
+                        let _e408 = phi_708_;
+                        let _e410 = phi_709_;
+                        if _e410 {
+                            phi_713_ = true;
                         } else {
-                            phi_676_ = _e415;
+                            phi_713_ = _e408;
                         }
-                        let _e419 = phi_676_;
-                        if _e419 {
-                            let _e421 = atomicAdd((&counters[4u]), 1u);
-                            if (_e421 < 2048u) {
-                                hits[_e421] = (((_e342 << bitcast<u32>(10i)) | (_e343 << bitcast<u32>(5i))) | _e372);
-                                phi_694_ = _e350;
+                        let _e412 = phi_713_;
+                        if _e412 {
+                            let _e414 = atomicAdd((&counters[4u]), 1u);
+                            if (_e414 < 2048u) {
+                                hits[_e414] = (((_e335 << bitcast<u32>(10i)) | (_e336 << bitcast<u32>(5i))) | _e365);
+                                phi_731_ = _e343;
                             } else {
-                                phi_694_ = (_e350 | (1u << bitcast<u32>((_e364.member_1 & 31u))));
+                                phi_731_ = (_e343 | (1u << bitcast<u32>((_e357.member_1 & 31u))));
                             }
-                            let _e435 = phi_694_;
-                            phi_695_ = _e435;
+                            let _e428 = phi_731_;
+                            phi_732_ = _e428;
                         } else {
-                            phi_695_ = _e350;
+                            phi_732_ = _e343;
                         }
-                        let _e437 = phi_695_;
-                        phi_696_ = _e437;
+                        let _e430 = phi_732_;
+                        phi_733_ = _e430;
                     } else {
-                        phi_696_ = _e350;
+                        phi_733_ = _e343;
                     }
-                    let _e439 = phi_696_;
-                    phi_582_ = _e439;
+                    let _e432 = phi_733_;
+                    phi_619_ = _e432;
                 } else {
-                    phi_582_ = u32();
+                    phi_619_ = u32();
                 }
-                let _e441 = phi_582_;
+                let _e434 = phi_619_;
                 continue;
                 continuing {
-                    phi_578_ = _e362;
-                    phi_581_ = _e441;
-                    break if !(_e368);
+                    phi_615_ = _e355;
+                    phi_618_ = _e434;
+                    break if !(_e361);
                 }
             }
-            phi_699_ = type_9(0u, 32u);
-            let _e614 = local;
-            phi_702_ = _e614;
+            phi_736_ = type_9(0u, 32u);
+            let _e607 = local;
+            phi_739_ = _e607;
             loop {
-                let _e444 = phi_699_;
-                let _e446 = phi_702_;
-                if (_e444.member < _e444.member_1) {
-                    phi_700_ = type_9((_e444.member + 1u), _e444.member_1);
-                    phi_725_ = type_9(1u, _e444.member);
+                let _e437 = phi_736_;
+                let _e439 = phi_739_;
+                if (_e437.member < _e437.member_1) {
+                    phi_737_ = type_9((_e437.member + 1u), _e437.member_1);
+                    phi_762_ = type_9(1u, _e437.member);
                 } else {
-                    phi_700_ = _e444;
-                    phi_725_ = type_9(0u, type_9().member_1);
+                    phi_737_ = _e437;
+                    phi_762_ = type_9(0u, type_9().member_1);
                 }
-                let _e458 = phi_700_;
-                let _e460 = phi_725_;
-                if (bitcast<i32>(_e460.member) != 0i) {
-                    if (_e446 == 0u) {
-                        phi_775_ = u32();
-                        phi_776_ = false;
+                let _e451 = phi_737_;
+                let _e453 = phi_762_;
+                if (bitcast<i32>(_e453.member) != 0i) {
+                    if (_e439 == 0u) {
+                        phi_812_ = u32();
+                        phi_813_ = false;
                     } else {
-                        let _e471 = names[((_e60 * 32u) + select(firstTrailingBit(_e446), 32u, (_e446 == 0u)))];
-                        let _e480 = params.member.member_1.member_3;
-                        let _e482 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e482 + 1u) < _e482) {
-                            let _e486 = atomicAdd((&output.member[2u]), 1u);
+                        let _e464 = names[((_e60 * 32u) + select(firstTrailingBit(_e439), 32u, (_e439 == 0u)))];
+                        let _e473 = params.member.member_1.member_3;
+                        let _e475 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e475 + 1u) < _e475) {
+                            let _e479 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e482 < _e480) {
-                            let _e488 = (2u * _e482);
-                            atomicStore((&output.member[(4u + _e488)]), ((_e173 * 32u) + _e61));
-                            atomicStore((&output.member[(_e488 + 5u)]), ((_e176 * 32u) + _e471));
+                        if (_e475 < _e473) {
+                            let _e481 = (2u * _e475);
+                            atomicStore((&output.member[(4u + _e481)]), ((_e174 * 32u) + _e61));
+                            atomicStore((&output.member[(_e481 + 5u)]), ((_e177 * 32u) + _e464));
                         }
-                        phi_775_ = (_e446 & (_e446 - 1u));
-                        phi_776_ = true;
+                        phi_812_ = (_e439 & (_e439 - 1u));
+                        phi_813_ = true;
                     }
-                    let _e494 = phi_775_;
-                    let _e496 = phi_776_;
-                    phi_703_ = _e494;
-                    phi_777_ = _e496;
+                    let _e487 = phi_812_;
+                    let _e489 = phi_813_;
+                    phi_740_ = _e487;
+                    phi_814_ = _e489;
                 } else {
-                    phi_703_ = u32();
-                    phi_777_ = false;
+                    phi_740_ = u32();
+                    phi_814_ = false;
                 }
-                let _e498 = phi_703_;
-                let _e500 = phi_777_;
+                let _e491 = phi_740_;
+                let _e493 = phi_814_;
                 continue;
                 continuing {
-                    phi_699_ = _e458;
-                    phi_702_ = _e498;
-                    break if !(_e500);
+                    phi_736_ = _e451;
+                    phi_739_ = _e491;
+                    break if !(_e493);
                 }
             }
             workgroupBarrier();
-            let _e503 = atomicLoad((&counters[4u]));
-            if (2048u < _e503) {
-                phi_784_ = 2048u;
+            let _e496 = atomicLoad((&counters[4u]));
+            if (2048u < _e496) {
+                phi_821_ = 2048u;
             } else {
-                phi_784_ = _e503;
+                phi_821_ = _e496;
             }
-            let _e506 = phi_784_;
+            let _e499 = phi_821_;
             if (_e39 == 0u) {
-                atomicStore((&counters[5u]), _e506);
+                atomicStore((&counters[5u]), _e499);
             }
             workgroupBarrier();
             if (_e39 == 0u) {
-                let _e511 = atomicLoad((&counters[5u]));
-                if (_e511 > 0u) {
-                    let _e514 = atomicAdd((&output.member[0u]), _e511);
-                    if ((_e514 + _e511) < _e514) {
-                        let _e518 = atomicAdd((&output.member[2u]), 1u);
+                let _e504 = atomicLoad((&counters[5u]));
+                if (_e504 > 0u) {
+                    let _e507 = atomicAdd((&output.member[0u]), _e504);
+                    if ((_e507 + _e504) < _e507) {
+                        let _e511 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e514);
+                    atomicStore((&counters[6u]), _e507);
                 }
             }
             workgroupBarrier();
-            let _e521 = atomicLoad((&counters[6u]));
-            phi_817_ = type_9(0u, 16u);
+            let _e514 = atomicLoad((&counters[6u]));
+            phi_855_ = type_9(0u, 16u);
             loop {
-                let _e523 = phi_817_;
-                if (_e523.member < _e523.member_1) {
-                    phi_818_ = type_9((_e523.member + 1u), _e523.member_1);
-                    phi_841_ = type_9(1u, _e523.member);
+                let _e516 = phi_855_;
+                if (_e516.member < _e516.member_1) {
+                    phi_856_ = type_9((_e516.member + 1u), _e516.member_1);
+                    phi_879_ = type_9(1u, _e516.member);
                 } else {
-                    phi_818_ = _e523;
-                    phi_841_ = type_9(0u, type_9().member_1);
+                    phi_856_ = _e516;
+                    phi_879_ = type_9(0u, type_9().member_1);
                 }
-                let _e535 = phi_818_;
-                let _e537 = phi_841_;
-                if (bitcast<i32>(_e537.member) != 0i) {
-                    let _e543 = (_e39 + (_e537.member_1 * 128u));
-                    if (_e543 >= _e506) {
-                        phi_886_ = false;
+                let _e528 = phi_856_;
+                let _e530 = phi_879_;
+                if (bitcast<i32>(_e530.member) != 0i) {
+                    let _e536 = (_e39 + (_e530.member_1 * 128u));
+                    if (_e536 >= _e499) {
+                        phi_924_ = false;
                     } else {
-                        let _e546 = hits[_e543];
-                        let _e549 = ((_e546 >> bitcast<u32>(10i)) & 3u);
-                        let _e556 = firsts[(2u * _e549)];
-                        let _e561 = firsts[((2u * _e549) + 1u)];
-                        let _e565 = params.member.member_1.member_3;
-                        let _e566 = (_e521 + _e543);
-                        if (_e566 < _e565) {
-                            let _e568 = (2u * _e566);
-                            atomicStore((&output.member[(4u + _e568)]), (_e556 + ((_e546 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e568 + 5u)]), (_e561 + (_e546 & 31u)));
+                        let _e539 = hits[_e536];
+                        let _e542 = ((_e539 >> bitcast<u32>(10i)) & 3u);
+                        let _e549 = firsts[(2u * _e542)];
+                        let _e554 = firsts[((2u * _e542) + 1u)];
+                        let _e558 = params.member.member_1.member_3;
+                        let _e559 = (_e514 + _e536);
+                        if (_e559 < _e558) {
+                            let _e561 = (2u * _e559);
+                            atomicStore((&output.member[(4u + _e561)]), (_e549 + ((_e539 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e561 + 5u)]), (_e554 + (_e539 & 31u)));
                         }
-                        phi_886_ = true;
+                        phi_924_ = true;
                     }
-                    let _e574 = phi_886_;
-                    phi_887_ = _e574;
+                    let _e567 = phi_924_;
+                    phi_925_ = _e567;
                 } else {
-                    phi_887_ = false;
+                    phi_925_ = false;
                 }
-                let _e576 = phi_887_;
+                let _e569 = phi_925_;
                 continue;
                 continuing {
-                    phi_817_ = _e535;
-                    break if !(_e576);
+                    phi_855_ = _e528;
+                    break if !(_e569);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_212_ = _e121;
+            phi_240_ = _e121;
             break if !(_e127);
         }
     }

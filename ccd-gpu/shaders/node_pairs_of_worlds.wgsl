@@ -76,11 +76,11 @@ struct type_31 {
 var<storage> params: type_18;
 @group(0) @binding(1) 
 var<storage> nodes: type_22;
-var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
+var<workgroup> firsts: array<u32, 8>;
 @group(0) @binding(2) 
 var<storage> worlds: type_11;
 @group(0) @binding(3) 
@@ -91,77 +91,77 @@ var<workgroup> ranges: array<u32, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var phi_141_: u32;
-    var phi_173_: u32;
-    var phi_174_: u32;
-    var phi_182_: u32;
+    var phi_161_: u32;
     var phi_198_: u32;
-    var phi_219_: u32;
-    var phi_220_: u32;
-    var phi_223_: type_9;
-    var phi_224_: type_9;
-    var phi_247_: type_9;
-    var phi_288_: u32;
-    var phi_289_: u32;
-    var phi_297_: u32;
-    var phi_309_: u32;
-    var phi_364_: array<u32, 2>;
-    var phi_389_: type_9;
-    var phi_392_: u32;
-    var phi_390_: type_9;
-    var phi_415_: type_9;
-    var phi_393_: u32;
+    var phi_199_: u32;
+    var phi_207_: u32;
+    var phi_223_: u32;
+    var phi_246_: u32;
+    var phi_247_: u32;
+    var phi_250_: type_9;
+    var phi_251_: type_9;
+    var phi_274_: type_9;
+    var phi_321_: u32;
+    var phi_322_: u32;
+    var phi_330_: u32;
+    var phi_344_: u32;
+    var phi_401_: array<u32, 2>;
+    var phi_425_: type_9;
+    var phi_428_: u32;
+    var phi_426_: type_9;
+    var phi_451_: type_9;
+    var phi_429_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_433_: u32;
+    var phi_469_: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_442_: u32;
-    var phi_485_: type_9;
-    var phi_488_: u32;
-    var phi_486_: type_9;
-    var phi_511_: type_9;
-    var phi_489_: u32;
+    var phi_478_: u32;
+    var phi_521_: type_9;
+    var phi_524_: u32;
+    var phi_522_: type_9;
+    var phi_547_: type_9;
+    var phi_525_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_529_: u32;
+    var phi_565_: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_538_: u32;
-    var phi_580_: array<u32, 2>;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_789_: type_24;
-    var phi_798_: bool;
-    var phi_805_: type_9;
-    var phi_808_: u32;
-    var phi_806_: type_9;
-    var phi_831_: type_9;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_903_: bool;
-    var phi_920_: bool;
-    var phi_938_: u32;
-    var phi_939_: u32;
-    var phi_940_: u32;
-    var phi_941_: u32;
-    var phi_809_: u32;
-    var phi_944_: type_9;
-    var phi_947_: u32;
-    var phi_945_: type_9;
-    var phi_970_: type_9;
-    var phi_1020_: u32;
-    var phi_1021_: bool;
-    var phi_948_: u32;
-    var phi_1022_: bool;
-    var phi_1029_: u32;
-    var phi_1062_: type_9;
-    var phi_1063_: type_9;
-    var phi_1086_: type_9;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
+    var phi_574_: u32;
+    var phi_619_: array<u32, 2>;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: type_24;
+    var phi_831_: bool;
+    var phi_840_: type_9;
+    var phi_843_: u32;
+    var phi_841_: type_9;
+    var phi_866_: type_9;
+    var phi_931_: bool;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_938_: bool;
+    var phi_955_: bool;
+    var phi_973_: u32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_844_: u32;
+    var phi_979_: type_9;
+    var phi_982_: u32;
+    var phi_980_: type_9;
+    var phi_1005_: type_9;
+    var phi_1055_: u32;
+    var phi_1056_: bool;
+    var phi_983_: u32;
+    var phi_1057_: bool;
+    var phi_1064_: u32;
+    var phi_1098_: type_9;
+    var phi_1099_: type_9;
+    var phi_1122_: type_9;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -175,544 +175,544 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e44 = lane_2;
     let _e54 = ((_e42.y * _e43.x) + _e42.x);
     let _e57 = (_e43.x * _e43.y);
-    let _e60 = params.member.member_1.member_2;
-    let _e62 = input.member[0u];
-    if (_e60 < _e62) {
-        phi_141_ = _e60;
+    let _e61 = params.member.member_1.member_2;
+    let _e63 = input.member[0u];
+    if (_e61 < _e63) {
+        phi_161_ = _e61;
     } else {
-        phi_141_ = _e62;
+        phi_161_ = _e63;
     }
-    let _e65 = phi_141_;
-    let _e66 = (_e44 / 32u);
-    let _e67 = (_e44 % 32u);
-    let _e70 = params.member.member_1.member_1;
-    if (_e65 > _e70) {
-        let _e74 = params.member.member_1.member_1;
-        let _e75 = (_e65 - _e74);
-        let _e78 = params.member.member_2.member_3;
-        if (_e78 == 0u) {
+    let _e66 = phi_161_;
+    let _e67 = (_e44 / 32u);
+    let _e68 = (_e44 % 32u);
+    let _e71 = params.member.member_1.member_1;
+    if (_e66 > _e71) {
+        let _e75 = params.member.member_1.member_1;
+        let _e76 = (_e66 - _e75);
+        let _e79 = params.member.member_2.member_3;
+        if (_e79 == 0u) {
             return;
         }
-        let _e80 = (_e75 / _e78);
-        if (_e78 == 0u) {
+        let _e81 = (_e76 / _e79);
+        if (_e79 == 0u) {
             return;
         }
-        if ((_e75 % _e78) > 0u) {
-            phi_173_ = (_e80 + 1u);
+        if ((_e76 % _e79) > 0u) {
+            phi_198_ = (_e81 + 1u);
         } else {
-            phi_173_ = _e80;
+            phi_198_ = _e81;
         }
-        let _e86 = phi_173_;
-        phi_174_ = _e86;
+        let _e87 = phi_198_;
+        phi_199_ = _e87;
     } else {
-        phi_174_ = 0u;
+        phi_199_ = 0u;
     }
-    let _e88 = phi_174_;
-    let _e91 = params.member.member_2.member_4;
-    if (_e91 < _e88) {
-        phi_182_ = _e91;
+    let _e89 = phi_199_;
+    let _e92 = params.member.member_2.member_4;
+    if (_e92 < _e89) {
+        phi_207_ = _e92;
     } else {
-        phi_182_ = _e88;
+        phi_207_ = _e89;
     }
-    let _e94 = phi_182_;
-    let _e95 = (_e94 / 4u);
-    if ((_e94 % 4u) > 0u) {
-        phi_198_ = (_e95 + 1u);
+    let _e95 = phi_207_;
+    let _e96 = (_e95 / 4u);
+    if ((_e95 % 4u) > 0u) {
+        phi_223_ = (_e96 + 1u);
     } else {
-        phi_198_ = _e95;
+        phi_223_ = _e96;
     }
-    let _e100 = phi_198_;
-    if (_e100 > _e54) {
-        let _e102 = (_e100 - _e54);
+    let _e101 = phi_223_;
+    if (_e101 > _e54) {
+        let _e103 = (_e101 - _e54);
         if (_e57 == 0u) {
             return;
         }
-        let _e104 = (_e102 / _e57);
+        let _e105 = (_e103 / _e57);
         if (_e57 == 0u) {
             return;
         }
-        if ((_e102 % _e57) > 0u) {
-            phi_219_ = (_e104 + 1u);
+        if ((_e103 % _e57) > 0u) {
+            phi_246_ = (_e105 + 1u);
         } else {
-            phi_219_ = _e104;
+            phi_246_ = _e105;
         }
-        let _e110 = phi_219_;
-        phi_220_ = _e110;
+        let _e111 = phi_246_;
+        phi_247_ = _e111;
     } else {
-        phi_220_ = 0u;
+        phi_247_ = 0u;
     }
-    let _e112 = phi_220_;
-    phi_223_ = type_9(0u, _e112);
+    let _e113 = phi_247_;
+    phi_250_ = type_9(0u, _e113);
     loop {
-        let _e115 = phi_223_;
-        if (_e115.member < _e115.member_1) {
-            phi_224_ = type_9((_e115.member + 1u), _e115.member_1);
-            phi_247_ = type_9(1u, _e115.member);
+        let _e116 = phi_250_;
+        if (_e116.member < _e116.member_1) {
+            phi_251_ = type_9((_e116.member + 1u), _e116.member_1);
+            phi_274_ = type_9(1u, _e116.member);
         } else {
-            phi_224_ = _e115;
-            phi_247_ = type_9(0u, type_9().member_1);
+            phi_251_ = _e116;
+            phi_274_ = type_9(0u, type_9().member_1);
         }
-        let _e127 = phi_224_;
-        let _e129 = phi_247_;
-        let _e133 = (bitcast<i32>(_e129.member) != 0i);
-        if _e133 {
-            let _e137 = (((_e54 + (_e129.member_1 * _e57)) * 4u) + _e66);
-            let _e140 = params.member.member_1.member_1;
-            if (_e65 > _e140) {
-                let _e144 = params.member.member_1.member_1;
-                let _e145 = (_e65 - _e144);
-                let _e148 = params.member.member_2.member_3;
-                if (_e148 == 0u) {
+        let _e128 = phi_251_;
+        let _e130 = phi_274_;
+        let _e134 = (bitcast<i32>(_e130.member) != 0i);
+        if _e134 {
+            let _e139 = (((_e54 + (_e130.member_1 * _e57)) * 4u) + (_e44 / 32u));
+            let _e142 = params.member.member_1.member_1;
+            if (_e66 > _e142) {
+                let _e146 = params.member.member_1.member_1;
+                let _e147 = (_e66 - _e146);
+                let _e150 = params.member.member_2.member_3;
+                if (_e150 == 0u) {
                     return;
                 }
-                let _e150 = (_e145 / _e148);
-                if (_e148 == 0u) {
+                let _e152 = (_e147 / _e150);
+                if (_e150 == 0u) {
                     return;
                 }
-                if ((_e145 % _e148) > 0u) {
-                    phi_288_ = (_e150 + 1u);
+                if ((_e147 % _e150) > 0u) {
+                    phi_321_ = (_e152 + 1u);
                 } else {
-                    phi_288_ = _e150;
+                    phi_321_ = _e152;
                 }
-                let _e156 = phi_288_;
-                phi_289_ = _e156;
+                let _e158 = phi_321_;
+                phi_322_ = _e158;
             } else {
-                phi_289_ = 0u;
+                phi_322_ = 0u;
             }
-            let _e158 = phi_289_;
-            let _e161 = params.member.member_2.member_4;
-            if (_e161 < _e158) {
-                phi_297_ = _e161;
+            let _e160 = phi_322_;
+            let _e163 = params.member.member_2.member_4;
+            if (_e163 < _e160) {
+                phi_330_ = _e163;
             } else {
-                phi_297_ = _e158;
+                phi_330_ = _e160;
             }
-            let _e164 = phi_297_;
-            let _e165 = (_e137 < _e164);
-            let _e168 = params.member.member_1.member_1;
-            if _e165 {
-                let _e171 = params.member.member_2.member_3;
-                phi_309_ = (_e137 * _e171);
+            let _e166 = phi_330_;
+            let _e167 = (_e139 < _e166);
+            let _e170 = params.member.member_1.member_1;
+            let _e173 = params.member.member_2.member_3;
+            if _e167 {
+                phi_344_ = (_e139 * _e173);
             } else {
-                phi_309_ = 0u;
+                phi_344_ = 0u;
             }
-            let _e174 = phi_309_;
-            let _e176 = (2u * (_e168 + _e174));
-            let _e179 = input.member[(4u + _e176)];
-            let _e182 = input.member[(_e176 + 5u)];
+            let _e176 = phi_344_;
+            let _e178 = (2u * (_e170 + _e176));
+            let _e181 = input.member[(4u + _e178)];
+            let _e184 = input.member[(_e178 + 5u)];
             if (_e44 < 8u) {
                 atomicStore((&counters[_e44]), 0u);
             }
             workgroupBarrier();
-            if (_e67 == 0u) {
-                firsts[(2u * _e66)] = (_e179 * 32u);
-                firsts[((2u * _e66) + 1u)] = (_e182 * 32u);
+            if (_e68 == 0u) {
+                firsts[(2u * _e67)] = (_e181 * 32u);
+                firsts[((2u * _e67) + 1u)] = (_e184 * 32u);
             }
-            let _e195 = params.member.member_2.member_1;
-            if (_e195 == 0u) {
-                phi_364_ = array<u32, 2>(0u, 2u);
+            let _e197 = params.member.member_2.member_1;
+            if (_e197 == 0u) {
+                phi_401_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_364_ = array<u32, 2>(1u, 1u);
+                phi_401_ = array<u32, 2>(1u, 1u);
             }
-            let _e198 = phi_364_;
-            let _e201 = params.member.member_2.member_2;
-            let _e202 = (_e201 - 1u);
-            let _e205 = params.member.member.member;
-            local = array<u32, 3>(_e205[0], _e205[1], _e205[2]);
-            let _e214 = ((_e179 * 32u) + _e67);
-            let _e216 = local[_e198[0]];
-            phi_389_ = type_9(0u, _e202);
-            phi_392_ = 1u;
+            let _e200 = phi_401_;
+            let _e203 = params.member.member_2.member_2;
+            let _e204 = (_e203 - 1u);
+            let _e207 = params.member.member.member;
+            local = array<u32, 3>(_e207[0], _e207[1], _e207[2]);
+            let _e215 = ((_e181 * 32u) + _e68);
+            let _e217 = local[_e200[0]];
+            phi_425_ = type_9(0u, _e204);
+            phi_428_ = 1u;
             loop {
-                let _e219 = phi_389_;
-                let _e221 = phi_392_;
-                local_1 = _e221;
-                local_2 = _e221;
-                local_3 = _e221;
-                local_4 = _e221;
-                if (_e219.member < _e219.member_1) {
-                    phi_390_ = type_9((_e219.member + 1u), _e219.member_1);
-                    phi_415_ = type_9(1u, _e219.member);
+                let _e220 = phi_425_;
+                let _e222 = phi_428_;
+                local_1 = _e222;
+                local_2 = _e222;
+                local_3 = _e222;
+                local_4 = _e222;
+                if (_e220.member < _e220.member_1) {
+                    phi_426_ = type_9((_e220.member + 1u), _e220.member_1);
+                    phi_451_ = type_9(1u, _e220.member);
                 } else {
-                    phi_390_ = _e219;
-                    phi_415_ = type_9(0u, type_9().member_1);
+                    phi_426_ = _e220;
+                    phi_451_ = type_9(0u, type_9().member_1);
                 }
-                let _e233 = phi_390_;
-                let _e235 = phi_415_;
-                let _e238 = (bitcast<i32>(_e235.member) != 0i);
-                if _e238 {
-                    phi_393_ = (_e221 * 32u);
+                let _e234 = phi_426_;
+                let _e236 = phi_451_;
+                let _e239 = (bitcast<i32>(_e236.member) != 0i);
+                if _e239 {
+                    phi_429_ = (_e222 * 32u);
                 } else {
-                    phi_393_ = u32();
+                    phi_429_ = u32();
                 }
-                let _e241 = phi_393_;
+                let _e242 = phi_429_;
                 continue;
                 continuing {
-                    phi_389_ = _e233;
-                    phi_392_ = _e241;
-                    break if !(_e238);
+                    phi_425_ = _e234;
+                    phi_428_ = _e242;
+                    break if !(_e239);
                 }
             }
-            let _e245 = local_1;
-            if (_e245 == 0u) {
+            let _e246 = local_1;
+            if (_e246 == 0u) {
                 return;
             }
-            let _e248 = local_2;
-            let _e249 = ((_e216 - 1u) / _e248);
-            if (_e249 < _e214) {
-                phi_433_ = _e249;
+            let _e249 = local_2;
+            let _e250 = ((_e217 - 1u) / _e249);
+            if (_e250 < _e215) {
+                phi_469_ = _e250;
             } else {
-                phi_433_ = _e214;
+                phi_469_ = _e215;
             }
-            let _e252 = phi_433_;
-            let _e254 = local_3;
-            let _e255 = (_e252 * _e254);
-            let _e257 = local_4;
-            let _e259 = (_e255 + (_e257 - 1u));
-            let _e260 = (_e216 - 1u);
-            if (_e260 < _e259) {
-                phi_442_ = _e260;
+            let _e253 = phi_469_;
+            let _e255 = local_3;
+            let _e256 = (_e253 * _e255);
+            let _e258 = local_4;
+            let _e260 = (_e256 + (_e258 - 1u));
+            let _e261 = (_e217 - 1u);
+            if (_e261 < _e260) {
+                phi_478_ = _e261;
             } else {
-                phi_442_ = _e259;
+                phi_478_ = _e260;
             }
-            let _e263 = phi_442_;
-            let _e267 = params.member.member_2.member[0u][_e198[0]];
-            let _e270 = worlds.member[(_e267 + _e255)];
-            let _e275 = worlds.member[(_e267 + _e263)];
-            let _e276 = ((_e270 << bitcast<u32>(16i)) | _e275);
-            let _e278 = ((_e182 * 32u) + _e67);
-            let _e280 = local[_e198[1]];
-            phi_485_ = type_9(0u, _e202);
-            phi_488_ = 1u;
+            let _e264 = phi_478_;
+            let _e268 = params.member.member_2.member[0u][_e200[0]];
+            let _e271 = worlds.member[(_e268 + _e256)];
+            let _e276 = worlds.member[(_e268 + _e264)];
+            let _e277 = ((_e271 << bitcast<u32>(16i)) | _e276);
+            let _e279 = ((_e184 * 32u) + _e68);
+            let _e281 = local[_e200[1]];
+            phi_521_ = type_9(0u, _e204);
+            phi_524_ = 1u;
             loop {
-                let _e283 = phi_485_;
-                let _e285 = phi_488_;
-                local_5 = _e285;
-                local_6 = _e285;
-                local_7 = _e285;
-                local_8 = _e285;
-                if (_e283.member < _e283.member_1) {
-                    phi_486_ = type_9((_e283.member + 1u), _e283.member_1);
-                    phi_511_ = type_9(1u, _e283.member);
+                let _e284 = phi_521_;
+                let _e286 = phi_524_;
+                local_5 = _e286;
+                local_6 = _e286;
+                local_7 = _e286;
+                local_8 = _e286;
+                if (_e284.member < _e284.member_1) {
+                    phi_522_ = type_9((_e284.member + 1u), _e284.member_1);
+                    phi_547_ = type_9(1u, _e284.member);
                 } else {
-                    phi_486_ = _e283;
-                    phi_511_ = type_9(0u, type_9().member_1);
+                    phi_522_ = _e284;
+                    phi_547_ = type_9(0u, type_9().member_1);
                 }
-                let _e297 = phi_486_;
-                let _e299 = phi_511_;
-                let _e302 = (bitcast<i32>(_e299.member) != 0i);
-                if _e302 {
-                    phi_489_ = (_e285 * 32u);
+                let _e298 = phi_522_;
+                let _e300 = phi_547_;
+                let _e303 = (bitcast<i32>(_e300.member) != 0i);
+                if _e303 {
+                    phi_525_ = (_e286 * 32u);
                 } else {
-                    phi_489_ = u32();
+                    phi_525_ = u32();
                 }
-                let _e305 = phi_489_;
+                let _e306 = phi_525_;
                 continue;
                 continuing {
-                    phi_485_ = _e297;
-                    phi_488_ = _e305;
-                    break if !(_e302);
+                    phi_521_ = _e298;
+                    phi_524_ = _e306;
+                    break if !(_e303);
                 }
             }
-            let _e309 = local_5;
-            if (_e309 == 0u) {
+            let _e310 = local_5;
+            if (_e310 == 0u) {
                 return;
             }
-            let _e312 = local_6;
-            let _e313 = ((_e280 - 1u) / _e312);
-            if (_e313 < _e278) {
-                phi_529_ = _e313;
+            let _e313 = local_6;
+            let _e314 = ((_e281 - 1u) / _e313);
+            if (_e314 < _e279) {
+                phi_565_ = _e314;
             } else {
-                phi_529_ = _e278;
+                phi_565_ = _e279;
             }
-            let _e316 = phi_529_;
-            let _e318 = local_7;
-            let _e319 = (_e316 * _e318);
-            let _e321 = local_8;
-            let _e323 = (_e319 + (_e321 - 1u));
-            let _e324 = (_e280 - 1u);
-            if (_e324 < _e323) {
-                phi_538_ = _e324;
+            let _e317 = phi_565_;
+            let _e319 = local_7;
+            let _e320 = (_e317 * _e319);
+            let _e322 = local_8;
+            let _e324 = (_e320 + (_e322 - 1u));
+            let _e325 = (_e281 - 1u);
+            if (_e325 < _e324) {
+                phi_574_ = _e325;
             } else {
-                phi_538_ = _e323;
+                phi_574_ = _e324;
             }
-            let _e327 = phi_538_;
-            let _e331 = params.member.member_2.member[0u][_e198[1]];
-            let _e334 = worlds.member[(_e331 + _e319)];
-            let _e339 = worlds.member[(_e331 + _e327)];
-            ranges[_e44] = ((_e334 << bitcast<u32>(16i)) | _e339);
-            let _e344 = params.member.member_2.member_1;
-            if (_e344 == 0u) {
-                phi_580_ = array<u32, 2>(0u, 2u);
+            let _e328 = phi_574_;
+            let _e332 = params.member.member_2.member[0u][_e200[1]];
+            let _e335 = worlds.member[(_e332 + _e320)];
+            let _e340 = worlds.member[(_e332 + _e328)];
+            ranges[_e44] = ((_e335 << bitcast<u32>(16i)) | _e340);
+            let _e345 = params.member.member_2.member_1;
+            if (_e345 == 0u) {
+                phi_619_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_580_ = array<u32, 2>(1u, 1u);
+                phi_619_ = array<u32, 2>(1u, 1u);
             }
-            let _e347 = phi_580_;
-            let _e350 = (_e44 / 32u);
-            let _e351 = (_e44 % 32u);
-            let _e355 = params.member.member_2.member_2;
-            let _e359 = params.member.member_2.member[_e355][_e347[0]];
-            let _e362 = nodes.member[(_e359 + _e179)];
-            let _e378 = params.member.member_2.member_2;
-            let _e382 = params.member.member_2.member[_e378][_e347[1]];
-            let _e385 = nodes.member[(_e382 + _e182)];
-            let _e401 = params.member.member_2.member_2;
-            let _e408 = params.member.member_2.member[(_e401 - 1u)][_e347[0]];
-            let _e411 = nodes.member[(_e408 + ((_e179 * 32u) + _e351))];
-            let _e430 = params.member.member_2.member_2;
-            let _e437 = params.member.member_2.member[(_e430 - 1u)][_e347[1]];
-            let _e440 = nodes.member[(_e437 + ((_e182 * 32u) + _e351))];
-            if _e165 {
-                if ((((((_e440.member.x <= _e362.member_1.y) && (_e362.member.x <= _e440.member_1.y)) && (_e440.member.y <= _e362.member_2.x)) && (_e362.member.y <= _e440.member_2.x)) && (_e440.member_1.x <= _e362.member_2.y)) && (_e362.member_1.x <= _e440.member_2.y)) {
-                    let _e466 = atomicAdd((&counters[_e350]), 1u);
-                    let _e467 = ((_e350 * 32u) + _e466);
-                    columns[_e467] = type_24(array<f32, 3>(_e440.member.x, _e440.member.y, _e440.member_1.x), array<f32, 3>(_e440.member_1.y, _e440.member_2.x, _e440.member_2.y));
-                    names[_e467] = _e351;
+            let _e348 = phi_619_;
+            let _e351 = (_e44 / 32u);
+            let _e352 = (_e44 % 32u);
+            let _e354 = params.member.member_2.member_2;
+            let _e358 = params.member.member_2.member[_e354][_e348[0]];
+            let _e361 = nodes.member[(_e358 + _e181)];
+            let _e375 = params.member.member_2.member_2;
+            let _e379 = params.member.member_2.member[_e375][_e348[1]];
+            let _e382 = nodes.member[(_e379 + _e184)];
+            let _e396 = params.member.member_2.member_2;
+            let _e403 = params.member.member_2.member[(_e396 - 1u)][_e348[0]];
+            let _e406 = nodes.member[(_e403 + ((_e181 * 32u) + _e352))];
+            let _e423 = params.member.member_2.member_2;
+            let _e430 = params.member.member_2.member[(_e423 - 1u)][_e348[1]];
+            let _e433 = nodes.member[(_e430 + ((_e184 * 32u) + _e352))];
+            if _e167 {
+                if ((((((_e433.member.x <= _e361.member_1.y) && (_e361.member.x <= _e433.member_1.y)) && (_e433.member.y <= _e361.member_2.x)) && (_e361.member.y <= _e433.member_2.x)) && (_e433.member_1.x <= _e361.member_2.y)) && (_e361.member_1.x <= _e433.member_2.y)) {
+                    let _e459 = atomicAdd((&counters[_e351]), 1u);
+                    let _e460 = ((_e351 * 32u) + _e459);
+                    columns[_e460] = type_24(array<f32, 3>(_e433.member.x, _e433.member.y, _e433.member_1.x), array<f32, 3>(_e433.member_1.y, _e433.member_2.x, _e433.member_2.y));
+                    names[_e460] = _e352;
                 }
             }
             workgroupBarrier();
-            if _e165 {
-                if ((((((_e411.member.x <= _e385.member_1.y) && (_e385.member.x <= _e411.member_1.y)) && (_e411.member.y <= _e385.member_2.x)) && (_e385.member.y <= _e411.member_2.x)) && (_e411.member_1.x <= _e385.member_2.y)) && (_e385.member_1.x <= _e411.member_2.y)) {
-                    phi_784_ = false;
+            if _e167 {
+                if ((((((_e406.member.x <= _e382.member_1.y) && (_e382.member.x <= _e406.member_1.y)) && (_e406.member.y <= _e382.member_2.x)) && (_e382.member.y <= _e406.member_2.x)) && (_e406.member_1.x <= _e382.member_2.y)) && (_e382.member_1.x <= _e406.member_2.y)) {
+                    phi_817_ = false;
                 } else {
-                    phi_784_ = true;
+                    phi_817_ = true;
                 }
-                let _e485 = phi_784_;
-                phi_785_ = _e485;
+                let _e478 = phi_817_;
+                phi_818_ = _e478;
             } else {
-                phi_785_ = true;
+                phi_818_ = true;
             }
-            let _e487 = phi_785_;
-            if _e487 {
-                phi_789_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e480 = phi_818_;
+            if _e480 {
+                phi_822_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_789_ = type_24(array<f32, 3>(_e411.member.x, _e411.member.y, _e411.member_1.x), array<f32, 3>(_e411.member_1.y, _e411.member_2.x, _e411.member_2.y));
+                phi_822_ = type_24(array<f32, 3>(_e406.member.x, _e406.member.y, _e406.member_1.x), array<f32, 3>(_e406.member_1.y, _e406.member_2.x, _e406.member_2.y));
             }
-            let _e489 = phi_789_;
-            let _e492 = params.member.member_2.member_1;
-            if (_e492 == 1u) {
-                phi_798_ = (_e179 == _e182);
+            let _e482 = phi_822_;
+            let _e485 = params.member.member_2.member_1;
+            if (_e485 == 1u) {
+                phi_831_ = (_e181 == _e184);
             } else {
-                phi_798_ = false;
+                phi_831_ = false;
             }
-            let _e496 = phi_798_;
-            let _e497 = (_e44 / 32u);
-            let _e498 = (_e44 % 32u);
-            let _e500 = atomicLoad((&counters[_e497]));
-            phi_805_ = type_9(0u, _e500);
-            phi_808_ = 0u;
+            let _e489 = phi_831_;
+            let _e490 = (_e44 / 32u);
+            let _e491 = (_e44 % 32u);
+            let _e493 = atomicLoad((&counters[_e490]));
+            phi_840_ = type_9(0u, _e493);
+            phi_843_ = 0u;
             loop {
-                let _e503 = phi_805_;
-                let _e505 = phi_808_;
-                local_9 = _e505;
-                if (_e503.member < _e503.member_1) {
-                    phi_806_ = type_9((_e503.member + 1u), _e503.member_1);
-                    phi_831_ = type_9(1u, _e503.member);
+                let _e496 = phi_840_;
+                let _e498 = phi_843_;
+                local_9 = _e498;
+                if (_e496.member < _e496.member_1) {
+                    phi_841_ = type_9((_e496.member + 1u), _e496.member_1);
+                    phi_866_ = type_9(1u, _e496.member);
                 } else {
-                    phi_806_ = _e503;
-                    phi_831_ = type_9(0u, type_9().member_1);
+                    phi_841_ = _e496;
+                    phi_866_ = type_9(0u, type_9().member_1);
                 }
-                let _e517 = phi_806_;
-                let _e519 = phi_831_;
-                let _e523 = (bitcast<i32>(_e519.member) != 0i);
-                if _e523 {
-                    let _e527 = names[((_e497 * 32u) + _e519.member_1)];
-                    let _e531 = columns[((_e497 * 32u) + _e519.member_1)];
-                    if ((((((_e489.member[0] <= _e531.member_1[0]) && (_e531.member[0] <= _e489.member_1[0])) && (_e489.member[1] <= _e531.member_1[1])) && (_e531.member[1] <= _e489.member_1[1])) && (_e489.member[2] <= _e531.member_1[2])) && (_e531.member[2] <= _e489.member_1[2])) {
-                        if _e496 {
-                            let _e563 = (_e498 < _e527);
-                            if _e563 {
-                                phi_897_ = bool();
+                let _e510 = phi_841_;
+                let _e512 = phi_866_;
+                let _e516 = (bitcast<i32>(_e512.member) != 0i);
+                if _e516 {
+                    let _e520 = names[((_e490 * 32u) + _e512.member_1)];
+                    let _e524 = columns[((_e490 * 32u) + _e512.member_1)];
+                    if ((((((_e482.member[0] <= _e524.member_1[0]) && (_e524.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e524.member_1[1])) && (_e524.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e524.member_1[2])) && (_e524.member[2] <= _e482.member_1[2])) {
+                        if _e489 {
+                            let _e556 = (_e491 < _e520);
+                            if _e556 {
+                                phi_932_ = bool();
                             } else {
-                                if (_e498 == _e527) {
-                                    phi_896_ = true;
+                                if (_e491 == _e520) {
+                                    phi_931_ = true;
                                 } else {
-                                    phi_896_ = false;
+                                    phi_931_ = false;
                                 }
-                                let _e566 = phi_896_;
-                                phi_897_ = _e566;
+                                let _e559 = phi_931_;
+                                phi_932_ = _e559;
                             }
-                            let _e568 = phi_897_;
-                            phi_898_ = _e568;
-                            phi_899_ = _e563;
+                            let _e561 = phi_932_;
+                            phi_933_ = _e561;
+                            phi_934_ = _e556;
                         } else {
-                            phi_898_ = bool();
-                            phi_899_ = true;
+                            phi_933_ = bool();
+                            phi_934_ = true;
                         }
-                        let _e570 = phi_898_;
-                        let _e572 = phi_899_;
-                        if _e572 {
-                            phi_903_ = true;
+                        let _e563 = phi_933_;
+                        let _e565 = phi_934_;
+                        if _e565 {
+                            phi_938_ = true;
                         } else {
-                            phi_903_ = _e570;
+                            phi_938_ = _e563;
                         }
-                        let _e574 = phi_903_;
-                        if _e574 {
-                            let _e578 = ranges[((_e497 * 32u) + _e527)];
-                            if ((_e276 >> bitcast<u32>(16i)) <= (_e578 & 65535u)) {
-                                phi_920_ = ((_e578 >> bitcast<u32>(16i)) <= (_e276 & 65535u));
+                        let _e567 = phi_938_;
+                        if _e567 {
+                            let _e571 = ranges[((_e490 * 32u) + _e520)];
+                            if ((_e277 >> bitcast<u32>(16i)) <= (_e571 & 65535u)) {
+                                phi_955_ = ((_e571 >> bitcast<u32>(16i)) <= (_e277 & 65535u));
                             } else {
-                                phi_920_ = false;
+                                phi_955_ = false;
                             }
-                            let _e588 = phi_920_;
-                            if _e588 {
-                                let _e590 = atomicAdd((&counters[4u]), 1u);
-                                if (_e590 < 2048u) {
-                                    hits[_e590] = (((_e497 << bitcast<u32>(10i)) | (_e498 << bitcast<u32>(5i))) | _e527);
-                                    phi_938_ = _e505;
+                            let _e581 = phi_955_;
+                            if _e581 {
+                                let _e583 = atomicAdd((&counters[4u]), 1u);
+                                if (_e583 < 2048u) {
+                                    hits[_e583] = (((_e490 << bitcast<u32>(10i)) | (_e491 << bitcast<u32>(5i))) | _e520);
+                                    phi_973_ = _e498;
                                 } else {
-                                    phi_938_ = (_e505 | (1u << bitcast<u32>((_e519.member_1 & 31u))));
+                                    phi_973_ = (_e498 | (1u << bitcast<u32>((_e512.member_1 & 31u))));
                                 }
-                                let _e604 = phi_938_;
-                                phi_939_ = _e604;
+                                let _e597 = phi_973_;
+                                phi_974_ = _e597;
                             } else {
-                                phi_939_ = _e505;
+                                phi_974_ = _e498;
                             }
-                            let _e606 = phi_939_;
-                            phi_940_ = _e606;
+                            let _e599 = phi_974_;
+                            phi_975_ = _e599;
                         } else {
-                            phi_940_ = _e505;
+                            phi_975_ = _e498;
                         }
-                        let _e608 = phi_940_;
-                        phi_941_ = _e608;
+                        let _e601 = phi_975_;
+                        phi_976_ = _e601;
                     } else {
-                        phi_941_ = _e505;
+                        phi_976_ = _e498;
                     }
-                    let _e610 = phi_941_;
-                    phi_809_ = _e610;
+                    let _e603 = phi_976_;
+                    phi_844_ = _e603;
                 } else {
-                    phi_809_ = u32();
+                    phi_844_ = u32();
                 }
-                let _e612 = phi_809_;
+                let _e605 = phi_844_;
                 continue;
                 continuing {
-                    phi_805_ = _e517;
-                    phi_808_ = _e612;
-                    break if !(_e523);
+                    phi_840_ = _e510;
+                    phi_843_ = _e605;
+                    break if !(_e516);
                 }
             }
-            phi_944_ = type_9(0u, 32u);
-            let _e810 = local_9;
-            phi_947_ = _e810;
+            phi_979_ = type_9(0u, 32u);
+            let _e803 = local_9;
+            phi_982_ = _e803;
             loop {
-                let _e615 = phi_944_;
-                let _e617 = phi_947_;
-                if (_e615.member < _e615.member_1) {
-                    phi_945_ = type_9((_e615.member + 1u), _e615.member_1);
-                    phi_970_ = type_9(1u, _e615.member);
+                let _e608 = phi_979_;
+                let _e610 = phi_982_;
+                if (_e608.member < _e608.member_1) {
+                    phi_980_ = type_9((_e608.member + 1u), _e608.member_1);
+                    phi_1005_ = type_9(1u, _e608.member);
                 } else {
-                    phi_945_ = _e615;
-                    phi_970_ = type_9(0u, type_9().member_1);
+                    phi_980_ = _e608;
+                    phi_1005_ = type_9(0u, type_9().member_1);
                 }
-                let _e629 = phi_945_;
-                let _e631 = phi_970_;
-                if (bitcast<i32>(_e631.member) != 0i) {
-                    if (_e617 == 0u) {
-                        phi_1020_ = u32();
-                        phi_1021_ = false;
+                let _e622 = phi_980_;
+                let _e624 = phi_1005_;
+                if (bitcast<i32>(_e624.member) != 0i) {
+                    if (_e610 == 0u) {
+                        phi_1055_ = u32();
+                        phi_1056_ = false;
                     } else {
-                        let _e642 = names[((_e66 * 32u) + select(firstTrailingBit(_e617), 32u, (_e617 == 0u)))];
-                        let _e651 = params.member.member_1.member_3;
-                        let _e653 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e653 + 1u) < _e653) {
-                            let _e657 = atomicAdd((&output.member[2u]), 1u);
+                        let _e635 = names[((_e67 * 32u) + select(firstTrailingBit(_e610), 32u, (_e610 == 0u)))];
+                        let _e644 = params.member.member_1.member_3;
+                        let _e646 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e646 + 1u) < _e646) {
+                            let _e650 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e653 < _e651) {
-                            let _e659 = (2u * _e653);
-                            atomicStore((&output.member[(4u + _e659)]), ((_e179 * 32u) + _e67));
-                            atomicStore((&output.member[(_e659 + 5u)]), ((_e182 * 32u) + _e642));
+                        if (_e646 < _e644) {
+                            let _e652 = (2u * _e646);
+                            atomicStore((&output.member[(4u + _e652)]), ((_e181 * 32u) + _e68));
+                            atomicStore((&output.member[(_e652 + 5u)]), ((_e184 * 32u) + _e635));
                         }
-                        phi_1020_ = (_e617 & (_e617 - 1u));
-                        phi_1021_ = true;
+                        phi_1055_ = (_e610 & (_e610 - 1u));
+                        phi_1056_ = true;
                     }
-                    let _e665 = phi_1020_;
-                    let _e667 = phi_1021_;
-                    phi_948_ = _e665;
-                    phi_1022_ = _e667;
+                    let _e658 = phi_1055_;
+                    let _e660 = phi_1056_;
+                    phi_983_ = _e658;
+                    phi_1057_ = _e660;
                 } else {
-                    phi_948_ = u32();
-                    phi_1022_ = false;
+                    phi_983_ = u32();
+                    phi_1057_ = false;
                 }
-                let _e669 = phi_948_;
-                let _e671 = phi_1022_;
+                let _e662 = phi_983_;
+                let _e664 = phi_1057_;
                 continue;
                 continuing {
-                    phi_944_ = _e629;
-                    phi_947_ = _e669;
-                    break if !(_e671);
+                    phi_979_ = _e622;
+                    phi_982_ = _e662;
+                    break if !(_e664);
                 }
             }
             workgroupBarrier();
-            let _e674 = atomicLoad((&counters[4u]));
-            if (2048u < _e674) {
-                phi_1029_ = 2048u;
+            let _e667 = atomicLoad((&counters[4u]));
+            if (2048u < _e667) {
+                phi_1064_ = 2048u;
             } else {
-                phi_1029_ = _e674;
+                phi_1064_ = _e667;
             }
-            let _e677 = phi_1029_;
+            let _e670 = phi_1064_;
             if (_e44 == 0u) {
-                atomicStore((&counters[5u]), _e677);
+                atomicStore((&counters[5u]), _e670);
             }
             workgroupBarrier();
             if (_e44 == 0u) {
-                let _e682 = atomicLoad((&counters[5u]));
-                if (_e682 > 0u) {
-                    let _e685 = atomicAdd((&output.member[0u]), _e682);
-                    if ((_e685 + _e682) < _e685) {
-                        let _e689 = atomicAdd((&output.member[2u]), 1u);
+                let _e675 = atomicLoad((&counters[5u]));
+                if (_e675 > 0u) {
+                    let _e678 = atomicAdd((&output.member[0u]), _e675);
+                    if ((_e678 + _e675) < _e678) {
+                        let _e682 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e685);
+                    atomicStore((&counters[6u]), _e678);
                 }
             }
             workgroupBarrier();
-            let _e692 = atomicLoad((&counters[6u]));
-            phi_1062_ = type_9(0u, 16u);
+            let _e685 = atomicLoad((&counters[6u]));
+            phi_1098_ = type_9(0u, 16u);
             loop {
-                let _e694 = phi_1062_;
-                if (_e694.member < _e694.member_1) {
-                    phi_1063_ = type_9((_e694.member + 1u), _e694.member_1);
-                    phi_1086_ = type_9(1u, _e694.member);
+                let _e687 = phi_1098_;
+                if (_e687.member < _e687.member_1) {
+                    phi_1099_ = type_9((_e687.member + 1u), _e687.member_1);
+                    phi_1122_ = type_9(1u, _e687.member);
                 } else {
-                    phi_1063_ = _e694;
-                    phi_1086_ = type_9(0u, type_9().member_1);
+                    phi_1099_ = _e687;
+                    phi_1122_ = type_9(0u, type_9().member_1);
                 }
-                let _e706 = phi_1063_;
-                let _e708 = phi_1086_;
-                if (bitcast<i32>(_e708.member) != 0i) {
-                    let _e714 = (_e44 + (_e708.member_1 * 128u));
-                    if (_e714 >= _e677) {
-                        phi_1131_ = false;
+                let _e699 = phi_1099_;
+                let _e701 = phi_1122_;
+                if (bitcast<i32>(_e701.member) != 0i) {
+                    let _e707 = (_e44 + (_e701.member_1 * 128u));
+                    if (_e707 >= _e670) {
+                        phi_1167_ = false;
                     } else {
-                        let _e717 = hits[_e714];
-                        let _e720 = ((_e717 >> bitcast<u32>(10i)) & 3u);
-                        let _e727 = firsts[(2u * _e720)];
-                        let _e732 = firsts[((2u * _e720) + 1u)];
-                        let _e736 = params.member.member_1.member_3;
-                        let _e737 = (_e692 + _e714);
-                        if (_e737 < _e736) {
-                            let _e739 = (2u * _e737);
-                            atomicStore((&output.member[(4u + _e739)]), (_e727 + ((_e717 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[(_e739 + 5u)]), (_e732 + (_e717 & 31u)));
+                        let _e710 = hits[_e707];
+                        let _e713 = ((_e710 >> bitcast<u32>(10i)) & 3u);
+                        let _e720 = firsts[(2u * _e713)];
+                        let _e725 = firsts[((2u * _e713) + 1u)];
+                        let _e729 = params.member.member_1.member_3;
+                        let _e730 = (_e685 + _e707);
+                        if (_e730 < _e729) {
+                            let _e732 = (2u * _e730);
+                            atomicStore((&output.member[(4u + _e732)]), (_e720 + ((_e710 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[(_e732 + 5u)]), (_e725 + (_e710 & 31u)));
                         }
-                        phi_1131_ = true;
+                        phi_1167_ = true;
                     }
-                    let _e745 = phi_1131_;
-                    phi_1132_ = _e745;
+                    let _e738 = phi_1167_;
+                    phi_1168_ = _e738;
                 } else {
-                    phi_1132_ = false;
+                    phi_1168_ = false;
                 }
-                let _e747 = phi_1132_;
+                let _e740 = phi_1168_;
                 continue;
                 continuing {
-                    phi_1062_ = _e706;
-                    break if !(_e747);
+                    phi_1098_ = _e699;
+                    break if !(_e740);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_223_ = _e127;
-            break if !(_e133);
+            phi_250_ = _e128;
+            break if !(_e134);
         }
     }
     return;

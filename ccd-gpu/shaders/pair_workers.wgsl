@@ -46,7 +46,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_19 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -67,17 +67,17 @@ struct type_19 {
     member_17: u32,
 }
 
-struct type_20 {
+struct type_21 {
     member: type_7,
     member_1: type_8,
-    member_2: type_19,
+    member_2: type_20,
 }
 
-struct type_21 {
-    member: type_20,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
@@ -92,7 +92,7 @@ struct type_28 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_21;
+var<storage> params: type_22;
 @group(0) @binding(6) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(5) 
@@ -139,10 +139,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_615_: array<u32, 2>;
     var phi_629_: array<u32, 2>;
     var phi_666_: array<u32, 2>;
-    var phi_668_: type_23;
-    var phi_669_: type_23;
+    var phi_668_: type_24;
+    var phi_669_: type_24;
     var phi_670_: bool;
-    var phi_671_: type_23;
+    var phi_671_: type_24;
     var phi_672_: bool;
     var phi_688_: bool;
     var phi_732_: bool;
@@ -155,22 +155,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_872_: array<u32, 2>;
     var phi_901_: array<u32, 2>;
     var phi_930_: array<u32, 2>;
-    var phi_932_: type_23;
+    var phi_932_: type_24;
     var phi_933_: bool;
-    var phi_934_: type_23;
+    var phi_934_: type_24;
     var phi_935_: bool;
     var phi_1108_: array<u32, 2>;
     var phi_1140_: array<u32, 2>;
     var phi_1008_: array<u32, 2>;
     var phi_1040_: array<u32, 2>;
-    var phi_1142_: type_23;
-    var phi_1143_: type_23;
-    var phi_1144_: type_23;
+    var phi_1142_: type_24;
+    var phi_1143_: type_24;
+    var phi_1144_: type_24;
     var phi_1145_: bool;
-    var phi_1146_: type_23;
-    var phi_1147_: type_23;
+    var phi_1146_: type_24;
+    var phi_1147_: type_24;
     var phi_1148_: bool;
-    var phi_1152_: type_23;
+    var phi_1152_: type_24;
     var phi_1163_: array<array<u32, 2>, 4>;
     var phi_1181_: bool;
     var phi_1182_: bool;
@@ -473,7 +473,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e267 == 1u) {
                         if (_e264[0] == _e264[1]) {
                             if (_e298.member_3 == 4294967295u) {
-                                phi_668_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_668_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e306 = a.member[_e298.member_1];
                                 let _e309 = a.member[_e298.member_3];
@@ -483,31 +483,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_615_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e316 = phi_615_;
-                                let _e323 = type_23(array<array<u32, 2>, 4>(_e316, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e335 = type_23(array<array<u32, 2>, 4>(_e323.member[0], array<u32, 2>(_e298.member_1, _e323.member[1][1]), _e323.member[2], _e323.member[3]), _e323.member_1);
+                                let _e323 = type_24(array<array<u32, 2>, 4>(_e316, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e335 = type_24(array<array<u32, 2>, 4>(_e323.member[0], array<u32, 2>(_e298.member_1, _e323.member[1][1]), _e323.member[2], _e323.member[3]), _e323.member_1);
                                 let _e336 = array<u32, 2>(_e298.member_1, _e298.member_3);
-                                let _e343 = type_23(array<array<u32, 2>, 4>(_e335.member[0], _e336, _e335.member[2], _e335.member[3]), _e335.member_1);
+                                let _e343 = type_24(array<array<u32, 2>, 4>(_e335.member[0], _e336, _e335.member[2], _e335.member[3]), _e335.member_1);
                                 if !((_e309.member_3 == 4294967295u)) {
                                     phi_629_ = array<u32, 2>(_e298.member_3, _e298.member_3);
                                 } else {
                                     phi_629_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e350 = phi_629_;
-                                let _e357 = type_23(array<array<u32, 2>, 4>(_e343.member[0], _e343.member[1], _e350, _e343.member[3]), _e343.member_1);
-                                let _e360 = type_23(_e357.member, _e357.member);
+                                let _e357 = type_24(array<array<u32, 2>, 4>(_e343.member[0], _e343.member[1], _e350, _e343.member[3]), _e343.member_1);
+                                let _e360 = type_24(_e357.member, _e357.member);
                                 if ((((((_e306.member[0] <= _e309.member_2[0]) && (_e309.member[0] <= _e306.member_2[0])) && (_e306.member[1] <= _e309.member_2[1])) && (_e309.member[1] <= _e306.member_2[1])) && (_e306.member[2] <= _e309.member_2[2])) && (_e309.member[2] <= _e306.member_2[2])) {
                                     phi_666_ = _e336;
                                 } else {
                                     phi_666_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e389 = phi_666_;
-                                phi_668_ = type_23(_e360.member, array<array<u32, 2>, 4>(_e360.member_1[0], _e389, _e360.member_1[2], _e360.member_1[3]));
+                                phi_668_ = type_24(_e360.member, array<array<u32, 2>, 4>(_e360.member_1[0], _e389, _e360.member_1[2], _e360.member_1[3]));
                             }
                             let _e398 = phi_668_;
                             phi_669_ = _e398;
                             phi_670_ = false;
                         } else {
-                            phi_669_ = type_23();
+                            phi_669_ = type_24();
                             phi_670_ = true;
                         }
                         let _e400 = phi_669_;
@@ -515,7 +515,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_671_ = _e400;
                         phi_672_ = _e402;
                     } else {
-                        phi_671_ = type_23();
+                        phi_671_ = type_24();
                         phi_672_ = true;
                     }
                     let _e404 = phi_671_;
@@ -592,10 +592,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_930_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e588 = phi_930_;
-                                    phi_932_ = type_23(array<array<u32, 2>, 4>(_e478, _e481, _e484, _e487), array<array<u32, 2>, 4>(_e513, _e538, _e563, _e588));
+                                    phi_932_ = type_24(array<array<u32, 2>, 4>(_e478, _e481, _e484, _e487), array<array<u32, 2>, 4>(_e513, _e538, _e563, _e588));
                                     phi_933_ = false;
                                 } else {
-                                    phi_932_ = type_23();
+                                    phi_932_ = type_24();
                                     phi_933_ = true;
                                 }
                                 let _e592 = phi_932_;
@@ -603,7 +603,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_934_ = _e592;
                                 phi_935_ = _e594;
                             } else {
-                                phi_934_ = type_23();
+                                phi_934_ = type_24();
                                 phi_935_ = true;
                             }
                             let _e596 = phi_934_;
@@ -614,41 +614,41 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e691 = a.member[_e298.member_3];
                                     let _e695 = array<u32, 2>(_e298.member_1, _e264[1]);
                                     let _e697 = array<u32, 2>(_e298.member_3, _e264[1]);
-                                    let _e700 = type_23(array<array<u32, 2>, 4>(_e695, _e697, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e700 = type_24(array<array<u32, 2>, 4>(_e695, _e697, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     if ((((((_e686.member[0] <= _e300.member_2[0]) && (_e300.member[0] <= _e686.member_2[0])) && (_e686.member[1] <= _e300.member_2[1])) && (_e300.member[1] <= _e686.member_2[1])) && (_e686.member[2] <= _e300.member_2[2])) && (_e300.member[2] <= _e686.member_2[2])) {
                                         phi_1008_ = _e695;
                                     } else {
                                         phi_1008_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e727 = phi_1008_;
-                                    let _e734 = type_23(_e700.member, array<array<u32, 2>, 4>(_e727, _e700.member_1[1], _e700.member_1[2], _e700.member_1[3]));
+                                    let _e734 = type_24(_e700.member, array<array<u32, 2>, 4>(_e727, _e700.member_1[1], _e700.member_1[2], _e700.member_1[3]));
                                     if ((((((_e691.member[0] <= _e300.member_2[0]) && (_e300.member[0] <= _e691.member_2[0])) && (_e691.member[1] <= _e300.member_2[1])) && (_e300.member[1] <= _e691.member_2[1])) && (_e691.member[2] <= _e300.member_2[2])) && (_e300.member[2] <= _e691.member_2[2])) {
                                         phi_1040_ = _e697;
                                     } else {
                                         phi_1040_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e761 = phi_1040_;
-                                    phi_1142_ = type_23(_e734.member, array<array<u32, 2>, 4>(_e734.member_1[0], _e761, _e734.member_1[2], _e734.member_1[3]));
+                                    phi_1142_ = type_24(_e734.member, array<array<u32, 2>, 4>(_e734.member_1[0], _e761, _e734.member_1[2], _e734.member_1[3]));
                                 } else {
                                     let _e601 = b.member[_e300.member_1];
                                     let _e606 = b.member[_e300.member_3];
                                     let _e610 = array<u32, 2>(_e264[0], _e300.member_1);
                                     let _e612 = array<u32, 2>(_e264[0], _e300.member_3);
-                                    let _e615 = type_23(array<array<u32, 2>, 4>(_e610, _e612, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e615 = type_24(array<array<u32, 2>, 4>(_e610, _e612, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     if ((((((_e298.member[0] <= _e601.member_2[0]) && (_e601.member[0] <= _e298.member_2[0])) && (_e298.member[1] <= _e601.member_2[1])) && (_e601.member[1] <= _e298.member_2[1])) && (_e298.member[2] <= _e601.member_2[2])) && (_e601.member[2] <= _e298.member_2[2])) {
                                         phi_1108_ = _e610;
                                     } else {
                                         phi_1108_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e642 = phi_1108_;
-                                    let _e649 = type_23(_e615.member, array<array<u32, 2>, 4>(_e642, _e615.member_1[1], _e615.member_1[2], _e615.member_1[3]));
+                                    let _e649 = type_24(_e615.member, array<array<u32, 2>, 4>(_e642, _e615.member_1[1], _e615.member_1[2], _e615.member_1[3]));
                                     if ((((((_e298.member[0] <= _e606.member_2[0]) && (_e606.member[0] <= _e298.member_2[0])) && (_e298.member[1] <= _e606.member_2[1])) && (_e606.member[1] <= _e298.member_2[1])) && (_e298.member[2] <= _e606.member_2[2])) && (_e606.member[2] <= _e298.member_2[2])) {
                                         phi_1140_ = _e612;
                                     } else {
                                         phi_1140_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e676 = phi_1140_;
-                                    phi_1142_ = type_23(_e649.member, array<array<u32, 2>, 4>(_e649.member_1[0], _e676, _e649.member_1[2], _e649.member_1[3]));
+                                    phi_1142_ = type_24(_e649.member, array<array<u32, 2>, 4>(_e649.member_1[0], _e676, _e649.member_1[2], _e649.member_1[3]));
                                 }
                                 let _e770 = phi_1142_;
                                 phi_1143_ = _e770;
@@ -659,16 +659,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1144_ = _e772;
                             phi_1145_ = false;
                         } else {
-                            phi_1144_ = type_23();
+                            phi_1144_ = type_24();
                             phi_1145_ = true;
                         }
                         let _e774 = phi_1144_;
                         let _e776 = phi_1145_;
                         phi_1146_ = _e774;
-                        phi_1147_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1147_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1148_ = _e776;
                     } else {
-                        phi_1146_ = type_23();
+                        phi_1146_ = type_24();
                         phi_1147_ = _e404;
                         phi_1148_ = true;
                     }

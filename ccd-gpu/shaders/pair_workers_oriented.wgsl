@@ -46,7 +46,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_19 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -67,22 +67,22 @@ struct type_19 {
     member_17: u32,
 }
 
-struct type_20 {
+struct type_21 {
     member: type_7,
     member_1: type_8,
-    member_2: type_19,
+    member_2: type_20,
 }
 
-struct type_21 {
-    member: type_20,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_25 {
+struct type_26 {
     member: array<array<f32, 3>, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -91,18 +91,18 @@ struct type_25 {
     member_5: f32,
 }
 
-struct type_27 {
+struct type_28 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<f32, 3>,
     member_1: array<array<f32, 3>, 3>,
     member_2: array<f32, 3>,
@@ -118,13 +118,13 @@ struct type_35 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_21;
+var<storage> params: type_22;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_35;
 @group(0) @binding(7) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(3) 
-var<storage> oriented: type_29;
+var<storage> oriented: type_30;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_35;
 @group(0) @binding(1) 
@@ -138,7 +138,7 @@ var<workgroup> stack: array<u32, 2048>;
 var<storage, read_write> nodes: type_35;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_25;
+    var local: type_26;
     var local_1: array<array<u32, 2>, 4>;
     var phi_208_: u32;
     var phi_246_: type_9;
@@ -169,10 +169,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_657_: array<u32, 2>;
     var phi_671_: array<u32, 2>;
     var phi_708_: array<u32, 2>;
-    var phi_710_: type_23;
-    var phi_711_: type_23;
+    var phi_710_: type_24;
+    var phi_711_: type_24;
     var phi_712_: bool;
-    var phi_713_: type_23;
+    var phi_713_: type_24;
     var phi_714_: bool;
     var phi_730_: bool;
     var phi_774_: bool;
@@ -185,22 +185,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_914_: array<u32, 2>;
     var phi_943_: array<u32, 2>;
     var phi_972_: array<u32, 2>;
-    var phi_974_: type_23;
+    var phi_974_: type_24;
     var phi_975_: bool;
-    var phi_976_: type_23;
+    var phi_976_: type_24;
     var phi_977_: bool;
     var phi_1150_: array<u32, 2>;
     var phi_1182_: array<u32, 2>;
     var phi_1050_: array<u32, 2>;
     var phi_1082_: array<u32, 2>;
-    var phi_1184_: type_23;
-    var phi_1185_: type_23;
-    var phi_1186_: type_23;
+    var phi_1184_: type_24;
+    var phi_1185_: type_24;
+    var phi_1186_: type_24;
     var phi_1187_: bool;
-    var phi_1188_: type_23;
-    var phi_1189_: type_23;
+    var phi_1188_: type_24;
+    var phi_1189_: type_24;
     var phi_1190_: bool;
-    var phi_1194_: type_23;
+    var phi_1194_: type_24;
     var phi_1212_: array<u32, 2>;
     var phi_1243_: array<u32, 2>;
     var phi_1288_: type_9;
@@ -218,7 +218,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1475_: f32;
     var phi_1480_: f32;
     var phi_1485_: f32;
-    var phi_1501_: type_30;
+    var phi_1501_: type_31;
     var phi_1571_: f32;
     var phi_1577_: f32;
     var phi_1583_: f32;
@@ -228,7 +228,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1619_: f32;
     var phi_1624_: f32;
     var phi_1629_: f32;
-    var phi_1645_: type_30;
+    var phi_1645_: type_31;
     var phi_1835_: f32;
     var phi_1841_: f32;
     var phi_1848_: f32;
@@ -628,7 +628,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e284 == 1u) {
                         if (_e281[0] == _e281[1]) {
                             if (_e315.member_3 == 4294967295u) {
-                                phi_710_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                                phi_710_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
                                 let _e323 = a.member[_e315.member_1];
                                 let _e326 = a.member[_e315.member_3];
@@ -638,31 +638,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_657_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e333 = phi_657_;
-                                let _e340 = type_23(array<array<u32, 2>, 4>(_e333, type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e352 = type_23(array<array<u32, 2>, 4>(_e340.member[0], array<u32, 2>(_e315.member_1, _e340.member[1][1]), _e340.member[2], _e340.member[3]), _e340.member_1);
+                                let _e340 = type_24(array<array<u32, 2>, 4>(_e333, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e352 = type_24(array<array<u32, 2>, 4>(_e340.member[0], array<u32, 2>(_e315.member_1, _e340.member[1][1]), _e340.member[2], _e340.member[3]), _e340.member_1);
                                 let _e353 = array<u32, 2>(_e315.member_1, _e315.member_3);
-                                let _e360 = type_23(array<array<u32, 2>, 4>(_e352.member[0], _e353, _e352.member[2], _e352.member[3]), _e352.member_1);
+                                let _e360 = type_24(array<array<u32, 2>, 4>(_e352.member[0], _e353, _e352.member[2], _e352.member[3]), _e352.member_1);
                                 if !((_e326.member_3 == 4294967295u)) {
                                     phi_671_ = array<u32, 2>(_e315.member_3, _e315.member_3);
                                 } else {
                                     phi_671_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e367 = phi_671_;
-                                let _e374 = type_23(array<array<u32, 2>, 4>(_e360.member[0], _e360.member[1], _e367, _e360.member[3]), _e360.member_1);
-                                let _e377 = type_23(_e374.member, _e374.member);
+                                let _e374 = type_24(array<array<u32, 2>, 4>(_e360.member[0], _e360.member[1], _e367, _e360.member[3]), _e360.member_1);
+                                let _e377 = type_24(_e374.member, _e374.member);
                                 if ((((((_e323.member[0] <= _e326.member_2[0]) && (_e326.member[0] <= _e323.member_2[0])) && (_e323.member[1] <= _e326.member_2[1])) && (_e326.member[1] <= _e323.member_2[1])) && (_e323.member[2] <= _e326.member_2[2])) && (_e326.member[2] <= _e323.member_2[2])) {
                                     phi_708_ = _e353;
                                 } else {
                                     phi_708_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                                 let _e406 = phi_708_;
-                                phi_710_ = type_23(_e377.member, array<array<u32, 2>, 4>(_e377.member_1[0], _e406, _e377.member_1[2], _e377.member_1[3]));
+                                phi_710_ = type_24(_e377.member, array<array<u32, 2>, 4>(_e377.member_1[0], _e406, _e377.member_1[2], _e377.member_1[3]));
                             }
                             let _e415 = phi_710_;
                             phi_711_ = _e415;
                             phi_712_ = false;
                         } else {
-                            phi_711_ = type_23();
+                            phi_711_ = type_24();
                             phi_712_ = true;
                         }
                         let _e417 = phi_711_;
@@ -670,7 +670,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_713_ = _e417;
                         phi_714_ = _e419;
                     } else {
-                        phi_713_ = type_23();
+                        phi_713_ = type_24();
                         phi_714_ = true;
                     }
                     let _e421 = phi_713_;
@@ -747,10 +747,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_972_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e605 = phi_972_;
-                                    phi_974_ = type_23(array<array<u32, 2>, 4>(_e495, _e498, _e501, _e504), array<array<u32, 2>, 4>(_e530, _e555, _e580, _e605));
+                                    phi_974_ = type_24(array<array<u32, 2>, 4>(_e495, _e498, _e501, _e504), array<array<u32, 2>, 4>(_e530, _e555, _e580, _e605));
                                     phi_975_ = false;
                                 } else {
-                                    phi_974_ = type_23();
+                                    phi_974_ = type_24();
                                     phi_975_ = true;
                                 }
                                 let _e609 = phi_974_;
@@ -758,7 +758,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_976_ = _e609;
                                 phi_977_ = _e611;
                             } else {
-                                phi_976_ = type_23();
+                                phi_976_ = type_24();
                                 phi_977_ = true;
                             }
                             let _e613 = phi_976_;
@@ -769,41 +769,41 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e708 = a.member[_e315.member_3];
                                     let _e712 = array<u32, 2>(_e315.member_1, _e281[1]);
                                     let _e714 = array<u32, 2>(_e315.member_3, _e281[1]);
-                                    let _e717 = type_23(array<array<u32, 2>, 4>(_e712, _e714, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e717 = type_24(array<array<u32, 2>, 4>(_e712, _e714, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     if ((((((_e703.member[0] <= _e317.member_2[0]) && (_e317.member[0] <= _e703.member_2[0])) && (_e703.member[1] <= _e317.member_2[1])) && (_e317.member[1] <= _e703.member_2[1])) && (_e703.member[2] <= _e317.member_2[2])) && (_e317.member[2] <= _e703.member_2[2])) {
                                         phi_1050_ = _e712;
                                     } else {
                                         phi_1050_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e744 = phi_1050_;
-                                    let _e751 = type_23(_e717.member, array<array<u32, 2>, 4>(_e744, _e717.member_1[1], _e717.member_1[2], _e717.member_1[3]));
+                                    let _e751 = type_24(_e717.member, array<array<u32, 2>, 4>(_e744, _e717.member_1[1], _e717.member_1[2], _e717.member_1[3]));
                                     if ((((((_e708.member[0] <= _e317.member_2[0]) && (_e317.member[0] <= _e708.member_2[0])) && (_e708.member[1] <= _e317.member_2[1])) && (_e317.member[1] <= _e708.member_2[1])) && (_e708.member[2] <= _e317.member_2[2])) && (_e317.member[2] <= _e708.member_2[2])) {
                                         phi_1082_ = _e714;
                                     } else {
                                         phi_1082_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e778 = phi_1082_;
-                                    phi_1184_ = type_23(_e751.member, array<array<u32, 2>, 4>(_e751.member_1[0], _e778, _e751.member_1[2], _e751.member_1[3]));
+                                    phi_1184_ = type_24(_e751.member, array<array<u32, 2>, 4>(_e751.member_1[0], _e778, _e751.member_1[2], _e751.member_1[3]));
                                 } else {
                                     let _e618 = b.member[_e317.member_1];
                                     let _e623 = b.member[_e317.member_3];
                                     let _e627 = array<u32, 2>(_e281[0], _e317.member_1);
                                     let _e629 = array<u32, 2>(_e281[0], _e317.member_3);
-                                    let _e632 = type_23(array<array<u32, 2>, 4>(_e627, _e629, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e632 = type_24(array<array<u32, 2>, 4>(_e627, _e629, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
                                     if ((((((_e315.member[0] <= _e618.member_2[0]) && (_e618.member[0] <= _e315.member_2[0])) && (_e315.member[1] <= _e618.member_2[1])) && (_e618.member[1] <= _e315.member_2[1])) && (_e315.member[2] <= _e618.member_2[2])) && (_e618.member[2] <= _e315.member_2[2])) {
                                         phi_1150_ = _e627;
                                     } else {
                                         phi_1150_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e659 = phi_1150_;
-                                    let _e666 = type_23(_e632.member, array<array<u32, 2>, 4>(_e659, _e632.member_1[1], _e632.member_1[2], _e632.member_1[3]));
+                                    let _e666 = type_24(_e632.member, array<array<u32, 2>, 4>(_e659, _e632.member_1[1], _e632.member_1[2], _e632.member_1[3]));
                                     if ((((((_e315.member[0] <= _e623.member_2[0]) && (_e623.member[0] <= _e315.member_2[0])) && (_e315.member[1] <= _e623.member_2[1])) && (_e623.member[1] <= _e315.member_2[1])) && (_e315.member[2] <= _e623.member_2[2])) && (_e623.member[2] <= _e315.member_2[2])) {
                                         phi_1182_ = _e629;
                                     } else {
                                         phi_1182_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
                                     let _e693 = phi_1182_;
-                                    phi_1184_ = type_23(_e666.member, array<array<u32, 2>, 4>(_e666.member_1[0], _e693, _e666.member_1[2], _e666.member_1[3]));
+                                    phi_1184_ = type_24(_e666.member, array<array<u32, 2>, 4>(_e666.member_1[0], _e693, _e666.member_1[2], _e666.member_1[3]));
                                 }
                                 let _e787 = phi_1184_;
                                 phi_1185_ = _e787;
@@ -814,16 +814,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_1186_ = _e789;
                             phi_1187_ = false;
                         } else {
-                            phi_1186_ = type_23();
+                            phi_1186_ = type_24();
                             phi_1187_ = true;
                         }
                         let _e791 = phi_1186_;
                         let _e793 = phi_1187_;
                         phi_1188_ = _e791;
-                        phi_1189_ = type_23(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1189_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                         phi_1190_ = _e793;
                     } else {
-                        phi_1188_ = type_23();
+                        phi_1188_ = type_24();
                         phi_1189_ = _e421;
                         phi_1190_ = true;
                     }
@@ -899,7 +899,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     if _e891 {
                                         if (_e879[0] < _e815) {
                                             let _e971 = oriented.member[(_e832 + _e879[0])];
-                                            phi_1501_ = type_30(array<f32, 3>(_e971.member.x, _e971.member.y, _e971.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e971.member.w, _e971.member_1.x, _e971.member_1.y), array<f32, 3>(_e971.member_1.z, _e971.member_1.w, _e971.member_2.x), array<f32, 3>(_e971.member_2.y, _e971.member_2.z, _e971.member_2.w)), array<f32, 3>(_e971.member_3.x, _e971.member_3.y, _e971.member_3.z));
+                                            phi_1501_ = type_31(array<f32, 3>(_e971.member.x, _e971.member.y, _e971.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e971.member.w, _e971.member_1.x, _e971.member_1.y), array<f32, 3>(_e971.member_1.z, _e971.member_1.w, _e971.member_2.x), array<f32, 3>(_e971.member_2.y, _e971.member_2.z, _e971.member_2.w)), array<f32, 3>(_e971.member_3.x, _e971.member_3.y, _e971.member_3.z));
                                         } else {
                                             let _e894 = a.member[_e879[0]];
                                             let _e909 = ((_e894.member[0] * 0.5f) + (_e894.member_2[0] * 0.5f));
@@ -967,12 +967,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e957 = phi_1485_;
                                             let _e959 = (1f + (0.000000059604645f * 4f));
                                             let _e963 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1501_ = type_30(array<f32, 3>(_e927, _e931, _e935), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e951 * _e959) + _e963), ((_e954 * _e959) + _e963), ((_e957 * _e959) + _e963)));
+                                            phi_1501_ = type_31(array<f32, 3>(_e927, _e931, _e935), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e951 * _e959) + _e963), ((_e954 * _e959) + _e963), ((_e957 * _e959) + _e963)));
                                         }
                                         let _e1010 = phi_1501_;
                                         if (_e879[1] < _e820) {
                                             let _e1090 = oriented.member[(_e836 + _e879[1])];
-                                            phi_1645_ = type_30(array<f32, 3>(_e1090.member.x, _e1090.member.y, _e1090.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1090.member.w, _e1090.member_1.x, _e1090.member_1.y), array<f32, 3>(_e1090.member_1.z, _e1090.member_1.w, _e1090.member_2.x), array<f32, 3>(_e1090.member_2.y, _e1090.member_2.z, _e1090.member_2.w)), array<f32, 3>(_e1090.member_3.x, _e1090.member_3.y, _e1090.member_3.z));
+                                            phi_1645_ = type_31(array<f32, 3>(_e1090.member.x, _e1090.member.y, _e1090.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1090.member.w, _e1090.member_1.x, _e1090.member_1.y), array<f32, 3>(_e1090.member_1.z, _e1090.member_1.w, _e1090.member_2.x), array<f32, 3>(_e1090.member_2.y, _e1090.member_2.z, _e1090.member_2.w)), array<f32, 3>(_e1090.member_3.x, _e1090.member_3.y, _e1090.member_3.z));
                                         } else {
                                             let _e1013 = b.member[_e879[1]];
                                             let _e1028 = ((_e1013.member[0] * 0.5f) + (_e1013.member_2[0] * 0.5f));
@@ -1040,7 +1040,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1076 = phi_1629_;
                                             let _e1078 = (1f + (0.000000059604645f * 4f));
                                             let _e1082 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1645_ = type_30(array<f32, 3>(_e1046, _e1050, _e1054), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1070 * _e1078) + _e1082), ((_e1073 * _e1078) + _e1082), ((_e1076 * _e1078) + _e1082)));
+                                            phi_1645_ = type_31(array<f32, 3>(_e1046, _e1050, _e1054), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1070 * _e1078) + _e1082), ((_e1073 * _e1078) + _e1082), ((_e1076 * _e1078) + _e1082)));
                                         }
                                         let _e1129 = phi_1645_;
                                         let _e1134 = (_e1129.member[0] - _e1010.member[0]);
@@ -1100,7 +1100,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_1896_ = _e1129.member_2[2];
                                         }
                                         let _e1374 = phi_1896_;
-                                        local = type_25(array<array<f32, 3>, 3>(array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[0][0]) + (_e1129.member_1[0][1] * _e1010.member_1[0][1])) + (_e1129.member_1[0][2] * _e1010.member_1[0][2])), (((_e1129.member_1[1][0] * _e1010.member_1[0][0]) + (_e1129.member_1[1][1] * _e1010.member_1[0][1])) + (_e1129.member_1[1][2] * _e1010.member_1[0][2])), (((_e1129.member_1[2][0] * _e1010.member_1[0][0]) + (_e1129.member_1[2][1] * _e1010.member_1[0][1])) + (_e1129.member_1[2][2] * _e1010.member_1[0][2]))), array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[1][0]) + (_e1129.member_1[0][1] * _e1010.member_1[1][1])) + (_e1129.member_1[0][2] * _e1010.member_1[1][2])), (((_e1129.member_1[1][0] * _e1010.member_1[1][0]) + (_e1129.member_1[1][1] * _e1010.member_1[1][1])) + (_e1129.member_1[1][2] * _e1010.member_1[1][2])), (((_e1129.member_1[2][0] * _e1010.member_1[1][0]) + (_e1129.member_1[2][1] * _e1010.member_1[1][1])) + (_e1129.member_1[2][2] * _e1010.member_1[1][2]))), array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[2][0]) + (_e1129.member_1[0][1] * _e1010.member_1[2][1])) + (_e1129.member_1[0][2] * _e1010.member_1[2][2])), (((_e1129.member_1[1][0] * _e1010.member_1[2][0]) + (_e1129.member_1[1][1] * _e1010.member_1[2][1])) + (_e1129.member_1[1][2] * _e1010.member_1[2][2])), (((_e1129.member_1[2][0] * _e1010.member_1[2][0]) + (_e1129.member_1[2][1] * _e1010.member_1[2][1])) + (_e1129.member_1[2][2] * _e1010.member_1[2][2])))), array<f32, 3>((((_e1010.member_1[0][0] * _e1134) + (_e1010.member_1[0][1] * _e1137)) + (_e1010.member_1[0][2] * _e1140)), (((_e1010.member_1[1][0] * _e1134) + (_e1010.member_1[1][1] * _e1137)) + (_e1010.member_1[1][2] * _e1140)), (((_e1010.member_1[2][0] * _e1134) + (_e1010.member_1[2][1] * _e1137)) + (_e1010.member_1[2][2] * _e1140))), array<f32, 3>((((_e1129.member_1[0][0] * _e1134) + (_e1129.member_1[0][1] * _e1137)) + (_e1129.member_1[0][2] * _e1140)), (((_e1129.member_1[1][0] * _e1134) + (_e1129.member_1[1][1] * _e1137)) + (_e1129.member_1[1][2] * _e1140)), (((_e1129.member_1[2][0] * _e1134) + (_e1129.member_1[2][1] * _e1137)) + (_e1129.member_1[2][2] * _e1140))), array<f32, 3>(_e1010.member_2[0], _e1010.member_2[1], _e1010.member_2[2]), array<f32, 3>(_e1129.member_2[0], _e1129.member_2[1], _e1129.member_2[2]), ((((((_e1329 + _e1333) + _e1338) + (((_e1345 + _e1350) + _e1356) + ((_e1363 + _e1368) + _e1374))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        local = type_26(array<array<f32, 3>, 3>(array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[0][0]) + (_e1129.member_1[0][1] * _e1010.member_1[0][1])) + (_e1129.member_1[0][2] * _e1010.member_1[0][2])), (((_e1129.member_1[1][0] * _e1010.member_1[0][0]) + (_e1129.member_1[1][1] * _e1010.member_1[0][1])) + (_e1129.member_1[1][2] * _e1010.member_1[0][2])), (((_e1129.member_1[2][0] * _e1010.member_1[0][0]) + (_e1129.member_1[2][1] * _e1010.member_1[0][1])) + (_e1129.member_1[2][2] * _e1010.member_1[0][2]))), array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[1][0]) + (_e1129.member_1[0][1] * _e1010.member_1[1][1])) + (_e1129.member_1[0][2] * _e1010.member_1[1][2])), (((_e1129.member_1[1][0] * _e1010.member_1[1][0]) + (_e1129.member_1[1][1] * _e1010.member_1[1][1])) + (_e1129.member_1[1][2] * _e1010.member_1[1][2])), (((_e1129.member_1[2][0] * _e1010.member_1[1][0]) + (_e1129.member_1[2][1] * _e1010.member_1[1][1])) + (_e1129.member_1[2][2] * _e1010.member_1[1][2]))), array<f32, 3>((((_e1129.member_1[0][0] * _e1010.member_1[2][0]) + (_e1129.member_1[0][1] * _e1010.member_1[2][1])) + (_e1129.member_1[0][2] * _e1010.member_1[2][2])), (((_e1129.member_1[1][0] * _e1010.member_1[2][0]) + (_e1129.member_1[1][1] * _e1010.member_1[2][1])) + (_e1129.member_1[1][2] * _e1010.member_1[2][2])), (((_e1129.member_1[2][0] * _e1010.member_1[2][0]) + (_e1129.member_1[2][1] * _e1010.member_1[2][1])) + (_e1129.member_1[2][2] * _e1010.member_1[2][2])))), array<f32, 3>((((_e1010.member_1[0][0] * _e1134) + (_e1010.member_1[0][1] * _e1137)) + (_e1010.member_1[0][2] * _e1140)), (((_e1010.member_1[1][0] * _e1134) + (_e1010.member_1[1][1] * _e1137)) + (_e1010.member_1[1][2] * _e1140)), (((_e1010.member_1[2][0] * _e1134) + (_e1010.member_1[2][1] * _e1137)) + (_e1010.member_1[2][2] * _e1140))), array<f32, 3>((((_e1129.member_1[0][0] * _e1134) + (_e1129.member_1[0][1] * _e1137)) + (_e1129.member_1[0][2] * _e1140)), (((_e1129.member_1[1][0] * _e1134) + (_e1129.member_1[1][1] * _e1137)) + (_e1129.member_1[1][2] * _e1140)), (((_e1129.member_1[2][0] * _e1134) + (_e1129.member_1[2][1] * _e1137)) + (_e1129.member_1[2][2] * _e1140))), array<f32, 3>(_e1010.member_2[0], _e1010.member_2[1], _e1010.member_2[2]), array<f32, 3>(_e1129.member_2[0], _e1129.member_2[1], _e1129.member_2[2]), ((((((_e1329 + _e1333) + _e1338) + (((_e1345 + _e1350) + _e1356) + ((_e1363 + _e1368) + _e1374))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
                                         let _e1401 = local.member[0u][0u];
                                         let _e1405 = local.member[0u][1u];
                                         let _e1409 = local.member[0u][2u];

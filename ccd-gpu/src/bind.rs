@@ -18,8 +18,8 @@ pub trait Bind<B> {
     fn buffers_mut(&mut self) -> Vec<&mut B>;
 }
 
-/// Bytes that the parameters of a dispatch have room for: twice the greatest alignment of them that
-/// a device may ask for.
+/// Bytes reserved for the parameters of a dispatch: twice the greatest alignment of them that a
+/// device may ask for.
 pub const PARAMS_BYTES: usize = 512;
 
 macro_rules! args {

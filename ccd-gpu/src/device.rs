@@ -9,6 +9,7 @@ use crate::adapter::{self, DeviceOptions, Info, Path};
 use crate::error::{Error, Faults};
 use crate::kernel_cache::Cache;
 use crate::pipeline::{Checked, Pipeline};
+use bytemuck::Pod;
 use ccd_core::backend::kernel::TABLE;
 use memory::Memory;
 use std::fmt;
@@ -312,6 +313,18 @@ impl Device {
             self.give_back(bytes);
         }
         made
+    }
+
+    /// A buffer that holds these words.
+    pub(crate) fn sent<T: Pod>(
+        &self,
+        what: &'static str,
+        words: &[T],
+    ) -> Result<wgpu::Buffer, Error> {
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
+        let buffer = self.buffer(what, size_of_val(words) as u64, usage)?;
+        self.write(what, &buffer, 0, bytemuck::cast_slice(words))?;
+        Ok(buffer)
     }
 
     /// Writes to a buffer from byte `at` on. The only place that does: memory on the way to the

@@ -1,10 +1,10 @@
-//! Lists that kernels append to: a header that counts what was wanted, then the entries for which
-//! there was room.
+//! Lists that kernels append to: a header that counts the entries wanted, then as many of them as
+//! the capacity allows.
 
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::word;
-use ccd_core::backend::layout::{LIST_HEADER, Pair};
+use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.
@@ -13,7 +13,7 @@ pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 /// What the header of a list says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Header {
-    /// Entries wanted, which may exceed the room.
+    /// Entries wanted, which may exceed the capacity.
     pub wanted: u32,
     /// Candidates looked at.
     pub looked_at: u32,
@@ -54,15 +54,25 @@ pub fn until_complete<T>(mut run: impl FnMut() -> Result<Option<T>, Error>) -> R
     Err(Error::Incomplete { runs: MOST_RUNS })
 }
 
+/// The dispatches over `n` items, or entries of a list with that capacity, of at most `limit` each.
+pub fn parts(n: u32, limit: u32, capacity_out: u32) -> impl Iterator<Item = Dispatch> {
+    (0..n).step_by(limit as usize).map(move |first| Dispatch {
+        n: (n - first).min(limit),
+        first,
+        capacity_in: n,
+        capacity_out,
+    })
+}
+
 /// A list on the device.
 ///
 /// ```no_run
 /// use ccd_gpu::{Error, Session};
 ///
-/// // What there is of a list is in `buffer()`, its first `bytes(n)` of `n` entries.
+/// // The first `n` entries of a list are in the first `bytes(n)` of `buffer()`.
 /// fn show(session: &mut Session, x: &[[f32; 3]]) -> Result<(), Error> {
 ///     for list in session.candidates_on_device(x, x)? {
-///         println!("room for {} pairs in {} bytes", list.room(), list.bytes(list.room()));
+///         println!("{} pairs fit in {} bytes", list.capacity(), list.bytes(list.capacity()));
 ///     }
 ///     Ok(())
 /// }
@@ -74,15 +84,15 @@ pub struct List {
     buffer: wgpu::Buffer,
     /// Entries that fit.
     capacity: u32,
-    /// 32-bit words of an entry; 0: there are no entries and never room for one, so that a header
-    /// which counts any says that a search is not complete.
+    /// 32-bit words of an entry; 0: no entries and no capacity for one, so that a header which
+    /// counts any says that a search is not complete.
     words: u32,
-    /// Whether more was wanted than there was room for when [`List::grow`] looked last.
+    /// Whether more entries were wanted than fit when [`List::grow`] looked last.
     was_short: bool,
 }
 
 impl List {
-    /// A list of entries of `words` words with room for `capacity`.
+    /// A list with a capacity of entries of `words` words each.
     ///
     /// # Errors
     /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
@@ -129,7 +139,7 @@ impl List {
         HEADER_BYTES + n.min(self.capacity) as u64 * self.words as u64 * 4
     }
 
-    /// The same list with another room; one without entries stays as it is.
+    /// The same list with another capacity; one without entries stays as it is.
     ///
     /// # Errors
     /// Those of [`List::new`].
@@ -137,8 +147,8 @@ impl List {
         Self::new(device, self.what, self.words, if self.words == 0 { 0 } else { capacity })
     }
 
-    /// A list with room for `capacity`: one that was made for the same purpose, if it is there and
-    /// has as much, else a new one.
+    /// A list of at least this capacity: one that was made for the same purpose, if it is large
+    /// enough, else a new one.
     ///
     /// # Errors
     /// Those of [`List::new`].
@@ -155,14 +165,14 @@ impl List {
         }
     }
 
-    /// Takes the place of a list for the same purpose that has less room.
+    /// Replaces a shorter list for the same purpose.
     pub fn replace_shorter(&self, other: &mut Self) {
         if other.what == self.what && other.words == self.words && other.capacity < self.capacity {
             *other = self.clone();
         }
     }
 
-    /// Whether more was wanted than there was room for in the last search that was read.
+    /// Whether more entries were wanted than fit in the last search that was read.
     pub(crate) fn was_short(&self) -> bool {
         self.was_short
     }
@@ -184,8 +194,8 @@ impl List {
         any
     }
 
-    /// If more than there is room for was `wanted`, replaces the list by a larger one, if it has
-    /// entries. Returns whether it was too short.
+    /// Replaces the list by a larger one if more entries were `wanted` than fit. Returns whether it
+    /// was too short.
     ///
     /// # Errors
     /// Those of [`List::new`].

@@ -1,11 +1,11 @@
-//! Compiled kernels on disk, so that the next process takes them from there: one file for a kind of
-//! GPU, checked before it is used, replaced as a whole.
+//! Compiled kernels on disk, for the next process: one file for a kind of GPU, checked before it is
+//! used, replaced at once.
 //!
-//! A file is a header and what the driver gave: the magic word, a digest of everything that the
-//! content depends on and we know (this format, the kernels' manifest, adapter, driver), the length
-//! of the rest, a digest of the rest. A file in which anything of it differs is no file: it is
-//! compiled anew and replaced. wgpu and the driver have headers of their own inside and check them.
-//! Whatever fails here costs a compilation and is never an error.
+//! A file is a header and what the driver gave: the magic word, a digest of what the content
+//! depends on (this format, the kernels' manifest, adapter, driver), the length of the rest, a
+//! digest of the rest. A file whose header differs is ignored: kernels are compiled anew and it is
+//! replaced. wgpu and the driver have headers of their own inside and check them. Whatever fails
+//! here costs a compilation and is never an error.
 //!
 //! A digest finds damage, not malice: who may write the file hands the driver what they like. So on
 //! Unix nothing is read or written but in a folder that is the user's own, or from a file that is
@@ -118,9 +118,9 @@ impl KernelFile {
 
 /// Another version of the standard library may compute another one: then kernels are compiled once
 /// more.
-fn digest(of: &(impl Hash + ?Sized)) -> u64 {
+fn digest(content: &(impl Hash + ?Sized)) -> u64 {
     let mut hasher = std::hash::DefaultHasher::new();
-    of.hash(&mut hasher);
+    content.hash(&mut hasher);
     hasher.finish()
 }
 

@@ -50,7 +50,8 @@ impl Pipeline {
                 })
             }
             Path::Passthrough => {
-                let spirv = checked.map_or_else(module, |of| of.modules[id as usize].clone());
+                let spirv =
+                    checked.map_or_else(module, |checked| checked.modules[id as usize].clone());
                 let words: Vec<u32> = spirv
                     .chunks_exact(4)
                     .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))

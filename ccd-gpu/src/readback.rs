@@ -1,5 +1,4 @@
-//! From the device: parts of buffers are copied into one that the host can map. A part is known by
-//! the name that its owner gave it.
+//! Reading from the device: parts of buffers are copied into one that the host can map.
 
 use crate::device::Device;
 use crate::error::Error;
@@ -23,7 +22,7 @@ pub struct Part {
     pub bytes: u64,
 }
 
-/// A plan for which there is room.
+/// A plan with its buffer.
 #[derive(Clone, Debug)]
 pub struct Reading {
     pub buffer: wgpu::Buffer,
@@ -40,7 +39,7 @@ impl Plan {
 }
 
 impl Readback {
-    /// Makes room for what is planned.
+    /// Makes the buffer large enough for a plan.
     pub fn prepare(&mut self, device: &Device, plan: Plan) -> Result<Reading, Error> {
         let Plan { bytes } = plan;
         let buffer = match self.buffer.take().filter(|b| b.size() >= bytes) {
@@ -67,7 +66,7 @@ impl Readback {
 }
 
 impl Reading {
-    /// Waits and calls `read` with what was planned, from which each part takes its own.
+    /// Waits and calls `read` with the bytes of all parts; see [`Part::of`].
     pub fn with<T>(&self, device: &Device, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
         map(device, &self.buffer, self.bytes, read)
     }

@@ -20,7 +20,7 @@ const MAX_DISPATCHES: u64 = 2048;
 /// Stages of one recording, at most.
 const MAX_STAGES: u32 = 32;
 
-/// What timestamps of the device tell.
+/// What timestamps of the device measure.
 ///
 /// ```no_run
 /// use ccd_gpu::{Error, Session, Timing};
@@ -126,7 +126,7 @@ impl Bench {
         };
         let made = device.guarded("bindings", 0, || commands.iter().filter_map(group).collect());
         if made.is_err() {
-            // What the device refused is there all the same, and of no use.
+            // A bind group that the device refused exists all the same, and is of no use.
             self.forget();
         }
         made
@@ -166,7 +166,7 @@ pub struct Recorder<'a> {
     params: Vec<u8>,
 }
 
-/// What is recorded.
+/// A recorded command.
 enum Command {
     /// A stage begins.
     Stage(&'static str),
@@ -338,7 +338,7 @@ pub fn submit(
     })?
 }
 
-/// The bindings of a kernel: of what it is told, at the offset of a dispatch, and its buffers.
+/// The bindings of a kernel: its parameters, at the offset of a dispatch, and its buffers.
 fn bind_group(
     device: &Device,
     id: Id,

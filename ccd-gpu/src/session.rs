@@ -179,8 +179,8 @@ impl Engine {
         self.frames.grown
     }
 
-    /// Makes room for so many entries in every list, more or less than there is: less makes the
-    /// next step grow them, more spares it that.
+    /// Gives every list this capacity: a smaller one makes the next step grow it, a larger one
+    /// spares it that.
     ///
     /// # Errors
     /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
@@ -191,8 +191,8 @@ impl Engine {
     fn list(&mut self, given: Given) -> Result<Candidates, Error> {
         self.run(given, WHOLE, Goal::Candidates)?;
         let lists = self.frames.read_candidates(&self.device, self.state.report.candidates)?;
-        let of = self.codimensional.as_ref().map(|of| of.pairs.clone());
-        Ok(Candidates::new(lists, of.unwrap_or_default()))
+        let codimensional = self.codimensional.as_ref().map(|found| found.pairs.clone());
+        Ok(Candidates::new(lists, codimensional.unwrap_or_default()))
     }
 
     #[inline(never)]
@@ -259,14 +259,15 @@ impl Engine {
         (goal, window): (Goal, [f64; 2]),
         given: Given,
     ) -> Result<(), Error> {
-        let Self { state, codimensional: Some(of), frames, .. } = self else { return Ok(()) };
+        let Self { state, codimensional: Some(found), frames, .. } = self else { return Ok(()) };
         let State { mesh, options, report } = state;
-        of.list(mesh, (frames.buffers.rules.as_ref(), options.min_distance), given)?;
-        let [ve, vv] = of.pairs.each_ref().map(|pairs| pairs.len() as u64);
+        found.list(mesh, (frames.buffers.rules.as_ref(), options.min_distance), given)?;
+        let [ve, vv] = found.pairs.each_ref().map(|pairs| pairs.len() as u64);
         (report.candidates.ve, report.candidates.vv) = (ve, vv);
         (report.filtered.ve, report.filtered.vv) = (ve, vv);
         if goal != Goal::Candidates {
-            of.contacts(mesh, &options.search(window), given)
+            found
+                .contacts(mesh, &options.search(window), given)
                 .for_each(|contact| report.add(contact, goal == Goal::Contacts));
         }
         Ok(())

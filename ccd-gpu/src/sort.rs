@@ -19,13 +19,8 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Room for `n` pairs.
-    pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
-        Self::reusing(device, n, None)
-    }
-
-    /// The same, with the buffers of another sort as far as they are large enough.
-    pub fn reusing(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
+    /// Capacity for `n` pairs; the buffers of another sort, if they are large enough.
+    pub fn new(device: &Device, n: u32, old: Option<&Self>) -> Result<Self, Error> {
         if let Some(old) = old.filter(|old| old.capacity >= n) {
             return Ok(old.clone());
         }
@@ -40,7 +35,7 @@ impl Sort {
         })
     }
 
-    /// Pairs for which there is room.
+    /// Pairs that fit.
     pub fn capacity(&self) -> u32 {
         self.capacity
     }
@@ -97,7 +92,7 @@ pub struct Sorter {
 }
 
 impl Sorter {
-    /// Room for `n` pairs.
+    /// A sorter of `n` pairs.
     ///
     /// # Errors
     /// What the device refuses.
@@ -108,7 +103,7 @@ impl Sorter {
         bench.set_timing(Timing::Kernels)?;
         Ok(Self {
             bench,
-            sort: Sort::new(device, n)?,
+            sort: Sort::new(device, n, None)?,
             source: [source("keys")?, source("values")?],
             device: device.clone(),
             n,
@@ -121,11 +116,11 @@ impl Sorter {
     /// What the device refuses.
     ///
     /// # Panics
-    /// If there are not as many keys, and values, as room was made for.
+    /// If the number of keys or values is not that of [`Sorter::new`].
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
         assert!(
             keys.len() == self.n as usize && values.len() == keys.len(),
-            "another number of pairs than room was made for"
+            "another number of pairs than the sorter was made for"
         );
         for (to, words) in self.source.iter().zip([keys, values]) {
             self.device.write("keys and values", to, 0, bytemuck::cast_slice(words))?;

@@ -1,6 +1,6 @@
-//! Entry points: each names its threads, workgroup memory, record and views once.
+//! A macro for entry points: each names its threads, workgroup memory, record and views once.
 
-/// Which thread this is.
+/// The number of a thread.
 #[derive(Clone, Copy)]
 pub(crate) struct Thread {
     /// Its number among all.

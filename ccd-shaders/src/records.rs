@@ -1,5 +1,5 @@
-//! Records as a device reads and writes them fastest: by words of two and four numbers, each in one
-//! piece. The fields are those of `ccd_core::backend::layout`, in their order.
+//! Records in words of two and four numbers, which a device reads and writes in one piece each. The
+//! fields are those of `ccd_core::backend::layout`, in their order.
 
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::node_numbering;

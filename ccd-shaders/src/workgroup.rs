@@ -1,7 +1,7 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 //!
-//! No index is checked here. What a wrong one does is said in `ccd_core::backend::kernel::memory`:
-//! of a buffer it stays inside by the device's robustness, of workgroup memory nothing bounds it.
+//! No index is checked here; see `ccd_core::backend::kernel::memory`. One past the end of a buffer
+//! stays inside by the device's robustness; of workgroup memory nothing bounds it.
 #![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
 use ccd_core::backend::kernel::Words;
@@ -27,7 +27,7 @@ pub fn group(id: UVec3, n: UVec3) -> u32 {
     id.y * n.x + id.x
 }
 
-/// Adds to a word of a buffer and returns what it was.
+/// Adds to a word of a buffer and returns the old value.
 #[inline(always)]
 pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
     // SAFETY: callers' indices are in range, and robustBufferAccess bounds them; the scope and the
@@ -35,8 +35,8 @@ pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
     unsafe { atomic_i_add::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) }
 }
 
-/// Adds to word 0 or 1 of a list's header and returns what it was; two words behind it is counted
-/// how often it ran over.
+/// Adds to word 0 or 1 of a list's header and returns the old value; the word two behind it counts
+/// overflows.
 #[inline(always)]
 pub fn count(list: &mut [u32], i: usize, value: u32) -> u32 {
     let old = add(list, i, value);
@@ -74,7 +74,7 @@ pub fn load(words: &[u32], i: usize) -> u32 {
     unsafe { atomic_load::<u32, DEVICE, RELAXED>(words.get_unchecked(i)) }
 }
 
-/// Adds to a word of workgroup memory and returns what it was.
+/// Adds to a word of workgroup memory and returns the old value.
 #[inline(always)]
 pub fn add_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) -> u32 {
     // SAFETY: callers' indices are in range, and nothing else bounds them; the scope is that of the
@@ -127,9 +127,9 @@ pub fn barrier() {
     spirv_std::arch::workgroup_memory_barrier_with_group_sync();
 }
 
-/// A word of workgroup memory by which all threads decide alike, also whether they come to a
-/// barrier. Two barriers; the translation to WGSL knows the three instructions by their order, and
-/// makes them a `workgroupUniformLoad`, so that browsers see it. No atomics on that memory.
+/// A word of workgroup memory by which all threads decide alike, also whether they reach a barrier.
+/// Two barriers; the translation to WGSL knows the three instructions by their order, and makes
+/// them a `workgroupUniformLoad`, so that browsers see it. No atomics on that memory.
 #[inline(always)]
 pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
     barrier();
@@ -138,7 +138,7 @@ pub fn get_uniform<const N: usize>(shared: &[u32; N], i: u32) -> u32 {
     word
 }
 
-/// Entries of a list that are there: those wanted, as far as there was room.
+/// Length of a list: the entries wanted, at most its capacity.
 #[inline(always)]
 pub fn length(list: &[u32], capacity: u32) -> u32 {
     at(list, 0).min(capacity)
@@ -159,7 +159,7 @@ pub fn read_pair(list: &[u32], i: u32) -> Pair {
     Pair { a: at(list, from), b: at(list, from + 1) }
 }
 
-/// Writes pair `i` of a list; one for which there is no room is only counted.
+/// Writes pair `i` of a list; one beyond the capacity is only counted.
 #[inline(always)]
 pub fn write_pair(list: &mut [u32], capacity: u32, i: u32, pair: Pair) {
     if i < capacity {
@@ -202,7 +202,7 @@ pub fn barrier_of_buffers() {
 pub struct DeviceWords<'a> {
     words: *mut [u32],
     first: usize,
-    of: PhantomData<&'a mut [u32]>,
+    lifetime: PhantomData<&'a mut [u32]>,
 }
 
 impl<'a> DeviceWords<'a> {
@@ -215,7 +215,7 @@ impl<'a> DeviceWords<'a> {
     /// The same from word `first` on.
     #[inline(always)]
     pub fn behind(words: &'a mut [u32], first: usize) -> Self {
-        Self { words, first, of: PhantomData }
+        Self { words, first, lifetime: PhantomData }
     }
 
     /// Word `i`, for an atomic operation.

@@ -180,9 +180,9 @@ fn steal(device: &Device, seen: &mut [u64; 3]) {
         (Stealing { workers: 1, ..args }, 30),
         (args, 200),
         (Stealing { most: 2, ..args }, 200),
-        (Stealing { workers: 40, batches: 2, batch: 1, ..args }, 70),
-        (Stealing { workers: 40, batches: 2, batch: 1, most: 2, ..args }, 70),
-        (Stealing { workers: 5, batch: 64, most: 8, ..args }, 2000),
+        (Stealing { workers: 32, batches: 2, batch: 1, ..args }, 70),
+        (Stealing { workers: 32, batches: 2, batch: 1, most: 2, ..args }, 70),
+        (Stealing { workers: 4, batch: 64, most: 8, ..args }, 2000),
         (Stealing { workers: 4, batches: 2, batch: 1, ..args }, 300),
         (Stealing { workers: 4, batches: 2, batch: 1, most: 1, ..args }, 300),
     ] {

@@ -1,5 +1,7 @@
 //! A tree of pairs: the pairs of nodes that a simultaneous traversal of two hierarchies visits,
 //! each the parent of the overlapping pairs of its children. Any scheduler can run it.
+//!
+//! Twin: of ccd-shaders `scheduler/worker.rs`, whose workers are written over such trees.
 
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::RowSimd;

@@ -6,7 +6,7 @@ use super::builder::{self, TreeBuilder};
 use crate::bind::{BranchBoxes, FarNodes, NearNodes, TraverseFull, TraverseHalf};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, List};
+use crate::growable_list::{HEADER_BYTES, List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::kernel::Id;
@@ -26,7 +26,7 @@ pub struct BinaryTree {
     /// Internal nodes and leaves with a box each, for pairs of nodes; or, for queries, internal
     /// nodes with the boxes of both children.
     pub nodes: wgpu::Buffer,
-    /// For queries: nodes whose leaves are far from one another, the head of a list, then room for
+    /// For queries: a list of the nodes whose leaves are far from one another, of which it holds
     /// all.
     far: Option<wgpu::Buffer>,
     /// Leaves.
@@ -34,7 +34,7 @@ pub struct BinaryTree {
 }
 
 impl BinaryTree {
-    /// Room for a tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
+    /// A tree over `n` boxes of a set, at least one: for queries, or for pairs of nodes.
     pub fn new(
         device: &Device,
         choice: Builder,
@@ -103,7 +103,7 @@ impl BinaryTree {
         }
     }
 
-    /// What kernels over the nodes of the tree are told.
+    /// The parameters of kernels over the nodes of the tree.
     pub fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
         let args = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
         Params { frame: *frame, dispatch: Dispatch::default(), args }
@@ -120,7 +120,7 @@ impl BinaryTree {
         pairs: &List,
     ) {
         let (leaves, [_, order], nodes) = (&blocks.nodes, blocks.sorted(), &self.nodes);
-        for dispatch in parts(self.n, pairs) {
+        for dispatch in parts(self.n, DISPATCH_LIMIT, pairs.capacity()) {
             let p = Params { dispatch, ..self.params(frame, blocks) };
             let kernel = TraverseHalf { leaves, order, nodes, pairs: pairs.buffer() };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
@@ -138,21 +138,11 @@ impl BinaryTree {
         pairs: &List,
     ) {
         let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
-        for dispatch in parts(frame.count[sets(args.kind)[0]], pairs) {
+        let n = frame.count[sets(args.kind)[0]];
+        for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
             let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
             let p = Params { frame: *frame, dispatch, args };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }
     }
-}
-
-/// The dispatches over `n` queries.
-fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
-    let capacity_out = pairs.capacity();
-    (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
-        n: (n - first).min(DISPATCH_LIMIT),
-        first,
-        capacity_in: 0,
-        capacity_out,
-    })
 }

@@ -1,8 +1,9 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
-use super::block_descent::{BlockDescent, Nodes};
+use super::block_descent;
 use super::block_levels::Levels;
-use super::pair_source::boxes_or;
+use super::pair_source::boxes;
+use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
@@ -14,8 +15,7 @@ use crate::sort::Sort;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::VERTEX_FACE;
-use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain, VERTEX_FACE};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
 
@@ -27,7 +27,7 @@ pub const DISPATCH_LIMIT: u32 = 1 << 20;
 /// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
-/// What a pass over a list of pairs of nodes is about.
+/// A pass over a list of pairs of nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
     /// 0: vertices against faces, 1: edges against edges.
@@ -56,26 +56,21 @@ pub struct Tree {
     /// If boxes are of several worlds.
     pub worlds: Option<Worlds>,
     /// The workers that descend, if a scheduler was chosen that has some.
-    pub(super) descent: Option<BlockDescent>,
+    pub(super) descent: Option<Scheduled>,
 }
 
 impl Tree {
-    /// Makes room for these numbers of boxes.
-    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
-        Self::reusing(device, scheduling, count, None)
-    }
-
-    /// The same, with the buffers of another tree as far as they are large enough. That one may be
-    /// used again, if this fails.
-    pub fn reusing(
+    /// For these numbers of boxes, with the buffers of another tree as far as they are large
+    /// enough. That one may be used again, if this fails.
+    pub fn new(
         device: &Device,
         scheduling: Scheduling,
         count: [u32; 3],
         old: Option<&Self>,
     ) -> Result<Self, Error> {
-        let mut tree = Self::sorted_reusing(device, count, old)?;
+        let mut tree = Self::sorted_only(device, count, old)?;
         if !scheduler::is_by_levels(scheduling) {
-            tree.descent = Some(BlockDescent::new(device, scheduling, count)?);
+            tree.descent = Some(block_descent::scheduled(device, scheduling, count)?);
         }
         let (levels, by_levels) = (&tree.levels, tree.descent.is_none());
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
@@ -101,12 +96,12 @@ impl Tree {
         Ok(tree)
     }
 
-    /// As [`Tree::new`], without room for a descent.
-    pub fn sorted_only(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
-        Self::sorted_reusing(device, count, None)
-    }
-
-    fn sorted_reusing(device: &Device, count: [u32; 3], old: Option<&Self>) -> Result<Self, Error> {
+    /// As [`Tree::new`], without lists for a descent.
+    pub fn sorted_only(
+        device: &Device,
+        count: [u32; 3],
+        old: Option<&Self>,
+    ) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge {
@@ -132,7 +127,7 @@ impl Tree {
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
         Ok(Self {
-            boxes: boxes_or(device, count, old.map(|old| &old.boxes))?,
+            boxes: boxes(device, count, old.map(|old| &old.boxes))?,
             leaves: device.buffer_or(
                 old.map(|old| &old.leaves),
                 "leaves",
@@ -140,7 +135,7 @@ impl Tree {
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
-            sort: Sort::reusing(device, n as u32, old.map(|old| &old.sort))?,
+            sort: Sort::new(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
             descent: None,
@@ -151,7 +146,7 @@ impl Tree {
         })
     }
 
-    /// What kernels are told of the trees; the caller sets the rest.
+    /// Where the nodes of the trees are, for kernels; the caller sets the rest.
     pub fn record(&self) -> Blocks {
         Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
     }
@@ -159,7 +154,7 @@ impl Tree {
     /// What must be zero before [`Tree::descend`] besides the headers of lists.
     pub fn clear_descent(&self, recorder: &mut Recorder) {
         if let Some(descent) = &self.descent {
-            descent.scheduled.clear(recorder);
+            descent.clear(recorder);
         }
     }
 
@@ -194,7 +189,7 @@ impl Tree {
         self.sort.half(0)
     }
 
-    /// Room for another order of the boxes, until the next sort.
+    /// A buffer for another order of the boxes, until the next sort.
     pub fn spare_order(&self) -> &wgpu::Buffer {
         self.sort.half(1)[1]
     }
@@ -239,8 +234,8 @@ impl Tree {
         if let Some(descent) = &self.descent {
             for &kind in kinds {
                 let (first, pairs) = (&self.start[kind as usize], self.block_pairs(kind as usize));
-                let nodes = Nodes { levels: &self.levels, boxes: &self.nodes };
-                descent.run(recorder, (frame, kind, keeps_order), nodes, first, pairs);
+                let (what, nodes) = ((frame, kind, keeps_order), (&self.levels, &self.nodes));
+                block_descent::run(descent, recorder, what, nodes, first, pairs);
             }
             return;
         }

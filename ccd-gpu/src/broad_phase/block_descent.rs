@@ -21,50 +21,39 @@ use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
 use ccd_core::backend::layout::{Frame, NodeDescent};
 use ccd_core::model::scheduling::Scheduling;
 
-/// What expands pairs of blocks.
-pub struct BlockDescent {
-    pub scheduled: Scheduled,
+/// What shares out the pairs of blocks between sets of so many boxes.
+pub fn scheduled(
+    device: &Device,
+    scheduling: Scheduling,
+    count: [u32; 3],
+) -> Result<Scheduled, Error> {
+    // Of nodes of level 2 and above, each overlaps some tens of others; a list that is too short
+    // grows.
+    let capacity = |n: u32| (n / (WIDTH * WIDTH)).saturating_mul(40).max(4096);
+    // A front has pairs of blocks, of which there are more, and grows as well.
+    let front = (count[1] / WIDTH).max(count[2] / WIDTH).saturating_mul(40);
+    Scheduled::new(device, scheduling, TEAMS, count, capacity, front)
 }
 
-/// Boxes of all nodes, and where they are.
-pub struct Nodes<'a> {
-    pub levels: &'a Levels,
-    pub boxes: &'a wgpu::Buffer,
-}
-
-impl BlockDescent {
-    /// Between sets of so many boxes.
-    pub fn new(device: &Device, scheduling: Scheduling, count: [u32; 3]) -> Result<Self, Error> {
-        // Of nodes of level 2 and above, each overlaps some tens of others; a list that is too
-        // short grows.
-        let capacity = |n: u32| (n / (WIDTH * WIDTH)).saturating_mul(40).max(4096);
-        // A front has pairs of blocks, of which there are more, and grows as well.
-        let front = (count[1] / WIDTH).max(count[2] / WIDTH).saturating_mul(40);
-        let scheduled = Scheduled::new(device, scheduling, TEAMS, count, capacity, front)?;
-        Ok(Self { scheduled })
-    }
-
-    /// Lists the pairs of blocks of a kind that overlap, from the pairs of `first` on: all those of
-    /// the level where a descent begins.
-    pub fn run(
-        &self,
-        recorder: &mut Recorder,
-        (frame, kind, keeps_order): (&Frame, u32, bool),
-        nodes: Nodes,
-        first: &List,
-        pairs: &List,
-    ) {
-        let Nodes { levels, boxes } = nodes;
-        let slots = levels.slots.map(|slots| sets(kind).map(|set| slots[set]));
-        let trees = BlockTrees { boxes, slots };
-        let of = Descended { frame, kind, trees: Trees::Blocks(trees), pairs };
-        self.scheduled.run(recorder, &of, keeps_order, |recorder, written, (control, tasks)| {
-            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.record() };
-            let p = of.params(args, levels.start(kind), first.capacity());
-            let (first, nodes, front) = (first.buffer(), tasks.buffer(), written.front);
-            let pairs = pairs.buffer();
-            let kernel = FirstBlockPairs { boxes, first, control, nodes, pairs, front };
-            recorder.each(&kernel, &trees.params(&p), p.dispatch.n);
-        });
-    }
+/// Lists the pairs of blocks of a kind that overlap, from the pairs of `first` on: all those of the
+/// level where a descent begins. `boxes`: of the nodes, which are where `levels` says.
+pub fn run(
+    scheduled: &Scheduled,
+    recorder: &mut Recorder,
+    (frame, kind, keeps_order): (&Frame, u32, bool),
+    (levels, boxes): (&Levels, &wgpu::Buffer),
+    first: &List,
+    pairs: &List,
+) {
+    let slots = levels.slots.map(|slots| sets(kind).map(|set| slots[set]));
+    let trees = BlockTrees { boxes, slots };
+    let descent = Descended { frame, kind, trees: Trees::Blocks(trees), pairs };
+    scheduled.run(recorder, &descent, keeps_order, |recorder, written, (control, tasks)| {
+        let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.args };
+        let p = descent.params(args, levels.start(kind), first.capacity());
+        let (first, nodes, front) = (first.buffer(), tasks.buffer(), written.front);
+        let pairs = pairs.buffer();
+        let kernel = FirstBlockPairs { boxes, first, control, nodes, pairs, front };
+        recorder.each(&kernel, &trees.params(&p), p.dispatch.n);
+    });
 }

@@ -55,15 +55,15 @@ impl PairSource for Tree {
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         let Self { pairs, descent, .. } = self;
-        let of_workers = descent.as_mut().map(|descent| descent.scheduled.lists_mut());
+        let of_workers = descent.as_mut().map(Scheduled::lists_mut);
         pairs.iter_mut().flatten().chain(of_workers.unwrap_or_default()).collect()
     }
 
     fn scheduled(&self) -> Option<&Scheduled> {
-        self.descent.as_ref().map(|descent| &descent.scheduled)
+        self.descent.as_ref()
     }
 
     fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
-        self.descent.as_mut().map(|descent| &mut descent.scheduled)
+        self.descent.as_mut()
     }
 }

@@ -1,5 +1,5 @@
 //! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
-//! what kernels are told, and the kernels.
+//! kernels and their parameters.
 //!
 //! Twin: on a CPU `descend.rs`, and for blocks `block_descent.rs`.
 
@@ -76,26 +76,8 @@ impl BlockTrees<'_> {
 #[derive(Clone, Copy)]
 pub struct Written<'a> {
     pub front: &'a wgpu::Buffer,
-    /// Entries of either half; 0 if none is kept.
-    pub capacity: u32,
-    /// Which half is written.
-    pub written: u32,
-}
-
-impl<'a> Written<'a> {
-    /// None is kept; a kernel wants a buffer all the same.
-    pub fn none(front: &'a wgpu::Buffer) -> Self {
-        Self { front, capacity: 0, written: 0 }
-    }
-
-    /// What kernels are told of it.
-    pub fn record(&self) -> NodeDescent {
-        NodeDescent {
-            capacity_front: self.capacity,
-            written: self.written,
-            ..NodeDescent::default()
-        }
-    }
+    /// Its capacity and which half is written; 0 if none is kept.
+    pub args: NodeDescent,
 }
 
 /// What workers and fronts write: counters of workers, tasks, and the front.
@@ -109,14 +91,14 @@ pub struct Buffers<'a> {
 /// Records a round of so many workers, which may steal from each other.
 pub fn round(
     recorder: &mut Recorder,
-    of: &Descended,
+    descent: &Descended,
     buffers: Buffers,
     p: &Params<NodeDescent>,
     n: u32,
 ) {
     let Buffers { control, nodes, front } = buffers;
-    let (pairs, steals) = (of.pairs.buffer(), p.args.batches > 0);
-    match of.trees {
+    let (pairs, steals) = (descent.pairs.buffer(), p.args.batches > 0);
+    match descent.trees {
         Trees::Blocks(trees) => {
             let kernel = BlockWorkers { boxes: trees.boxes, control, nodes, pairs, front };
             recorder.dispatch_variant(&kernel, (None, steals), &trees.params(p), n);
@@ -129,10 +111,15 @@ pub fn round(
 }
 
 /// Records that `p.dispatch.n` pairs of a front become tasks, or stay.
-pub fn resume(recorder: &mut Recorder, of: &Descended, buffers: Buffers, p: &Params<NodeDescent>) {
+pub fn resume(
+    recorder: &mut Recorder,
+    descent: &Descended,
+    buffers: Buffers,
+    p: &Params<NodeDescent>,
+) {
     let Buffers { control, nodes, front } = buffers;
-    let (pairs, n) = (of.pairs.buffer(), p.dispatch.n);
-    match of.trees {
+    let (pairs, n) = (descent.pairs.buffer(), p.dispatch.n);
+    match descent.trees {
         Trees::Blocks(trees) => {
             let BlockTrees { boxes, .. } = trees;
             let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };

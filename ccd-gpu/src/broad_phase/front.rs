@@ -21,11 +21,9 @@
 //! A search that was recorded and whose results the host has not seen may have been anything: after
 //! one, nothing is kept.
 
-use super::descended::{self, Buffers, Descended, Written};
+use super::descended::Written;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
-use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::pair_workers::FRONT;
 use ccd_core::backend::layout::NodeDescent;
 use ccd_core::backend::scheduling::front::{Fate, FrontState};
@@ -50,16 +48,16 @@ pub struct Front {
     written: u32,
 }
 
-/// What is known of the last search that was recorded.
+/// The last search that was recorded.
 #[derive(Debug, Default)]
 struct Search {
     state: FrontState,
-    /// The host has not seen what became of it.
+    /// The host has not seen its results.
     is_open: bool,
 }
 
 impl Front {
-    /// With room for `n` pairs, or for as many as half of its memory has room for.
+    /// For `n` pairs, or as many as fit in half of its memory.
     pub fn new(device: &Device, options: FrontOptions, n: u32) -> Result<Self, Error> {
         let capacity = (n as u64).min(most(device, &options, 0) / 2) as u32;
         let slots = slots(device, capacity)?;
@@ -73,27 +71,12 @@ impl Front {
         let seen = !std::mem::replace(&mut search.is_open, true);
         search.state.begin(keeps_order && seen);
         let capacity = if search.state.is_written() { self.capacity } else { 0 };
-        let written = Written { front: &self.slots, capacity, written: self.written };
-        (search.state.begun() as u32, written)
-    }
-
-    /// Records that the pairs with which a search begins become tasks, or stay.
-    pub fn resume(
-        &self,
-        recorder: &mut Recorder,
-        of: &Descended,
-        begun: u32,
-        (control, tasks): (&wgpu::Buffer, &List),
-    ) {
-        let (capacity_front, written) = (self.capacity, self.written);
         let args = NodeDescent {
-            capacity_nodes: tasks.capacity(),
-            capacity_front,
-            written,
-            ..Default::default()
+            capacity_front: capacity,
+            written: self.written,
+            ..NodeDescent::default()
         };
-        let buffers = Buffers { control, nodes: tasks.buffer(), front: &self.slots };
-        descended::resume(recorder, of, buffers, &of.params(args, 0, begun));
+        (search.state.begun() as u32, Written { front: &self.slots, args })
     }
 
     /// The last search was seen, and what it counted at [`COUNTERS`]; if it is not `complete`, it

@@ -1,14 +1,14 @@
 //! Boxes in the order of a key as a source of pairs: sort and sweep, a uniform grid, brute force.
 //! What a method is stands in `ccd_core::backend::broad_phase::key_intervals`.
 
-use super::pair_source::{PAIRS, PairSource, Search, boxes_of, frame_of};
+use super::pair_source::{PAIRS, PairSource, Search, boxes, frame_of};
 use crate::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
     SurveySides,
 };
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{List, parts};
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::backend::broad_phase::key_intervals::{
@@ -32,7 +32,7 @@ const WORK: [&str; 2] = ["work vertex-face", "work edge-edge"];
 /// Boxes of each thread of a survey.
 const SURVEY_SHARE: u32 = 32;
 
-/// A method by keys, with room for sets of so many boxes.
+/// A method by keys, over sets of so many boxes.
 pub struct IntervalSource {
     method: u32,
     boxes: wgpu::Buffer,
@@ -54,7 +54,7 @@ impl IntervalSource {
                 (0..rows(method, kind)).map(|row| asking(&frame, method, kind, row)).sum();
             List::new(device, "pieces of work", 2, n_groups.saturating_mul(4).max(256))
         };
-        let boxes = boxes_of(device, count)?;
+        let boxes = boxes(device, count, None)?;
         Ok(Self {
             method,
             sorted: device.buffer("sorted boxes", boxes.size(), U::STORAGE)?,
@@ -64,7 +64,7 @@ impl IntervalSource {
                 4 * SURVEY_WORDS as u64,
                 U::STORAGE | U::COPY_DST | U::COPY_SRC,
             )?,
-            sort: Sort::new(device, frame.start[3])?,
+            sort: Sort::new(device, frame.start[3], None)?,
             work: [work(0)?, work(1)?],
             groups: device.groups(),
         })
@@ -133,13 +133,11 @@ impl IntervalSource {
     fn pairs(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
         let Self { sorted, survey, work, .. } = self;
         let ([keys, order], list) = (self.sort.half(0), &work[kind as usize]);
-        let (capacity_in, capacity_out) = (list.capacity(), pairs.capacity());
-        for first in (0..capacity_in).step_by(DISPATCH_LIMIT as usize) {
-            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, capacity_in, capacity_out };
+        for dispatch in parts(list.capacity(), DISPATCH_LIMIT, pairs.capacity()) {
             let p = self.params(frame, kind, 0, dispatch);
             let (work, pairs) = (list.buffer(), pairs.buffer());
             let kernel = IntervalPairs { sorted, keys, order, survey, work, pairs };
-            recorder.dispatch(&kernel, &p, self.groups.min(capacity_in - first));
+            recorder.dispatch(&kernel, &p, self.groups.min(dispatch.n));
         }
     }
 }

@@ -55,7 +55,7 @@ pub fn check_scheduling(method: BroadPhaseMethod, choice: Scheduling) -> Result<
     check_compiled((!is_by_levels(choice)).then_some(name))
 }
 
-/// The source of a choice, with room for sets of so many boxes.
+/// The source of a choice, over sets of so many boxes.
 pub fn source(
     device: &Device,
     choice: BroadPhaseMethod,
@@ -69,7 +69,7 @@ pub fn source(
         BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
-        BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count)?),
+        BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count, None)?),
         BroadPhaseMethod::Tree(options) => {
             Box::new(TreeSource::new(device, options, scheduling, count)?)
         }

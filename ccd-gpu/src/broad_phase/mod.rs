@@ -63,7 +63,7 @@ pub struct BroadPhase {
     stages: Vec<(&'static str, f64)>,
 }
 
-/// What is made for certain numbers of boxes.
+/// A source for certain numbers of boxes.
 struct Buffers {
     /// Boxes of the sets that a call has.
     count: [u32; 3],
@@ -227,7 +227,7 @@ impl BroadPhase {
             let of_pairs = plan.part(HEADER_BYTES);
             let counters = source.counters();
             let of_counters: Vec<_> =
-                counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
+                counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
             let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
                 let lists = source.lists();
@@ -244,8 +244,8 @@ impl BroadPhase {
                     recorder.read(&reading, *part, list.buffer(), 0);
                 }
                 recorder.read(&reading, of_pairs, pairs[0].buffer(), 0);
-                for (part, (counters, of)) in of_counters.iter().zip(&counters) {
-                    recorder.read(&reading, *part, counters, of.start);
+                for (part, (counters, range)) in of_counters.iter().zip(&counters) {
+                    recorder.read(&reading, *part, counters, range.start);
                 }
             })?;
             let (of_source, found, counted) = reading.with(device, |bytes| {

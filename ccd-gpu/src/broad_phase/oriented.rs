@@ -19,12 +19,12 @@ pub struct OrientedBoxes {
     pub boxes: wgpu::Buffer,
     /// By node: the round in which it was fitted, 0 before that.
     stamps: wgpu::Buffer,
-    /// By set that has a tree: nodes across tiles, the head of a list, then room for all.
+    /// By set that has a tree: a list of the nodes across tiles, of which it holds all.
     far: [Option<wgpu::Buffer>; 3],
 }
 
 impl OrientedBoxes {
-    /// Room for the nodes of trees over those sets of so many boxes that `has_tree`.
+    /// For the trees over those sets of so many boxes that `has_tree`.
     pub fn new(device: &Device, count: [u32; 3], has_tree: [bool; 3]) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let mut far = [None, None, None];

@@ -20,8 +20,7 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Frame, LIST_HEADER, NodeDescent};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, LIST_HEADER, NodeDescent};
 use ccd_core::model::method::{Descent, Traversal};
 use ccd_core::model::scheduling::Scheduling;
 use wgpu::BufferUsages as U;
@@ -68,9 +67,9 @@ impl PairDescent {
         let n_levels = self.n_levels(trees);
         let larger = (self.rule == Descent::Larger) as u32;
         let both = BinaryTrees { a_nodes, b_nodes, oriented, n_levels, larger };
-        let of = Descended { frame, kind, trees: Trees::Binary(both), pairs };
-        self.scheduled.run(recorder, &of, keeps_order, |recorder, written, tasks| {
-            self.cut(recorder, &of, both, trees, written, tasks);
+        let descent = Descended { frame, kind, trees: Trees::Binary(both), pairs };
+        self.scheduled.run(recorder, &descent, keeps_order, |recorder, written, tasks| {
+            self.cut(recorder, &descent, both, trees, written, tasks);
         });
     }
 
@@ -78,7 +77,7 @@ impl PairDescent {
     fn cut(
         &self,
         recorder: &mut Recorder,
-        of: &Descended,
+        descent: &Descended,
         both: BinaryTrees,
         trees: [&BinaryTree; 2],
         written: Written,
@@ -86,16 +85,16 @@ impl PairDescent {
     ) {
         let (a_nodes, b_nodes, front) = (both.a_nodes, both.b_nodes, written.front);
         let (cuts, capacity_nodes) = (&self.cuts, tasks.capacity());
-        let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.record() };
+        let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.args };
         // The order of a cut is that of the threads that were first: another cut through the same
         // tree has another one, so that pairs within a tree need one cut for both sides.
-        let sides = (0..).zip(trees.into_iter().zip(sets(of.kind)));
-        for (side, (tree, set)) in sides.take(if of.kind == EDGE_EDGE { 1 } else { 2 }) {
-            let mut p = of.params(args, side, 0);
+        let sides = (0..).zip(trees.into_iter().zip(sets(descent.kind)));
+        for (side, (tree, set)) in sides.take(if descent.kind == EDGE_EDGE { 1 } else { 2 }) {
+            let mut p = descent.params(args, side, 0);
             p.args.kind = set as u32;
             recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
         }
-        let (output, p, n) = (tasks.buffer(), of.params(args, 0, 0), self.nodes * self.nodes);
+        let (output, p, n) = (tasks.buffer(), descent.params(args, 0, 0), self.nodes * self.nodes);
         let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
         recorder.each_variant(&kernel, both.oriented, &p, n);
     }

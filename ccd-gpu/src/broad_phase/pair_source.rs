@@ -1,4 +1,4 @@
-//! A source of pairs: what every way to find overlapping boxes has in common on a device.
+//! A source of pairs: any way to find overlapping boxes on a device.
 //!
 //! Boxes of up to three sets lie in one buffer, which the caller fills; a source records dispatches
 //! that list pairs of their ids. What takes the pairs (the caller of a broad phase, or the filters
@@ -16,7 +16,7 @@ use ccd_core::model::report::FrontCounts;
 use std::ops::Range;
 use wgpu::BufferUsages as U;
 
-/// What is looked for in one recording.
+/// A search for pairs, in one recording.
 #[derive(Clone, Copy)]
 pub struct Search<'a> {
     /// How many boxes each set has, and where they begin.
@@ -48,8 +48,8 @@ pub trait PairSource: Send + Sync {
     /// The boxes of all sets, one set after the other. The caller writes them.
     fn boxes(&self) -> &wgpu::Buffer;
 
-    /// Records that everything becomes zero to which kernels of the source add, but the headers of
-    /// lists, which the caller clears.
+    /// Clears everything to which kernels of the source add, but the headers of lists, which the
+    /// caller clears.
     fn clear(&self, recorder: &mut Recorder);
 
     /// Records everything from boxes to pairs: all that overlap, each once, as ids; within a set
@@ -79,7 +79,7 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// The same, to be told how a search came out.
+    /// The same, for [`PairSource::settle`].
     fn scheduled_mut(&mut self) -> Option<&mut Scheduled> {
         None
     }
@@ -124,19 +124,14 @@ pub trait PairSource: Send + Sync {
     }
 }
 
-/// What a frame says of sets of so many boxes; the caller sets the rest.
+/// A frame over sets of so many boxes; the caller sets the rest.
 pub fn frame_of(count: [u32; 3]) -> Frame {
     let [v, e, f] = count;
     Frame { count, start: [0, v, v + e, v + e + f], ..Frame::default() }
 }
 
-/// Room for the boxes of all sets.
-pub fn boxes_of(device: &Device, count: [u32; 3]) -> Result<wgpu::Buffer, Error> {
-    boxes_or(device, count, None)
-}
-
-/// The same, or a buffer that was that for other sets, if it is large enough.
-pub fn boxes_or(
+/// A buffer for the boxes of all sets; that of other sets, if it is large enough.
+pub fn boxes(
     device: &Device,
     count: [u32; 3],
     old: Option<&wgpu::Buffer>,

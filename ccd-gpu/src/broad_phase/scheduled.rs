@@ -1,7 +1,6 @@
-//! What binary trees and blocks have in common where a scheduler shares out their pairs: a schedule
-//! and a front for each kind of pairs.
+//! A schedule and a front for each kind of pairs, of binary trees or of blocks.
 
-use super::descended::{Descended, Written};
+use super::descended::{self, Buffers, Descended, Written};
 use super::front::{COUNTERS, Front};
 use super::scheduler::{self, Schedule};
 use super::worker_counts::Counted;
@@ -10,6 +9,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::layout::NodeDescent;
 use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::{self, Scheduling};
 use std::ops::Range;
@@ -28,8 +28,8 @@ struct OfKind {
 
 impl Scheduled {
     /// For the kinds of pairs between sets of so many boxes. `width`: pairs that a worker expands
-    /// in a turn; `capacity`: tasks of a round, by the boxes of the second side; `front`: pairs for
-    /// which a front has room at first, at least.
+    /// in a turn; `capacity`: tasks of a round, by the boxes of the second side; `front`: the
+    /// least capacity of a front at first.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
@@ -54,7 +54,7 @@ impl Scheduled {
     }
 
     pub fn clear(&self, recorder: &mut Recorder) {
-        self.of_kind.iter().flatten().for_each(|of| of.schedule.clear(recorder));
+        self.of_kind.iter().flatten().for_each(|kind| kind.schedule.clear(recorder));
     }
 
     /// Lists all pairs of leaves. A search begins with the pairs of a front where one is kept
@@ -63,34 +63,38 @@ impl Scheduled {
     pub fn run(
         &self,
         recorder: &mut Recorder,
-        of: &Descended,
+        descent: &Descended,
         keeps_order: bool,
         first: impl FnOnce(&mut Recorder, Written, (&wgpu::Buffer, &List)),
     ) {
-        let Some(OfKind { schedule, front }) = &self.of_kind[of.kind as usize] else { return };
+        let Some(OfKind { schedule, front }) = &self.of_kind[descent.kind as usize] else { return };
         let (begun, written) = match front {
             Some(front) => front.begin(keeps_order),
-            None => (0, Written::none(&self.none)),
+            None => (0, Written { front: &self.none, args: NodeDescent::default() }),
         };
-        match front {
-            Some(front) if begun > 0 => front.resume(recorder, of, begun, schedule.tasks()),
-            _ => first(recorder, written, schedule.tasks()),
+        let (control, tasks) = schedule.tasks();
+        if begun > 0 {
+            let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.args };
+            let buffers = Buffers { control, nodes: tasks.buffer(), front: written.front };
+            descended::resume(recorder, descent, buffers, &descent.params(args, 0, begun));
+        } else {
+            first(recorder, written, (control, tasks));
         }
-        schedule.run(recorder, of, written);
+        schedule.run(recorder, descent, written);
     }
 
     pub fn lists(&self) -> Vec<&List> {
-        self.of_kind.iter().flatten().flat_map(|of| of.schedule.lists()).collect()
+        self.of_kind.iter().flatten().flat_map(|kind| kind.schedule.lists()).collect()
     }
 
     pub fn lists_mut(&mut self) -> Vec<&mut List> {
-        self.of_kind.iter_mut().flatten().flat_map(|of| of.schedule.lists_mut()).collect()
+        self.of_kind.iter_mut().flatten().flat_map(|kind| kind.schedule.lists_mut()).collect()
     }
 
     /// Bytes of buffers that [`Scheduled::settle`] wants to see.
     pub fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        let with_front = self.of_kind.iter().flatten().filter(|of| of.front.is_some());
-        with_front.map(|of| (of.schedule.tasks().0, COUNTERS)).collect()
+        let with_front = self.of_kind.iter().flatten().filter(|kind| kind.front.is_some());
+        with_front.map(|kind| (kind.schedule.tasks().0, COUNTERS)).collect()
     }
 
     /// The results of a search were seen; see `PairSource::settle`.
@@ -116,7 +120,7 @@ impl Scheduled {
     }
 
     fn fronts(&self) -> impl Iterator<Item = &Front> {
-        self.of_kind.iter().flatten().filter_map(|of| of.front.as_ref())
+        self.of_kind.iter().flatten().filter_map(|kind| kind.front.as_ref())
     }
 
     /// What fronts the last search left, if any are kept.
@@ -126,7 +130,7 @@ impl Scheduled {
 
     /// What workers counted, by kind; see [`Schedule::counts`].
     pub fn worker_counts(&self) -> Vec<Counted<'_>> {
-        self.of_kind.iter().flatten().filter_map(|of| of.schedule.counts()).collect()
+        self.of_kind.iter().flatten().filter_map(|kind| kind.schedule.counts()).collect()
     }
 }
 

@@ -17,8 +17,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Frame, Queries};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
 use ccd_core::model::scheduling::Scheduling;
 
@@ -60,7 +59,13 @@ impl TreeSource {
             Volume::Obb => Some(OrientedBoxes::new(device, count, has_tree)?),
             _ => None,
         };
-        Ok(Self { blocks: Tree::sorted_only(device, count)?, trees, traversal, descent, oriented })
+        Ok(Self {
+            blocks: Tree::sorted_only(device, count, None)?,
+            trees,
+            traversal,
+            descent,
+            oriented,
+        })
     }
 
     fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, search: &Search) {
@@ -72,8 +77,8 @@ impl TreeSource {
         match self.traversal {
             Traversal::Cut { .. } => {
                 if let Some((descent, a)) = self.descent.as_ref().zip(a) {
-                    let of = (frame, kind, search.keeps_order);
-                    descent.run(recorder, of, [a, b], oriented, pairs);
+                    let what = (frame, kind, search.keeps_order);
+                    descent.run(recorder, what, [a, b], oriented, pairs);
                 }
             }
             Traversal::Half if kind == EDGE_EDGE => {

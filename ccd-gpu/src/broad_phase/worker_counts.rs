@@ -14,10 +14,11 @@ use crate::recorder::{Bench, submit};
 ///
 /// /// The part of their threads that expanded a pair, over all turns.
 /// fn busy(all: &[WorkerCounts]) -> f64 {
-///     let (done, room) = all.iter().fold((0, 0), |(done, room), of| {
-///         (done + u64::from(of.expanded), room + u64::from(of.turns) * u64::from(of.width))
+///     let (done, capacity) = all.iter().fold((0, 0), |(done, capacity), worker| {
+///         let turns = u64::from(worker.turns) * u64::from(worker.width);
+///         (done + u64::from(worker.expanded), capacity + turns)
 ///     });
-///     done as f64 / room.max(1) as f64
+///     done as f64 / capacity.max(1) as f64
 /// }
 /// assert_eq!(busy(&[WorkerCounts { turns: 3, expanded: 6, width: 4 }]), 0.5);
 /// ```
@@ -52,19 +53,20 @@ pub fn read(
     counts: &[Counted],
 ) -> Result<Vec<WorkerCounts>, Error> {
     let mut plan = Plan::default();
-    let parts: Vec<_> = counts.iter().map(|of| plan.part(8 * of.workers as u64)).collect();
+    let parts: Vec<_> =
+        counts.iter().map(|counted| plan.part(8 * counted.workers as u64)).collect();
     let reading = readback.prepare(device, plan)?;
     submit(device, bench, |recorder| {
-        for (part, of) in parts.iter().zip(counts) {
-            recorder.read(&reading, *part, of.buffer, of.first);
+        for (part, counted) in parts.iter().zip(counts) {
+            recorder.read(&reading, *part, counted.buffer, counted.first);
         }
     })?;
     reading.with(device, |bytes| {
         let mut all = Vec::new();
-        for (part, of) in parts.iter().zip(counts) {
+        for (part, counted) in parts.iter().zip(counts) {
             all.extend(part.of(bytes).chunks_exact(8).map(|words| {
                 let [turns, expanded] = bytemuck::pod_read_unaligned(words);
-                WorkerCounts { turns, expanded, width: of.width }
+                WorkerCounts { turns, expanded, width: counted.width }
             }));
         }
         all

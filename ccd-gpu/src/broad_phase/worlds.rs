@@ -41,22 +41,16 @@ impl Worlds {
             mesh.faces().iter().map(|face| world(&face[0])).collect(),
         ];
         let mut of_leaves = vec![0; levels.padded(0) as usize];
-        for (set, of) in sets.iter().enumerate() {
+        for (set, worlds_of_set) in sets.iter().enumerate() {
             let first = (levels.slots[0][set] - levels.slots[0][0]) as usize;
-            let leaves = &mut of_leaves[first..first + of.len()];
-            leaves.copy_from_slice(of);
+            let leaves = &mut of_leaves[first..first + worlds_of_set.len()];
+            leaves.copy_from_slice(worlds_of_set);
             leaves.sort_unstable();
         }
-        let sent = |what, words: &[u32]| -> Result<wgpu::Buffer, Error> {
-            let bytes: &[u8] = bytemuck::cast_slice(words);
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.write(what, &buffer, 0, bytes)?;
-            Ok(buffer)
-        };
         let words = worlds::BOUND_WORDS as u64 * n as u64;
         Ok(Some(Self {
-            of_boxes: sent("worlds of boxes", &sets.concat())?,
-            of_leaves: sent("worlds of leaves", &of_leaves)?,
+            of_boxes: device.sent("worlds of boxes", &sets.concat())?,
+            of_leaves: device.sent("worlds of leaves", &of_leaves)?,
             bounds: device.buffer("bounds of worlds", 4 * words, U::STORAGE | U::COPY_DST)?,
             bits: worlds::bits(n),
         }))

@@ -5,7 +5,7 @@ use super::Device;
 use crate::error::Error;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// A limit, and what is held of it.
+/// A limit, and the bytes that are held.
 #[derive(Debug)]
 pub struct Memory {
     limit: u64,

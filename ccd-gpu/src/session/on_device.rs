@@ -12,8 +12,9 @@ use ccd_core::model::session;
 /// call.
 ///
 /// A list is a header of four words, of which the first is the number of entries, then the entries.
-/// That number may exceed the room of a list in [`OnDevice::lists`]: then results are incomplete,
-/// and [`Session::step`](session::Session::step) must be called instead, which makes room.
+/// That number may exceed the capacity of a list in [`OnDevice::lists`]: then results are
+/// incomplete, and [`Session::step`](session::Session::step) must be called instead, which makes
+/// the list longer.
 ///
 /// ```no_run
 /// use ccd_gpu::{Error, Session, wgpu};
@@ -25,7 +26,7 @@ use ccd_core::model::session;
 ///     out: &wgpu::Buffer,
 /// ) -> Result<(), Error> {
 ///     let found = session.record(encoder)?;
-///     let bytes = found.contacts.bytes(found.contacts.room());
+///     let bytes = found.contacts.bytes(found.contacts.capacity());
 ///     encoder.copy_buffer_to_buffer(found.contacts.buffer(), 0, out, 0, bytes);
 ///     Ok(())
 /// }
@@ -39,7 +40,7 @@ pub struct OnDevice<'a> {
     /// contacts; empty where `f64` is used on the device.
     pub undecided: [&'a List; 2],
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
-    /// its room, results are incomplete.
+    /// its capacity, results are incomplete.
     pub lists: Vec<&'a List>,
     /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
     /// than those of 1 if there is none. Without the undecided pairs.
@@ -55,14 +56,14 @@ pub struct OnDevice<'a> {
 /// fn frame(session: &mut Session, encoder: &mut wgpu::CommandEncoder) -> Result<(), Error> {
 ///     session.record(encoder)?;
 ///     let found = session.record_geometry(encoder)?;
-///     println!("{} bytes for {} contacts", found.geometry.size(), found.contacts.room());
+///     println!("{} bytes for {} contacts", found.geometry.size(), found.contacts.capacity());
 ///     Ok(())
 /// }
 /// # let _ = frame;
 /// ```
 #[derive(Clone, Debug)]
 pub struct GeometryOnDevice<'a> {
-    /// As in [`OnDevice::contacts`], room included: what its header says counts here.
+    /// As in [`OnDevice::contacts`], including its capacity: its header counts here, too.
     pub contacts: &'a List,
     /// Record `i` is a [`TouchGeometry`](ccd_core::records::TouchGeometry) of entry `i`;
     /// without a header. Records behind the last contact are left as they were.

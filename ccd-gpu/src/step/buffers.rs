@@ -31,7 +31,7 @@ pub struct Buffers {
     pub faces: wgpu::Buffer,
     /// A word a vertex, then the table of rules.
     pub bodies: wgpu::Buffer,
-    /// What kernels are told of bodies.
+    /// Flags of the frame that say what kernels read of bodies.
     body_flags: u32,
     pub rules: Option<Rules>,
     /// Pairs that the filters leave, by kind.
@@ -57,14 +57,10 @@ pub struct Buffers {
 }
 
 impl Buffers {
-    pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
-        Self::reusing(device, mesh, options, None)
-    }
-
     /// For this mesh, with the buffers of another as far as they are large enough. Those may be
     /// used again, if this fails, after [`Buffers::write_mesh`]: nothing else that frames read of
     /// them is written before all is there.
-    pub fn reusing(
+    pub fn new(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
@@ -72,20 +68,20 @@ impl Buffers {
     ) -> Result<Self, Error> {
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
         let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
-        let capacity = |of: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
-            device.buffer_or(old.map(of), what, bytes as u64, usage)
+        let capacity = |field: fn(&Self) -> &wgpu::Buffer, what, bytes: usize| {
+            device.buffer_or(old.map(field), what, bytes as u64, usage)
         };
         let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
         let (bodies, body_flags) = bodies_of(device, rules.as_ref())?;
-        let list = |of: fn(&Self) -> &List, what, words, capacity: u32| {
-            List::reusing(device, old.map(of), what, words, capacity.max(1024))
+        let list = |field: fn(&Self) -> &List, what, words, capacity: u32| {
+            List::reusing(device, old.map(field), what, words, capacity.max(1024))
         };
         let features = count[0] + count[1] + count[2];
         let old_positions = old.map(|old| &old.positions);
         let new = Self {
             count,
             groups: device.groups(),
-            positions: Positions::reusing(device, mesh.n_vertices(), old_positions)?,
+            positions: Positions::new(device, mesh.n_vertices(), old_positions)?,
             shortened: device.buffer_or(
                 old.map(|old| &old.shortened),
                 "paths",
@@ -118,14 +114,10 @@ impl Buffers {
             ],
             sample: capacity(|old| &old.sample, "numbers of a sample", 16)?,
             never: capacity(|old| &old.never, "no time of impact", 16)?,
-            source: Source::reusing(
-                device,
-                mesh,
-                options,
-                rules.as_ref(),
-                count,
-                old.map(|old| &old.source),
-            )?,
+            source: {
+                let old = old.map(|old| &old.source);
+                Source::new(device, mesh, options, (rules.as_ref(), count), old)?
+            },
             rules,
         };
         device.write("numbers of a sample", &new.sample, 0, &[0; 16])?;
@@ -207,11 +199,7 @@ impl Buffers {
 /// What kernels read of bodies, and the flags that say so.
 fn bodies_of(device: &Device, rules: Option<&Rules>) -> Result<(wgpu::Buffer, u32), Error> {
     let (words, table) = rules.map_or((&[][..], &[][..]), |rules| (rules.words(), rules.table()));
-    let bytes = 4 * (words.len() + table.len()) as u64;
-    let buffer = device.buffer("bodies", bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-    device.write("bodies", &buffer, 0, bytemuck::cast_slice(words))?;
-    let behind = 4 * words.len() as u64;
-    device.write("rules of bodies", &buffer, behind, bytemuck::cast_slice(table))?;
+    let buffer = device.sent("bodies", &[words, table].concat())?;
     let flags = match rules {
         None => 0,
         Some(rules) if rules.has_table() => Frame::FLAG_BODIES | Frame::FLAG_RULES,

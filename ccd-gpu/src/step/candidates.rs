@@ -1,4 +1,4 @@
-//! What becomes of overlapping pairs: candidates are listed, or filtered as they are found.
+//! Overlapping pairs to candidates, which are listed, or filtered as they are found.
 
 use super::buffers::Buffers;
 use super::source::Source;
@@ -22,7 +22,7 @@ impl Buffers {
                     recorder.dispatch(&kernel, p, tree.groups.min(pairs.capacity()));
                 });
             }
-            Source::Listed(listed) => {
+            Source::Features(_, listed) | Source::Triangles(_, listed) => {
                 let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
                 let elements = self.elements(kind);
                 let kernel = ListListed { boxes, elements, bodies, keys, input, output };
@@ -62,7 +62,7 @@ impl Buffers {
                     ),
                 });
             }
-            Source::Listed(listed) => {
+            Source::Features(_, listed) | Source::Triangles(_, listed) => {
                 let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
                 let elements = self.elements(kind);
                 let kernel = FilterListed { boxes, elements, bodies, keys, paths, input, output };

@@ -1,18 +1,18 @@
 //! Point, normal and weights of the contacts on a device, written where they are.
 
 use super::buffers::Buffers;
-use super::passes::parts;
+use super::passes::DISPATCH_LIMIT;
 use crate::bind::{ContactGeometry, ContactGeometryWide};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{List, parts};
 use crate::recorder::{Bench, Recorder};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Frame, Params, Plain, TouchGeometry};
 use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 
-/// A record for each contact for which the list has room.
+/// A record for each contact that the list can hold.
 #[derive(Default)]
 pub struct Geometry {
     /// Whether the list of contacts on the device is that of the last call.
@@ -24,14 +24,15 @@ pub struct Geometry {
 struct Made {
     buffer: wgpu::Buffer,
     capacity: u32,
-    /// What the recording needs: of its own, because a frame that the same encoder has is not
+    /// Parameters and bind groups of its own, because the frame in the same encoder is not
     /// submitted yet.
     bench: Bench,
 }
 
 impl Made {
     fn new(device: &Device, contacts: &List) -> Result<Self, Error> {
-        let (capacity, n_parts) = (contacts.capacity(), parts(contacts, 0).count() as u64);
+        let capacity = contacts.capacity();
+        let n_parts = capacity.div_ceil(DISPATCH_LIMIT) as u64;
         let bytes = capacity as u64 * size_of::<TouchGeometry>() as u64;
         let usage = U::STORAGE | U::COPY_SRC;
         let buffer = device.buffer("geometry of contacts", bytes, usage)?;
@@ -81,7 +82,7 @@ fn dispatch(
     let frame = Frame { path_error: buffers.positions.path_error(), ..*frame };
     let (paths, positions) = (&buffers.positions.paths, &buffers.positions.wide);
     let (edges, faces, contacts) = (&buffers.edges, &buffers.faces, buffers.contacts.buffer());
-    for dispatch in parts(&buffers.contacts, 0) {
+    for dispatch in parts(buffers.contacts.capacity(), DISPATCH_LIMIT, 0) {
         let groups = buffers.groups.min(dispatch.n.div_ceil(Id::ContactGeometry.threads()));
         if wide {
             let p = Params { frame, dispatch, args: Plain::default() };

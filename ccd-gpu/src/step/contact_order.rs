@@ -13,13 +13,13 @@ use wgpu::BufferUsages as U;
 /// host.
 pub const FEWEST: u32 = 4096;
 
-/// What the sort of contacts needs.
+/// Buffers for the sort of contacts.
 #[derive(Clone)]
 pub struct ContactOrder {
     sort: Sort,
     /// Contacts in order, without a header.
     pub ordered: wgpu::Buffer,
-    /// What all of this takes, if there is a limit of memory.
+    /// Bytes of these buffers, if there is a limit of memory.
     pub bytes: u64,
 }
 
@@ -28,14 +28,14 @@ impl ContactOrder {
     pub fn new(device: &Device, capacity: u32) -> Result<Self, Error> {
         let bytes = capacity as u64 * size_of::<Touch>() as u64;
         let make = || {
-            let sort = Sort::new(device, capacity)?;
+            let sort = Sort::new(device, capacity, None)?;
             Ok((sort, device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?))
         };
         let ((sort, ordered), bytes) = device.counting(make)?;
         Ok(Self { sort, ordered, bytes })
     }
 
-    /// Contacts for which there is room.
+    /// Contacts that fit.
     pub fn capacity(&self) -> u32 {
         self.sort.capacity()
     }

@@ -23,7 +23,7 @@ use ccd_core::model::report::TriangleCounts;
 
 mod changes;
 
-/// What frames run on, and what one learns from the frame before.
+/// Buffers of all frames, and what one learns from the frame before.
 pub struct Frames {
     pub buffers: Buffers,
     pub bench: Bench,
@@ -43,13 +43,13 @@ pub struct Frames {
     order: KeptOrder,
     /// Of the contacts on the device.
     pub geometry: Geometry,
-    /// What ends frames before they are submitted.
+    /// Ends frames before they are submitted.
     pub cancel: Option<CancelToken>,
     /// Bytes of the last bodies that were set, if there is a limit of memory.
     of_bodies: u64,
 }
 
-/// What a frame gave.
+/// Results of a frame.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
     pub earliest: u32,
@@ -69,7 +69,7 @@ pub struct Found {
 impl Frames {
     pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
         Ok(Self {
-            buffers: Buffers::new(device, mesh, options)?,
+            buffers: Buffers::new(device, mesh, options, None)?,
             bench: Bench::new(device)?,
             readback: Readback::default(),
             stages: Vec::new(),
@@ -126,7 +126,7 @@ impl Frames {
         self.refresh(device, mesh)?;
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
-        // Nobody knows what becomes of the encoder.
+        // The caller may submit the encoder or not.
         self.order.forget();
         self.buffers.keeps_order = false;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
@@ -190,8 +190,8 @@ impl Frames {
         reading.with(device, |bytes| [part_vf, part_ee].map(|part| read_pairs(part.of(bytes))))
     }
 
-    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how
-    /// many are to be read at once.
+    /// Makes buffers for the order of as many contacts as are expected, if they are many. Returns
+    /// how many are to be read at once.
     fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
         let Self { buffers, bench, expected, .. } = self;
         let n = if goal == Goal::Contacts {
@@ -239,7 +239,7 @@ impl Frames {
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
         let counters = buffers.source.finder().counters();
         let of_counters: Vec<_> =
-            counters.iter().map(|(_, of)| plan.part(of.end - of.start)).collect();
+            counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let stages = submit(device, bench, |recorder| {
@@ -251,8 +251,8 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
-            for (part, (counters, of)) in of_counters.iter().zip(&counters) {
-                recorder.read(&reading, *part, counters, of.start);
+            for (part, (counters, range)) in of_counters.iter().zip(&counters) {
+                recorder.read(&reading, *part, counters, range.start);
             }
             if let Some(triangles) = buffers.source.triangles() {
                 recorder.read(&reading, of_counts, triangles.counts(), 0);
@@ -289,7 +289,7 @@ impl Frames {
         })??;
         buffers.source.finder().check(&frame, &counted)?;
         self.stages = bench.times(&stages)?;
-        let lists = buffers.lists_mut().zip(headers.each_ref()).into_vec();
+        let lists = buffers.lists_mut().zip(headers.clone()).into_vec();
         let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
         let grown = List::grow_all(device, lists);
         let complete = matches!(grown, Ok(false));

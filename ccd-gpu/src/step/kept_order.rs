@@ -1,11 +1,11 @@
 //! For how long steps keep the order of boxes: sorting takes a quarter of a small step, and boxes
 //! that were near one another mostly stay so.
 //!
-//! A step that keeps the order only fits boxes to what was built. How good that still is shows in
-//! the pairs of blocks that are left for the last level, whose number is read back with the results
-//! anyway. What they are more than after the last sort is work that another sort would have saved;
-//! once all of it since then has cost as much as a sort, the next step sorts. Where the work grows
-//! evenly there is no better time; however it grows, both together are at most twice what is best.
+//! A step that keeps the order only fits boxes to the tree of the last sort. The number of block
+//! pairs on the last level, which is read back with the results anyway, says how good that tree
+//! still is: pairs beyond those after the last sort are work that another sort would have saved.
+//! Once this work has cost as much as a sort, the next step sorts. Where the work grows evenly
+//! there is no better time; however it grows, the cost is at most twice the best.
 
 /// Pairs of blocks that take as long as a sort: so many, and one for so many boxes. On an NVIDIA
 /// H200 a pair takes 2.7 ns (cloth-funnel) to 4.2 ns (cloth-ball) from its descent to its filters,
@@ -18,13 +18,13 @@ const BOXES_A_PAIR: u64 = 32;
 /// It costs a few hundredths of what keeping the order saves.
 const MOST_STEPS: u32 = 32;
 
-/// What is known of the order of boxes on the device.
+/// The order of boxes on the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KeptOrder {
     sorted: Option<Sorted>,
 }
 
-/// A sort, and what came of it.
+/// A sort, and the steps since then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Sorted {
     /// Pairs of blocks in the step that sorted.
@@ -41,7 +41,7 @@ impl KeptOrder {
         self.sorted.is_some_and(|sorted| sorted.steps < MOST_STEPS && sorted.more < most)
     }
 
-    /// The next step sorts, whatever was.
+    /// Makes the next step sort.
     pub fn forget(&mut self) {
         self.sorted = None;
     }
@@ -76,11 +76,12 @@ mod tests {
 
     #[test]
     fn an_order_is_kept_until_its_pairs_have_cost_a_sort() {
-        let of = |n, pairs: &[u64]| kept(n, &pairs.iter().map(|&p| Some(p)).collect::<Vec<_>>());
+        let kept_of =
+            |n, pairs: &[u64]| kept(n, &pairs.iter().map(|&p| Some(p)).collect::<Vec<_>>());
         let (half, all) = (SORT_PAIRS / 2, SORT_PAIRS);
         let pairs = [7, 7 + half, 3, 7 + half - 1, 8, 9, 9 + all, 9];
-        assert_eq!(of(0, &pairs), [false, true, true, true, true, false, true, false]);
-        assert_eq!(of(32, &pairs), [false, true, true, true, true, true, false, true]);
+        assert_eq!(kept_of(0, &pairs), [false, true, true, true, true, false, true, false]);
+        assert_eq!(kept_of(32, &pairs), [false, true, true, true, true, true, false, true]);
     }
 
     #[test]

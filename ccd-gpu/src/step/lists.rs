@@ -46,17 +46,6 @@ impl<T> Lists<T> {
         }
     }
 
-    /// References to each.
-    pub fn each_ref(&self) -> Lists<&T> {
-        Lists {
-            candidates: self.candidates.each_ref(),
-            survivors: self.survivors.each_ref(),
-            undecided: self.undecided.each_ref(),
-            contacts: &self.contacts,
-            source: self.source.iter().collect(),
-        }
-    }
-
     /// All of them, without their names.
     pub fn into_vec(self) -> Vec<T> {
         let mut out = Vec::new();
@@ -80,7 +69,6 @@ mod tests {
         assert_eq!(lists().into_vec(), (1..=10).collect::<Vec<_>>());
         let both = lists().zip(lists().map(|i| 10 * i)).into_vec();
         assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 10);
-        assert_eq!(lists().each_ref().map(|i| *i), lists());
         assert_eq!(lists().try_map(|i| if i < 7 { Ok(i) } else { Err(i) }), Err(7));
     }
 }

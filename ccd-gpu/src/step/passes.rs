@@ -1,4 +1,4 @@
-//! What a frame is: the dispatches from positions to results.
+//! The dispatches of a frame, from positions to results.
 
 use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
@@ -6,11 +6,11 @@ use super::{Goal, SAMPLE};
 use crate::bind::{
     Decide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
-use crate::growable_list::{HEADER_BYTES, List};
+use crate::growable_list::{HEADER_BYTES, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::layout::{Decision, Frame, Params};
 
 /// Stages by kind.
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
@@ -142,7 +142,6 @@ impl Buffers {
         recorder.stage(DECIDE[kind]);
         let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
-        let parts = parts(input, self.contacts.capacity());
         // Where contacts are not kept, a list that stays as it is and that the other kind does not
         // have, so that a device works on both at once.
         let keep = frame.has(Frame::FLAG_KEEP);
@@ -150,8 +149,9 @@ impl Buffers {
         let Positions { paths, wide: positions, .. } = &self.positions;
         let (elements, args) =
             (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
+        let capacity = input.capacity();
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
-        for dispatch in parts {
+        for dispatch in parts(capacity, DISPATCH_LIMIT, self.contacts.capacity()) {
             let groups = self.groups.min(dispatch.n.div_ceil(Id::Decide.threads()));
             let p = Params { frame, dispatch, args };
             if wide {
@@ -173,20 +173,9 @@ impl Buffers {
 /// Entries of a list that one dispatch decides, or describes, at most: each takes some thousand
 /// operations, in `f64` where it is there, so that a small device is done long before its driver
 /// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
-const DISPATCH_LIMIT: u32 = 1 << 21;
+pub const DISPATCH_LIMIT: u32 = 1 << 21;
 
-/// The dispatches over the entries of a list, the first of all.
-pub fn parts(input: &List, capacity_out: u32) -> impl Iterator<Item = Dispatch> + use<> {
-    let capacity_in = input.capacity();
-    (0..capacity_in).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
-        n: (capacity_in - first).min(DISPATCH_LIMIT),
-        first,
-        capacity_in,
-        capacity_out,
-    })
-}
-
-/// Parameters of a kernel that needs to know no more than the frame.
+/// Parameters of a kernel that reads the frame alone.
 fn plain(frame: &Frame) -> Params {
     Params { frame: *frame, ..Params::default() }
 }

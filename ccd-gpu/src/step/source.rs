@@ -8,10 +8,10 @@ use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::List;
+use crate::growable_list::{List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::layout::{Decision, Frame, Params};
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -23,21 +23,16 @@ pub enum Source {
     /// The default, whose pairs are never listed.
     Blocks(Box<Tree>),
     /// Any other.
-    Listed(Listed),
+    Features(Box<dyn PairSource>, Listed),
+    /// Pairs of triangles, expanded into pairs of features.
+    Triangles(Box<TrianglePairs>, Listed),
 }
 
-/// A source with the pairs of features that it lists.
+/// Pairs of features that a source lists.
 pub struct Listed {
-    finder: Finder,
     /// Pairs of boxes that overlap, by kind.
     pub(super) pairs: [List; 2],
     groups: u32,
-}
-
-/// What lists pairs of features.
-enum Finder {
-    Features(Box<dyn PairSource>),
-    Triangles(Box<TrianglePairs>),
 }
 
 /// Listed pairs that one dispatch takes at most: some milliseconds of a small device, so that no
@@ -45,45 +40,41 @@ enum Finder {
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
 impl Source {
-    /// Room for a mesh with these numbers of vertices, edges and faces, with buffers of another
-    /// source: all of blocks, and lists of every other, as far as they are large enough. That one
+    /// The source for a mesh with these numbers of vertices, edges and faces, with buffers of
+    /// another as far as they are large enough: all of blocks, and lists of every other. That one
     /// may be used again, if this fails.
-    pub fn reusing(
+    pub fn new(
         device: &Device,
         mesh: &Mesh,
         options: &Options,
-        rules: Option<&Rules>,
-        count: [u32; 3],
+        (rules, count): (Option<&Rules>, [u32; 3]),
         old: Option<&Self>,
     ) -> Result<Self, Error> {
         let old_tree = match old {
             Some(Self::Blocks(tree)) => Some(&**tree),
             _ => None,
         };
-        let choice = options.broad_phase;
-        let finder = match options.pipeline {
+        // A feature overlaps some tens of others on real scenes; a list that is too short grows.
+        let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
+        let listed = || -> Result<Listed, Error> {
+            let vf = list("overlapping vertices and faces", count[2])?;
+            let pairs = [vf, list("overlapping edges", count[1])?];
+            Ok(Listed { pairs, groups: device.groups() })
+        };
+        let (choice, scheduling) = (options.broad_phase, options.scheduling);
+        let mut new = match options.pipeline {
             Pipeline::Triangles(triangles) => {
                 let pairs = TrianglePairs::new(device, mesh, options, triangles, (rules, count))?;
-                Finder::Triangles(Box::new(pairs))
+                Self::Triangles(Box::new(pairs), listed()?)
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                let mut tree = Tree::reusing(device, options.scheduling, count, old_tree)?;
+                let mut tree = Tree::new(device, scheduling, count, old_tree)?;
                 tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
                 return Ok(Self::Blocks(Box::new(tree)));
             }
-            _ => Finder::Features(method::source(device, choice, options.scheduling, count)?),
+            _ => Self::Features(method::source(device, choice, scheduling, count)?, listed()?),
         };
-        // A feature overlaps some tens of others on real scenes; a list that is too short grows.
-        let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
-        let mut new = Self::Listed(Listed {
-            finder,
-            pairs: [
-                list("overlapping vertices and faces", count[2])?,
-                list("overlapping edges", count[1])?,
-            ],
-            groups: device.groups(),
-        });
-        if let Some(old @ Self::Listed(_)) = old {
+        if let Some(old @ (Self::Features(..) | Self::Triangles(..))) = old {
             for (list, old) in new.lists_mut().into_iter().zip(old.lists()) {
                 old.replace_shorter(list);
             }
@@ -101,10 +92,10 @@ impl Source {
     ) -> Result<(), Error> {
         match self {
             Self::Blocks(tree) => tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?,
-            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => {
+            Self::Triangles(triangles, _) => {
                 triangles.set_bodies(device, mesh, options, rules)?;
             }
-            Self::Listed(_) => {}
+            Self::Features(..) => {}
         }
         Ok(())
     }
@@ -113,32 +104,32 @@ impl Source {
     pub fn finder(&self) -> &dyn PairSource {
         match self {
             Self::Blocks(tree) => &**tree,
-            Self::Listed(Listed { finder: Finder::Features(source), .. }) => &**source,
-            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => &**source,
+            Self::Features(source, _) => &**source,
+            Self::Triangles(source, _) => &**source,
         }
     }
 
-    /// The same, to be told how a search came out.
+    /// The same, for [`PairSource::settle`].
     pub fn finder_mut(&mut self) -> &mut dyn PairSource {
         match self {
             Self::Blocks(tree) => &mut **tree,
-            Self::Listed(Listed { finder: Finder::Features(source), .. }) => &mut **source,
-            Self::Listed(Listed { finder: Finder::Triangles(source), .. }) => &mut **source,
+            Self::Features(source, _) => &mut **source,
+            Self::Triangles(source, _) => &mut **source,
         }
     }
 
     /// What pairs of triangles are expanded by, if they are what is looked for.
     pub fn triangles(&self) -> Option<&TrianglePairs> {
         match self {
-            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => Some(triangles),
+            Self::Triangles(triangles, _) => Some(triangles),
             _ => None,
         }
     }
 
-    /// The same, to be told of positions.
+    /// The same, for [`TrianglePairs::certify`].
     pub fn triangles_mut(&mut self) -> Option<&mut TrianglePairs> {
         match self {
-            Self::Listed(Listed { finder: Finder::Triangles(triangles), .. }) => Some(triangles),
+            Self::Triangles(triangles, _) => Some(triangles),
             _ => None,
         }
     }
@@ -152,7 +143,7 @@ impl Source {
     pub fn lists(&self) -> Vec<&List> {
         let pairs = match self {
             Self::Blocks(_) => &[][..],
-            Self::Listed(listed) => &listed.pairs,
+            Self::Features(_, listed) | Self::Triangles(_, listed) => &listed.pairs,
         };
         self.finder().lists().into_iter().chain(pairs).collect()
     }
@@ -161,12 +152,8 @@ impl Source {
     pub fn lists_mut(&mut self) -> Vec<&mut List> {
         let (lists, pairs) = match self {
             Self::Blocks(tree) => (tree.lists_mut(), &mut [][..]),
-            Self::Listed(Listed { finder: Finder::Features(source), pairs, .. }) => {
-                (source.lists_mut(), &mut pairs[..])
-            }
-            Self::Listed(Listed { finder: Finder::Triangles(source), pairs, .. }) => {
-                (source.lists_mut(), &mut pairs[..])
-            }
+            Self::Features(source, listed) => (source.lists_mut(), &mut listed.pairs[..]),
+            Self::Triangles(source, listed) => (source.lists_mut(), &mut listed.pairs[..]),
         };
         lists.into_iter().chain(pairs).collect()
     }
@@ -175,7 +162,7 @@ impl Source {
     pub fn sampled(&self) -> Vec<&List> {
         match self {
             Self::Blocks(tree) => tree.pairs.iter().filter_map(|lists| lists.first()).collect(),
-            Self::Listed(_) => Vec::new(),
+            _ => Vec::new(),
         }
     }
 
@@ -188,7 +175,7 @@ impl Source {
                     tree.clear_bounds(recorder);
                 }
             }
-            Self::Listed(_) => self.finder().clear(recorder),
+            _ => self.finder().clear(recorder),
         }
     }
 
@@ -220,7 +207,7 @@ impl Source {
                 recorder.stage("block pairs");
                 tree.descend(recorder, frame, &[0, 1], keeps_order);
             }
-            Self::Listed(listed) => {
+            Self::Features(_, listed) | Self::Triangles(_, listed) => {
                 let pairs = &listed.pairs;
                 let n_bounding = frame.count[0];
                 let search = Search {
@@ -245,11 +232,8 @@ impl Listed {
         output: &List,
         mut run: impl FnMut(&Params<Decision>, u32),
     ) {
-        let (capacity_in, capacity_out) = (self.pairs[kind].capacity(), output.capacity());
-        for first in (0..capacity_in).step_by(DISPATCH_LIMIT as usize) {
-            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, capacity_in, capacity_out };
-            let n = (capacity_in - first).min(DISPATCH_LIMIT);
-            let groups = n.div_ceil(Id::FilterListed.threads()).min(self.groups);
+        for dispatch in parts(self.pairs[kind].capacity(), DISPATCH_LIMIT, output.capacity()) {
+            let groups = dispatch.n.div_ceil(Id::FilterListed.threads()).min(self.groups);
             let args = Decision { kind: kind as u32, capacity_open: 0 };
             run(&Params { frame: *frame, dispatch, args }, groups);
         }

@@ -8,11 +8,11 @@
 use crate::bind;
 use crate::broad_phase::block_bvh::DISPATCH_LIMIT;
 use crate::broad_phase::method;
-use crate::broad_phase::pair_source::{PairSource, Search, boxes_of, frame_of};
+use crate::broad_phase::pair_source::{PairSource, Search, boxes, frame_of};
 use crate::broad_phase::scheduled::{Scheduled, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{Header, List};
+use crate::growable_list::{Header, List, parts};
 use crate::readback::word;
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
@@ -41,7 +41,7 @@ pub struct TrianglePairs {
     boxes: wgpu::Buffer,
     /// Finds pairs of triangles: one set of boxes.
     source: Box<dyn PairSource>,
-    /// What that is told.
+    /// The frame of that source.
     frame: Frame,
     pairs: List,
     inputs: ExpansionInputs,
@@ -52,7 +52,7 @@ pub struct TrianglePairs {
     groups: u32,
 }
 
-/// What kernels are told of triangles, by the rules of bodies.
+/// Inputs of the kernels that expand triangles, by the rules of bodies.
 struct ExpansionInputs {
     triangles: wgpu::Buffer,
     /// Those of neighbours, and how many.
@@ -73,18 +73,13 @@ impl ExpansionInputs {
     ) -> Result<Self, Error> {
         let triangles = Triangles::new(mesh);
         let n = triangles.len() as u32;
-        let sent = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST)?;
-            device.write(what, &buffer, 0, bytes)?;
-            Ok(buffer)
-        };
         let body = |t: u32| rules.map_or(0, |rules| rules.word(triangles.corners(t)[0]));
         let records: Vec<Triangle> = (0..n).map(|t| triangles.record(t, body(t))).collect();
         let near = orphans.then(|| near_tests(mesh, options, &triangles)).flatten();
         // Where the list is too long for the device, neighbours are tested like all others.
         let near = match near {
             None => None,
-            Some(near) => match sent("tests of neighbours", bytemuck::cast_slice(&near.tests)) {
+            Some(near) => match device.sent("tests of neighbours", &near.tests) {
                 Ok(buffer) => Some((near, buffer)),
                 Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => None,
                 Err(e) => return Err(e),
@@ -105,11 +100,11 @@ impl ExpansionInputs {
         args.rules = words.len() as u32;
         words.extend(rules.map_or(&[][..], Rules::table));
         Ok(Self {
-            triangles: sent("triangles", bytemuck::cast_slice(&records))?,
-            tests: tests.map_or_else(|| sent("no tests of neighbours", &[]), Ok)?,
+            triangles: device.sent("triangles", &records)?,
+            tests: tests.map_or_else(|| device.sent::<u32>("no tests of neighbours", &[]), Ok)?,
             n_tests,
             args,
-            of_triangle: sent("free regions and rules", bytemuck::cast_slice(&words))?,
+            of_triangle: device.sent("free regions and rules", &words)?,
         })
     }
 }
@@ -128,7 +123,7 @@ impl TrianglePairs {
         Ok(())
     }
 
-    /// Room for a mesh with these numbers of vertices, edges and faces.
+    /// For a mesh with these numbers of vertices, edges and faces.
     pub fn new(
         device: &Device,
         mesh: &Mesh,
@@ -152,7 +147,7 @@ impl TrianglePairs {
         // A triangle overlaps some tens of others on real scenes; a list that is too short grows.
         let capacity = n.saturating_mul(16).max(4096);
         Ok(Self {
-            boxes: boxes_of(device, count)?,
+            boxes: boxes(device, count, None)?,
             source: method::source(device, options.broad_phase, options.scheduling, frame.count)?,
             frame,
             pairs: List::new(device, "overlapping triangles", 2, capacity)?,
@@ -204,11 +199,9 @@ impl TrianglePairs {
     ) {
         let [vf, ee] = search.pairs;
         let args = Expansion { capacity_ee: ee.capacity(), ..self.inputs.args };
-        for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
-            let part = (n - first).min(DISPATCH_LIMIT);
-            let dispatch = Dispatch { n: part, first, capacity_in: n, capacity_out: vf.capacity() };
-            let p = Params { frame: *search.frame, dispatch, args };
-            run(&p, part.div_ceil(threads).min(self.groups));
+        for dispatch in parts(n, DISPATCH_LIMIT, vf.capacity()) {
+            let groups = dispatch.n.div_ceil(threads).min(self.groups);
+            run(&Params { frame: *search.frame, dispatch, args }, groups);
         }
     }
 }
@@ -227,8 +220,8 @@ pub fn read_counts(bytes: &[u8]) -> TriangleCounts {
 
 /// The tests of neighbours, if there are not too many.
 fn near_tests(mesh: &Mesh, options: &Options, triangles: &Triangles) -> Option<NearTests> {
-    let wanted = |of: Pair| {
-        let [a, b] = [of.a, of.b].map(|t| triangles.corners(t)[0]);
+    let wanted = |pair: Pair| {
+        let [a, b] = [pair.a, pair.b].map(|t| triangles.corners(t)[0]);
         options.bodies.as_ref().is_none_or(|bodies| bodies.wants(a, b))
     };
     let sets = OrphanSets::new(mesh, triangles)?;
@@ -259,19 +252,12 @@ impl PairSource for TrianglePairs {
         recorder.stage("expand");
         let (input, [vf, ee]) = (self.pairs.buffer(), search.pairs.map(List::buffer));
         let kernel = bind::ExpandTriangles { triangles, regions, boxes, input, vf, ee, counts };
-        self.each_part(
-            self.pairs.capacity(),
-            search,
-            Id::ExpandTriangles.threads(),
-            |p, groups| {
-                recorder.dispatch(&kernel, p, groups);
-            },
-        );
+        let (n, threads) = (self.pairs.capacity(), Id::ExpandTriangles.threads());
+        self.each_part(n, search, threads, |p, groups| recorder.dispatch(&kernel, p, groups));
         recorder.detail("neighbours");
         let kernel = bind::NearTests { tests, regions, swept, boxes, vf, ee, counts };
-        self.each_part(inputs.n_tests, search, Id::NearTests.threads(), |p, groups| {
-            recorder.dispatch(&kernel, p, groups);
-        });
+        let (n, threads) = (inputs.n_tests, Id::NearTests.threads());
+        self.each_part(n, search, threads, |p, groups| recorder.dispatch(&kernel, p, groups));
     }
 
     fn lists(&self) -> Vec<&List> {

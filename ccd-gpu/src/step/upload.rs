@@ -44,20 +44,19 @@ pub enum Boxes {
 }
 
 impl Positions {
-    /// Room for the paths of `n` vertices, with buffers that others had as far as they are large
-    /// enough.
-    pub fn reusing(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
+    /// For the paths of `n` vertices, with the buffers of others as far as they are large enough.
+    pub fn new(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
-        let of = |old, what, bytes| device.buffer_or(old, what, bytes, usage);
+        let buffer = |old, what, bytes| device.buffer_or(old, what, bytes, usage);
         let [paths, wide, keys] = match old {
             Some(old) => [&old.paths, &old.wide, &old.keys].map(Some),
             None => [None; 3],
         };
         Ok(Self {
-            paths: of(paths, "paths", (n * size_of::<Path>()) as u64)?,
+            paths: buffer(paths, "paths", (n * size_of::<Path>()) as u64)?,
             // Grow when they are needed.
-            wide: of(wide, "positions in f64", 0)?,
-            keys: of(keys, "keys of exact boxes", 0)?,
+            wide: buffer(wide, "positions in f64", 0)?,
+            keys: buffer(keys, "keys of exact boxes", 0)?,
             boxes: Boxes::OfPaths,
             exact: true,
             table: Table::AS_GIVEN,
@@ -181,7 +180,7 @@ impl Positions {
         self.slack = 0.0;
     }
 
-    /// Sets what kernels must know of the positions.
+    /// Sets what kernels read of the positions.
     pub fn describe(&self, frame: &mut Frame, min_distance: f64) {
         frame.path_error = self.table.error;
         frame.slack = self.slack;

@@ -50,11 +50,11 @@ kernel! {
         block_nodes: [BoxWords], mut nodes: [NodeWords], mut far: [u32]) {
         let tile = t.group * TILE;
         let i = tile + t.lane;
-        let of = params.args.kind as usize;
-        let n_leaves = params.frame.count[of];
+        let tree = params.args.kind as usize;
+        let n_leaves = params.frame.count[tree];
         let mut aabb = Aabb::EMPTY;
         if i < n_leaves {
-            aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, of, i));
+            aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, tree, i));
         }
         set(boxes, t.lane, aabb);
         if t.lane == 0 {
@@ -118,8 +118,8 @@ kernel! {
     /// The threads box the children of the nodes that are listed in `far`.
     far_nodes[128](t; params: Blocks;; branches: [UVec4], block_nodes: [BoxWords], far: [u32],
         mut nodes: [NodeWords]) {
-        let of = params.args.kind as usize;
-        let (n_far, n_internal) = (at(far, 0), params.frame.count[of] - 1);
+        let tree = params.args.kind as usize;
+        let (n_far, n_internal) = (at(far, 0), params.frame.count[tree] - 1);
         let threads = t.groups * FAR;
         for round in 0..n_far.div_ceil(threads) {
             let k = round * threads + t.i;
@@ -129,8 +129,9 @@ kernel! {
             let i = at(far, LIST_HEADER + k as usize);
             let branch = branch_at(branches, i as usize);
             let split = radix_tree::last_of_left(&branch, n_internal);
-            let left = block_bvh::range_box(&params.args, of, branch.first, split, block_nodes);
-            let right = block_bvh::range_box(&params.args, of, split + 1, branch.last, block_nodes);
+            let left = block_bvh::range_box(&params.args, tree, branch.first, split, block_nodes);
+            let right =
+                block_bvh::range_box(&params.args, tree, split + 1, branch.last, block_nodes);
             let node = wide::wide_node(&branch, split, n_internal, &left, &right);
             put(nodes, i as usize, NodeWords::of(&node));
         }

@@ -3,7 +3,7 @@
 //!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{HITS, KEPT, SHARE, clear, gather, reserve, rounds, team_pair, test};
+use super::block_pairs::{HITS, KEPT, SHARE, Teams};
 use crate::entry::kernel;
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{add_shared, append, barrier, count, get, length, set, write_pair};
@@ -25,97 +25,85 @@ macro_rules! leaf_entry {
         kernel! {
             $(#[$doc])*
             $name[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-                counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8]; nodes: [BoxWords],
-                leaves: [Leaf], bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)?
-                input: [u32], mut output: [u32]) {
+                ranges: [u32; 1], counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8];
+                nodes: [BoxWords], leaves: [Leaf], bodies: [u32], keys: [[[u32; 2]; 6]],
+                $($paths: [Path],)? input: [u32], mut output: [u32]) {
+                let (frame, capacity) = (&params.frame, params.dispatch.capacity_out);
                 let len = length(input, params.dispatch.capacity_in);
-                let (team, i) = (t.lane / WIDTH, t.lane % WIDTH);
+                let (lane, team, i) = (t.lane, t.lane / WIDTH, t.lane % WIDTH);
                 let kind = $kind(params);
                 let [set_a, set_b] = sets(kind);
-                for round in 0..rounds(params, len, t.group, t.groups) {
-                    let (pair, some) =
-                        team_pair(params, input, len, t.group, t.groups, round, team);
-                    clear(t.lane, counters);
+                let mut teams =
+                    Teams { t, params, nodes, columns, names, ranges, counters, hits, firsts };
+                for round in 0..teams.rounds(len) {
+                    let (pair, some) = teams.pair(input, len, round);
+                    teams.clear();
                     let (first_a, first_b) = (
                         slot(&params.args, 0, set_a, pair.a * WIDTH) as u32,
                         slot(&params.args, 0, set_b, pair.b * WIDTH) as u32,
                     );
                     if i == 0 {
-                        set(firsts, 2 * team, first_a);
-                        set(firsts, 2 * team + 1, first_b);
+                        set(teams.firsts, 2 * team, first_a);
+                        set(teams.firsts, 2 * team + 1, first_b);
                     }
-                    let row = gather(t.lane, params, pair, some, nodes, columns, names, counters);
+                    let row = teams.gather(pair, some);
                     let same = set_a == set_b && pair.a == pair.b;
-                    let mut beyond = test::<8, false>(
-                        t.lane, row, same, true, columns, names, counters, hits, 0, firsts,
-                    );
+                    let mut beyond = teams.test(row, same, true, 0);
                     for _ in 0..WIDTH {
                         if beyond == 0 {
                             break;
                         }
-                        let j = get(names, team * WIDTH + beyond.trailing_zeros());
+                        let j = get(teams.names, team * WIDTH + beyond.trailing_zeros());
                         beyond &= beyond - 1;
                         // Not filtered, which is allowed: filters only save work.
                         let (p, q) = ((first_a + i) as usize, (first_b + j) as usize);
                         let (a, b) = (at(leaves, p), at(leaves, q));
                         let both = [&box_at(nodes, p), &box_at(nodes, q)];
-                        if wanted(&params.frame, kind, &a, &b, both, bodies, keys) {
-                            let pair = ids(set_a == set_b, a.id, b.id);
-                            append(output, params.dispatch.capacity_out, pair);
+                        if wanted(frame, kind, &a, &b, both, bodies, keys) {
+                            append(output, capacity, ids(set_a == set_b, a.id, b.id));
                             count(output, 1, 1);
                         }
                     }
                     barrier();
-                    let n_hits = get(counters, HITS).min(POOL);
+                    let n_hits = get(teams.counters, HITS).min(POOL);
                     for s in 0..SHARE {
-                        let h = t.lane + s * THREADS;
+                        let h = lane + s * THREADS;
                         if h >= n_hits {
                             break;
                         }
-                        let hit = get(hits, h);
-                        let [of, i, j] = unpack(hit);
-                        let (p, q) = (
-                            (get(firsts, 2 * of) + i) as usize,
-                            (get(firsts, 2 * of + 1) + j) as usize,
-                        );
+                        let hit = get(teams.hits, h);
+                        let [p, q] = teams.leaves_of(hit);
                         let (a, b) = (at(leaves, p), at(leaves, q));
                         let both = [&box_at(nodes, p), &box_at(nodes, q)];
-                        if wanted(&params.frame, kind, &a, &b, both, bodies, keys) {
-                            add_shared(counters, WANTED, 1);
-                            if $may_touch(&a, &b, &params.frame, $($paths)?) {
-                                let to = add_shared(counters, KEPT, 1);
-                                set(hits, h, keep(hit, to));
+                        if wanted(frame, kind, &a, &b, both, bodies, keys) {
+                            add_shared(teams.counters, WANTED, 1);
+                            if $may_touch(&a, &b, frame, $($paths)?) {
+                                let to = add_shared(teams.counters, KEPT, 1);
+                                set(teams.hits, h, keep(hit, to));
                             }
                         }
                     }
-                    let base = reserve(t.lane, counters, output);
-                    // The candidates themselves need not be written; how many there were is the
-                    // second word of the list.
-                    if t.lane == 0 {
-                        let n = get(counters, WANTED);
+                    let base = teams.reserve(output);
+                    // The candidates themselves need not be written; their number is the second
+                    // word of the list.
+                    if lane == 0 {
+                        let n = get(teams.counters, WANTED);
                         if n > 0 {
                             count(output, 1, n);
                         }
                     }
                     for s in 0..SHARE {
-                        let h = t.lane + s * THREADS;
+                        let h = lane + s * THREADS;
                         if h >= n_hits {
                             break;
                         }
-                        let hit = get(hits, h);
+                        let hit = get(teams.hits, h);
                         let to = kept(hit);
                         if to != NOT_KEPT {
-                            let [of, i, j] = unpack(hit);
-                            let (a, b) = (
-                                at(leaves, (get(firsts, 2 * of) + i) as usize),
-                                at(leaves, (get(firsts, 2 * of + 1) + j) as usize),
-                            );
-                            write_pair(
-                                output,
-                                params.dispatch.capacity_out,
-                                base + to,
-                                ids(set_a == set_b, a.id, b.id),
-                            );
+                            let [p, q] = teams.leaves_of(hit);
+                            let (a, b) = (at(leaves, p), at(leaves, q));
+                            let pair = ids(set_a == set_b, a.id, b.id);
+                            write_pair(output, capacity, base + to, pair);
                         }
                     }
                     barrier();
@@ -123,6 +111,16 @@ macro_rules! leaf_entry {
             }
         }
     };
+}
+
+impl<const N: usize> Teams<'_, N> {
+    /// Where the two leaves of a hit are.
+    #[inline(always)]
+    fn leaves_of(&self, hit: u32) -> [usize; 2] {
+        let [team, i, j] = unpack(hit);
+        let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
+        [a as usize, b as usize]
+    }
 }
 
 leaf_entry!(

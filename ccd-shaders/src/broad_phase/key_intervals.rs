@@ -17,8 +17,7 @@ use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
 use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::EDGE_EDGE;
-use ccd_core::backend::layout::{Intervals, Pair, Params};
+use ccd_core::backend::layout::{EDGE_EDGE, Intervals, Pair, Params};
 use ccd_core::narrow_phase::decide;
 
 const THREADS: u32 = Id::IntervalKeys.threads();
@@ -171,46 +170,50 @@ kernel! {
     }
 }
 
-/// The place of a thread's box among all sorted ones, and whether there is one.
-#[inline(always)]
-fn asking(params: &Params<Intervals>, row: u32, group: u32, lane: u32) -> (u32, bool) {
-    let [set, _] = asks(params.args.method, params.args.kind, row);
-    let k = group * GROUP + lane;
-    (params.frame.start[set as usize] + k, k < params.frame.count[set as usize])
+/// Sorted boxes, their keys and the survey, with the parameters of a kernel.
+#[derive(Clone, Copy)]
+struct Sorted<'a> {
+    params: &'a Params<Intervals>,
+    boxes: &'a [Aabb],
+    keys: &'a [u32],
+    survey: &'a [u32],
 }
 
-/// The interval of keys of a thread's box, an empty one where there is none; and the first place of
-/// its partners, as far as that is more than the interval says.
-#[inline(always)]
-fn partners(
-    params: &Params<Intervals>,
-    row: u32,
-    place: u32,
-    some: bool,
-    sorted: &[Aabb],
-    keys: &[u32],
-    survey: &[u32],
-) -> [u32; 3] {
-    if !some {
-        return [u32::MAX, 0, 0];
+impl Sorted<'_> {
+    /// The place of a thread's box among all sorted ones, and whether there is one.
+    #[inline(always)]
+    fn asking(self, row: u32, group: u32, lane: u32) -> (u32, bool) {
+        let Params { frame, args, .. } = self.params;
+        let [set, _] = asks(args.method, args.kind, row);
+        let k = group * GROUP + lane;
+        (frame.start[set as usize] + k, k < frame.count[set as usize])
     }
-    let (method, kind) = (params.args.method, params.args.kind);
-    let [_, asked] = asks(method, kind, row);
-    let (key, b) = (at(keys, place as usize), at(sorted, place as usize));
-    let [from, to] = interval(method, kind, row, asked, key, &b, survey);
-    [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
-}
 
-/// Whether cells are fuller than they may be.
-#[inline(always)]
-fn is_crowded(params: &Params<Intervals>, survey: &[u32]) -> bool {
-    is_full(params, 0, survey) || is_full(params, 1, survey) || is_full(params, 2, survey)
-}
+    /// The interval of keys of a thread's box, an empty one where there is none; and the first
+    /// place of its partners, as far as that is more than the interval says.
+    #[inline(always)]
+    fn partners(self, row: u32, place: u32, some: bool) -> [u32; 3] {
+        if !some {
+            return [u32::MAX, 0, 0];
+        }
+        let (method, kind) = (self.params.args.method, self.params.args.kind);
+        let [_, asked] = asks(method, kind, row);
+        let (key, b) = (at(self.keys, place as usize), at(self.boxes, place as usize));
+        let [from, to] = interval(method, kind, row, asked, key, &b, self.survey);
+        [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
+    }
 
-#[inline(always)]
-fn is_full(params: &Params<Intervals>, of_set: usize, survey: &[u32]) -> bool {
-    let first = FULLNESS + SET_WORDS * of_set;
-    at(survey, first + 1) > 0 || at(survey, first) > params.args.most[of_set]
+    /// Whether cells are fuller than they may be.
+    #[inline(always)]
+    fn is_crowded(self) -> bool {
+        self.is_full(0) || self.is_full(1) || self.is_full(2)
+    }
+
+    #[inline(always)]
+    fn is_full(self, set: usize) -> bool {
+        let first = FULLNESS + SET_WORDS * set;
+        at(self.survey, first + 1) > 0 || at(self.survey, first) > self.params.args.most[set]
+    }
 }
 
 kernel! {
@@ -224,8 +227,9 @@ kernel! {
             set(counters, TO, 0);
         }
         barrier();
-        let (place, some) = asking(params, row, group, t.lane);
-        let [from, to, _] = partners(params, row, place, some, sorted, keys, survey);
+        let all = Sorted { params, boxes: sorted, keys, survey };
+        let (place, some) = all.asking(row, group, t.lane);
+        let [from, to, _] = all.partners(row, place, some);
         if from <= to {
             lower_shared(counters, FROM, from);
             raise_shared(counters, TO, to);
@@ -245,7 +249,7 @@ kernel! {
         }
         barrier();
         let (begin, end) = (get(counters, BEGIN), get(counters, END));
-        let crowded = is_crowded(params, survey);
+        let crowded = all.is_crowded();
         let some = begin < end && !crowded;
         let n_chunks = if some { (end - begin).div_ceil(CHUNK) } else { 0 };
         if t.lane == 0 && n_chunks > 0 {
@@ -274,15 +278,15 @@ kernel! {
         hits: [u32; 2048], counters: [u32; 8]; sorted: [Aabb], keys: [u32], order: [u32],
         survey: [u32], work: [u32], mut pairs: [u32]) {
         let (group, groups) = (t.group, t.groups);
-        let len =
-            if is_crowded(params, survey) { 0 } else { part(work, &params.dispatch) };
+        let all = Sorted { params, boxes: sorted, keys, survey };
+        let len = if all.is_crowded() { 0 } else { part(work, &params.dispatch) };
         let n_keys = params.frame.start[3];
         // One piece a workgroup and round.
         for round in 0..decide::rounds(len, group, groups, 1) {
             let piece = read_pair(work, params.dispatch.first + group + round * groups);
             let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
-            let (place, some) = asking(params, row, asks, t.lane);
-            let [from, to, after] = partners(params, row, place, some, sorted, keys, survey);
+            let (place, some) = all.asking(row, asks, t.lane);
+            let [from, to, after] = all.partners(row, place, some);
             let query = if some { at(sorted, place as usize) } else { Aabb::EMPTY };
             for tile in 0..tiles {
                 let begin = first + tile * GROUP;
@@ -328,7 +332,7 @@ kernel! {
                         break;
                     }
                     let hit = get(hits, h);
-                    let (place, _) = asking(params, row, asks, hit >> 7);
+                    let (place, _) = all.asking(row, asks, hit >> 7);
                     let pair = pair_of(params, row, place, begin + hit % GROUP, order);
                     write_pair(pairs, params.dispatch.capacity_out, base + h, pair);
                 }

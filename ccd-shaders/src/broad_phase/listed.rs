@@ -9,8 +9,7 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::candidate::wanted;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::VERTEX_FACE;
-use ccd_core::backend::layout::{Frame, Leaf, Pair, Path};
+use ccd_core::backend::layout::{Frame, Leaf, Pair, Path, VERTEX_FACE};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::narrow_phase::{cascade, decide};
 

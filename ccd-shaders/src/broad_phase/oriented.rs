@@ -31,8 +31,8 @@ kernel! {
         mut far: [u32]) {
         let tile = t.group * TILE;
         let i = tile + t.lane;
-        let of = params.args.kind as usize;
-        let n_leaves = params.frame.count[of];
+        let tree = params.args.kind as usize;
+        let n_leaves = params.frame.count[tree];
         if t.lane < 8 {
             set(done, t.lane, 0);
         }
@@ -74,7 +74,7 @@ kernel! {
             }
         }
         barrier();
-        let node = (params.frame.start[of] + i) as usize;
+        let node = (params.frame.start[tree] + i) as usize;
         if state == FITTED {
             put(oriented, node, ObbWords::of(&get(boxes, t.lane)));
             put(stamps, node, 1);
@@ -115,9 +115,9 @@ fn in_tile(
 /// The box of a child that is a leaf.
 #[inline(always)]
 fn of_leaf(params: &Params<Blocks>, child: u32, block_nodes: &[BoxWords]) -> Obb {
-    let of = params.args.kind as usize;
-    let leaf = child - (params.frame.count[of] - 1);
-    let b: Aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, of, leaf));
+    let tree = params.args.kind as usize;
+    let leaf = child - (params.frame.count[tree] - 1);
+    let b: Aabb = box_at(block_nodes, block_bvh::slot(&params.args, 0, tree, leaf));
     Obb::of_box(&b)
 }
 
@@ -155,11 +155,11 @@ kernel! {
 /// Whether a child has its box since before this round.
 #[inline(always)]
 fn was_fitted(params: &Params<Blocks>, child: u32, stamps: &[u32]) -> bool {
-    let of = params.args.kind as usize;
-    if child + 1 >= params.frame.count[of] {
+    let tree = params.args.kind as usize;
+    if child + 1 >= params.frame.count[tree] {
         return true;
     }
-    is_ready(load(stamps, (params.frame.start[of] + child) as usize), params.dispatch.first)
+    is_ready(load(stamps, (params.frame.start[tree] + child) as usize), params.dispatch.first)
 }
 
 /// The box of a child that has one.
@@ -170,10 +170,10 @@ fn fitted(
     block_nodes: &[BoxWords],
     oriented: &[ObbWords],
 ) -> Obb {
-    let of = params.args.kind as usize;
-    if child + 1 >= params.frame.count[of] {
+    let tree = params.args.kind as usize;
+    if child + 1 >= params.frame.count[tree] {
         of_leaf(params, child, block_nodes)
     } else {
-        ObbWords::load(oriented, (params.frame.start[of] + child) as usize)
+        ObbWords::load(oriented, (params.frame.start[tree] + child) as usize)
     }
 }

@@ -29,8 +29,8 @@ const LEAVES_BASE: u32 = 3;
 
 kernel! {
     /// One workgroup lists the nodes of a cut through the tree over set `args.kind`, at most
-    /// `args.nodes` of them, as the cut of side `dispatch.first`. A node is split, if there is
-    /// room, while it has more than its share of the leaves.
+    /// `args.nodes` of them, as the cut of side `dispatch.first`. A node is split
+    /// while it has more than its share of the leaves and the cut is not full.
     cut_nodes[256](t; params: NodeDescent; nodes: [u32; 1024], counters: [u32; 4];
         branches: [Branch], mut cuts: [u32]) {
         let first = cut_start(params.dispatch.first) + LIST_HEADER;
@@ -156,7 +156,7 @@ pub(super) fn count_front(control: &mut [u32], n: u32) -> u32 {
     old
 }
 
-/// Writes a pair of the front; one for which there is no room is only counted.
+/// Writes a pair of the front; one beyond the capacity is only counted.
 #[inline(always)]
 pub(super) fn write_front(args: &NodeDescent, front: &mut [u32], i: u32, pair: NodePair) {
     if i < args.capacity_front {

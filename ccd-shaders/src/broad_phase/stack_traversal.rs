@@ -10,8 +10,7 @@ use ccd_core::backend::broad_phase::block_bvh::{self, sets};
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::broad_phase::wide_nodes::WideWalk;
 use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::VERTEX_FACE;
-use ccd_core::backend::layout::{Blocks, Pair, Params, Queries};
+use ccd_core::backend::layout::{Blocks, Pair, Params, Queries, VERTEX_FACE};
 
 /// The set within which pairs are looked for.
 const SET: usize = 1;

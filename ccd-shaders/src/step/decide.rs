@@ -110,7 +110,7 @@ kernel! {
                 }
             }
             barrier();
-            // Counted also beyond the room, so that the host sees how many there are.
+            // Counted also beyond the capacity, so that the host sees how many there are.
             let to = place(t.lane, open, counters, undecided);
             if open {
                 let pair = Pair { a: touch.a, b: touch.b };

@@ -1,4 +1,4 @@
-//! Paths of vertices and swept boxes: thread `i` makes what is of item `i`.
+//! Paths of vertices and swept boxes, an item a thread.
 
 use crate::entry::kernel;
 use ccd_core::Aabb;

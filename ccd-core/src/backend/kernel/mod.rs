@@ -3,7 +3,7 @@
 //!
 //! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through
 //! [`Words`]) and *emit* (an unknown number of results: the body says which there are, its caller
-//! appends them to a list that counts also those for which it has no room).
+//! appends them to a list, which also counts those beyond its capacity).
 //!
 //! The table, [`kernels!`](crate::kernels), has a row for each. A new kernel takes a body here, an
 //! entry point in ccd-shaders and a row; its id, its module, its pipeline, the names of its buffers

@@ -283,7 +283,7 @@ macro_rules! kernels {
         }
         tests {
             /// Items that are counted whenever a worker takes them.
-            StealStress = steal_stress(64 threads, 11 barriers, f32, Params<Stealing>)
+            StealStress = steal_stress(64 threads, 12 barriers, f32, Params<Stealing>)
                 { words: Write, stacks: Write, counts: Write, status: Write }
             /// Fields of records.
             ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)

@@ -1,13 +1,12 @@
-//! What kernels are told besides their buffers.
+//! Parameters of kernels.
 
 use super::{MAX_LEVELS, split};
 use crate::math::real::Real;
 use crate::narrow_phase::search::Search;
 use bytemuck::{Pod, Zeroable};
 
-/// What kernels are told besides their buffers: what is the same for a whole frame, what one
-/// dispatch is about, and a record of one algorithm, one after the other without gaps, because all
-/// are made of 32-bit words.
+/// Parameters of a kernel: a record of the frame, one of the dispatch and one of the algorithm, one
+/// after the other without gaps, because all are made of 32-bit words.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Params<A = Plain> {
@@ -27,7 +26,7 @@ impl<A: Pod> Params<A> {
     }
 }
 
-/// What a frame says to every kernel. Sets are numbered 0: vertices, 1: edges, 2: faces.
+/// Parameters of all kernels of a frame. Sets are numbered 0: vertices, 1: edges, 2: faces.
 ///
 /// | field | bytes | | field | bytes |
 /// |---|---|---|---|---|
@@ -120,8 +119,7 @@ impl Frame {
     }
 }
 
-/// What a dispatch says: which items it is about, and the rooms of the lists that it reads and
-/// writes.
+/// Parameters of a dispatch: its items, and the capacities of the lists that it reads and writes.
 ///
 /// | field | bytes |
 /// |---|---|
@@ -136,9 +134,9 @@ pub struct Dispatch {
     pub n: u32,
     /// The first of them, or the first entry of a list that is looked at.
     pub first: u32,
-    /// Entries that the list which is read has room for.
+    /// Capacity of the list that is read.
     pub capacity_in: u32,
-    /// Entries that the list which is written has room for.
+    /// Capacity of the list that is written.
     pub capacity_out: u32,
 }
 
@@ -160,8 +158,7 @@ pub struct Placing {
     pub unit: f32,
 }
 
-/// What kernels of the block tree are told: where its nodes are, and which of them a dispatch is
-/// about.
+/// Parameters of kernels over block trees: where the nodes are, and which of them a dispatch reads.
 ///
 /// | field | bytes |
 /// |---|---|
@@ -185,7 +182,7 @@ pub struct Blocks {
     pub limit: u32,
 }
 
-/// What a traversal of a binary tree is told.
+/// Parameters of a traversal of a binary tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Queries {
@@ -195,7 +192,7 @@ pub struct Queries {
     pub sorted: u32,
 }
 
-/// What the kernels of methods by keys are told; see
+/// Parameters of the methods by keys; see
 /// [`key_intervals`](crate::broad_phase::key_intervals).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -210,7 +207,7 @@ pub struct Intervals {
     pub most: [u32; 3],
 }
 
-/// What the descent of pairs of nodes is told.
+/// Parameters of the descent of pairs of nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct NodeDescent {
@@ -220,16 +217,16 @@ pub struct NodeDescent {
     pub larger: u32,
     /// Nodes of a cut.
     pub nodes: u32,
-    /// Entries that the list of pairs of nodes has room for; each of two, if they are one buffer.
+    /// Capacity of the list of pairs of nodes; of each of two, if they are one buffer.
     pub capacity_nodes: u32,
-    /// Entries that the front has room for, each of two in one buffer; 0: none is kept.
+    /// Capacity of the front, of each of two in one buffer; 0: none is kept.
     pub capacity_front: u32,
     /// Which of the two fronts is written, 0 or 1; the other is read.
     pub written: u32,
-    /// What workers are told, see [`pair_workers`](crate::broad_phase::pair_workers): where tasks
-    /// come from, the `TASKS_` constants of this type.
+    /// Where tasks of workers come from, a `TASKS_` constant of this type; see
+    /// [`pair_workers`](crate::broad_phase::pair_workers).
     pub tasks: u32,
-    /// Of the number of workers, the power of two.
+    /// log2 of the number of workers.
     pub workers: u32,
     /// Tasks that are taken at once from the counter, at least.
     pub piece: u32,
@@ -241,9 +238,9 @@ pub struct NodeDescent {
     pub turns: u32,
     /// 1 in the last round: pairs that are left are seen by the host.
     pub last: u32,
-    /// What workers that steal are told: batches for which there is room in a deque.
+    /// Of workers that steal: batches that fit in a deque.
     pub batches: u32,
-    /// Pairs for which there is room in a batch.
+    /// Pairs that fit in a batch.
     pub batch: u32,
     /// Batches that are stolen from one deque at once, at most; 0: tasks are stolen, one at a time.
     pub most: u32,
@@ -260,17 +257,17 @@ impl NodeDescent {
     pub const TASKS_COUNTED: u32 = 1;
 }
 
-/// What the descent of pairs of blocks by workers is told.
+/// Parameters of the descent of pairs of blocks by workers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct BlockDescent {
-    /// What is told of any pairs of nodes.
+    /// Those of the descent of any pairs of nodes.
     pub of_pairs: NodeDescent,
     /// First node of either side on each level, as in [`Blocks`].
     pub slots: [[u32; 2]; MAX_LEVELS],
 }
 
-/// What the builders of binary trees are told.
+/// Parameters of the builders of binary trees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Building {
@@ -286,15 +283,16 @@ pub struct Building {
     pub made: u32,
 }
 
-/// What workers that steal are told; see [`Workers`](crate::scheduling::stealing::Workers).
+/// Parameters of the stress test of stealing; see
+/// [`Workers`](crate::scheduling::stealing::Workers).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Stealing {
     /// Workers, each a workgroup.
     pub workers: u32,
-    /// Batches for which there is room in a deque.
+    /// Batches that fit in a deque.
     pub batches: u32,
-    /// Items for which there is room in a batch.
+    /// Items that fit in a batch.
     pub batch: u32,
     /// Batches that are stolen from one deque at once, at most; 0: tasks are stolen, one at a time.
     pub most: u32,
@@ -304,7 +302,7 @@ pub struct Stealing {
     pub patience: u32,
 }
 
-/// What one pass of the radix sort is told.
+/// Parameters of one pass of the radix sort.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct SortPass {
@@ -314,24 +312,24 @@ pub struct SortPass {
     pub n_tiles: u32,
 }
 
-/// What the kernels that look at one listed pair a thread are told.
+/// Parameters of the kernels that look at one listed pair a thread.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Decision {
     /// 0: vertices against faces, 1: edges against edges.
     pub kind: u32,
-    /// Entries that the list of undecided pairs has room for.
+    /// Capacity of the list of undecided pairs.
     pub capacity_open: u32,
 }
 
-/// What the kernels that expand pairs of triangles are told; see
+/// Parameters of the kernels that expand pairs of triangles; see
 /// [`expansion`](crate::backend::triangle_pairs::expansion).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Expansion {
     /// The `FLAG_` constants of this type.
     pub flags: u32,
-    /// Entries that the list of pairs of edges has room for.
+    /// Capacity of the list of pairs of edges.
     pub capacity_ee: u32,
     /// Which of the tests of neighbours are of a vertex and a face: those before this one.
     pub n_vf: u32,
@@ -354,7 +352,7 @@ impl Expansion {
     }
 }
 
-/// What the kernels that sort boxes of many worlds are told; see
+/// Parameters of the kernels that sort boxes of many worlds; see
 /// [`worlds`](crate::broad_phase::worlds).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -363,7 +361,7 @@ pub struct Worlds {
     pub bits: u32,
 }
 
-/// What the keys of contacts depend on.
+/// Parameters of the keys of contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ContactSort {

@@ -1,5 +1,5 @@
-//! What builders that join nodes from the leaves up have in common on a device: who was joined with
-//! whom, and from that the numbers of all nodes and the order of the leaves.
+//! Joins of nodes by builders that work from the leaves up, and from them the numbers of all nodes
+//! and the order of the leaves.
 
 use crate::bind::NumberLeaves;
 use crate::broad_phase::block_bvh::Tree;

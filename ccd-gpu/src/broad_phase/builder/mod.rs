@@ -25,7 +25,7 @@ pub trait TreeBuilder: Send + Sync {
     /// Levels of internal nodes that a tree may have, for any boxes.
     fn height(&self) -> u32;
 
-    /// Records that everything becomes zero to which kernels of the builder add.
+    /// Clears everything to which kernels of the builder add.
     fn clear(&self, _recorder: &mut Recorder) {}
 
     /// Records the kernels that fill `branches`, one fewer than boxes of the set, from boxes that

@@ -1,10 +1,10 @@
 //! LBVH by split lists: neighbours of the sorted Morton codes part at a level each, and every level
 //! has a list of where they did [Lauterbach 2009].
 //!
-//! What the lists are is said in [`ccd_core::backend::broad_phase::split_lists`]; they are one
-//! array, sorted by level and then by place, made as on a CPU: every workgroup counts how many
-//! entries its places have on each level, one scan a level says where they go (that of the sort),
-//! and every thread writes its own. The tree is that of [`super::lbvh`], node by node.
+//! The lists of [`ccd_core::backend::broad_phase::split_lists`] are one array, sorted by level and
+//! then by place, made as on a CPU: every workgroup counts how many entries its places have on each
+//! level, one scan a level says where they go (that of the sort), and every thread writes its own.
+//! The tree is that of [`super::lbvh`], node by node.
 //!
 //! Cost: five dispatches; per box 12 bytes, and 4 for each of the two to four entries that it has
 //! on the lists. The array grows where boxes have more; until it has, nodes are found as in

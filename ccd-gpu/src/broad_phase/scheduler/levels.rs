@@ -38,7 +38,7 @@ pub struct Levels {
 const BYTES: u64 = 4 * ROUNDS as u64;
 
 impl Levels {
-    /// Room for `n` pairs of nodes a level.
+    /// For `n` pairs of nodes a level.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
         let usage = U::STORAGE | U::COPY_DST;
         let list = || List::new(device, "pairs of nodes", 2, n);
@@ -60,15 +60,15 @@ impl Schedule for Levels {
         recorder.clear(&self.counters, BYTES);
     }
 
-    fn run(&self, recorder: &mut Recorder, of: &Descended, _: Written) {
-        let Trees::Binary(trees) = of.trees else { return };
+    fn run(&self, recorder: &mut Recorder, descent: &Descended, _: Written) {
+        let Trees::Binary(trees) = descent.trees else { return };
         let BinaryTrees { a_nodes, b_nodes, oriented, n_levels, .. } = trees;
-        let (levels, pairs) = (&self.counters, of.pairs.buffer());
+        let (levels, pairs) = (&self.counters, descent.pairs.buffer());
         for level in 0..n_levels {
             let lists = [&self.even, &self.odd];
             let [input, output] = [lists[level as usize % 2], lists[1 - level as usize % 2]];
             let args = NodeDescent { capacity_nodes: output.capacity(), ..NodeDescent::default() };
-            let mut p = of.params(args, level, 0);
+            let mut p = descent.params(args, level, 0);
             p.dispatch.capacity_in = input.capacity();
             let n_groups = self.groups.min(input.capacity().div_ceil(Id::ExpandPairs.threads()));
             let (input, output) = (input.buffer(), output.buffer());

@@ -1,5 +1,5 @@
 //! Schedulers of a device: which workgroup expands which pairs of nodes, of binary trees or of
-//! blocks, where nobody knows beforehand what is below one.
+//! blocks, where the number of pairs below one is not known beforehand.
 //!
 //! Twin: on a CPU `scheduler/` has a file for each way to share out work.
 //!
@@ -44,11 +44,11 @@ pub trait Schedule: Send + Sync {
     /// and the list.
     fn tasks(&self) -> (&wgpu::Buffer, &List);
 
-    /// Records that all counters become zero.
+    /// Clears all counters.
     fn clear(&self, recorder: &mut Recorder);
 
     /// Records the rounds. What ends goes to the front that is written, if one is.
-    fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written);
+    fn run(&self, recorder: &mut Recorder, descent: &Descended, written: Written);
 
     /// Lists that may have to grow.
     fn lists(&self) -> Vec<&List>;
@@ -57,7 +57,7 @@ pub trait Schedule: Send + Sync {
     fn lists_mut(&mut self) -> Vec<&mut List>;
 
     /// A search is over, and [`List::grow_all`] has seen what was wanted of each list; if it is
-    /// `complete`, all had room.
+    /// `complete`, everything fitted.
     fn settle(&mut self, complete: bool);
 
     /// What each worker counted in the last search.
@@ -70,8 +70,7 @@ pub fn is_by_levels(choice: Scheduling) -> bool {
     is_frontier && choice.front == Front::Off
 }
 
-/// The schedule of a choice, with room for tasks of about `n` boxes, of which a worker expands so
-/// many in a turn.
+/// The schedule of a choice, for about `n` tasks, of which a worker expands `width` in a turn.
 pub fn new(
     device: &Device,
     choice: Scheduling,

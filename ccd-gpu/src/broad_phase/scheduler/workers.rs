@@ -13,9 +13,9 @@
 //! workgroups, which the native path alone has. Idle workers look around a bounded number of times
 //! and retire.
 //!
-//! What a stack has no room for, and what a worker has that ends early, are tasks of the next
-//! round, a dispatch. There are a few rounds; if pairs are left after the last one, the search runs
-//! again with twice as many, then with stacks, and then with more turns a worker.
+//! Pairs beyond the capacity of a stack, and those of a worker that ends early, are tasks of the
+//! next round, a dispatch. There are a few rounds; if pairs are left after the last one, the search
+//! runs again with twice as many, then with stacks, and then with more turns a worker.
 //!
 //! Cost: pairs stay in workgroup memory, and there are a few dispatches rather than one a level;
 //! but a worker with few pairs leaves most of its threads idle. [`Schedule::counts`] says how many
@@ -57,7 +57,7 @@ pub struct Rule {
 /// How workers steal from each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Steal {
-    /// Batches for which there is room in a deque.
+    /// Batches that fit in a deque.
     pub batches: u32,
     /// Pairs of a batch, at most as many as a worker expands in a turn.
     pub batch: u32,
@@ -130,10 +130,10 @@ pub struct Workers {
     /// Pairs that a worker expands in a turn.
     width: u32,
     control: wgpu::Buffer,
-    /// Tasks of two rounds, used in turn: of each entry that there is room for, a pair each.
+    /// Tasks of two rounds, used in turn: an entry has a pair of each.
     nodes: List,
-    /// Has no entries, and never room for one: some are wanted if pairs were left after the last
-    /// round, and then the search is not complete.
+    /// A list without entries: some are wanted if pairs were left after the last round, and then
+    /// the search is not complete.
     left: List,
     /// log2 of the number of workers.
     workers: u32,
@@ -156,7 +156,7 @@ fn bytes(rule: Rule, workers: u32) -> u64 {
 }
 
 impl Workers {
-    /// Room for `n` tasks a round. `width`: pairs that a worker expands in a turn.
+    /// For `n` tasks a round. `width`: pairs that a worker expands in a turn.
     pub fn new(device: &Device, rule: Rule, width: u32, n: u32) -> Result<Self, Error> {
         if rule.steal.is_some() {
             device.check_native()?;
@@ -187,27 +187,27 @@ impl Schedule for Workers {
         recorder.clear(&self.control, bytes(self.rule, self.workers));
     }
 
-    fn run(&self, recorder: &mut Recorder, of: &Descended, written: Written) {
+    fn run(&self, recorder: &mut Recorder, descent: &Descended, written: Written) {
         let Self { rule, control, nodes, left, workers, .. } = self;
         let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
-        let stealing = steal.map_or(NodeDescent::default(), |steal| {
-            let Steal { batches, batch, most, push, patience } = steal;
-            NodeDescent { batches, batch, most, push, patience, ..NodeDescent::default() }
-        });
+        let mut args = NodeDescent {
+            capacity_nodes: nodes.capacity(),
+            workers: *workers,
+            tasks,
+            piece,
+            idle,
+            stack,
+            turns,
+            ..written.args
+        };
+        if let Some(Steal { batches, batch, most, push, patience }) = steal {
+            args = NodeDescent { batches, batch, most, push, patience, ..args };
+        }
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         for round in 0..rounds {
-            let last = (round + 1 == rounds) as u32;
-            let NodeDescent { capacity_front, written, .. } = written.record();
-            let args = NodeDescent {
-                capacity_nodes: nodes.capacity(),
-                capacity_front,
-                written,
-                ..stealing
-            };
-            let args = NodeDescent { tasks, piece, idle, stack, turns, last, ..args };
-            let args = NodeDescent { workers: *workers, ..args };
-            let p = of.params(args, round, 0);
-            descended::round(recorder, of, buffers, &p, 1 << workers);
+            args.last = (round + 1 == rounds) as u32;
+            let p = descent.params(args, round, 0);
+            descended::round(recorder, descent, buffers, &p, 1 << workers);
         }
         recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);
     }

@@ -1,4 +1,4 @@
-//! What changes between frames: device, mesh, options, bodies, room in lists; all of it or nothing.
+//! Changes between frames: device, mesh, options, bodies, capacity of lists; all of it or nothing.
 
 use super::Frames;
 use crate::device::Device;
@@ -18,7 +18,7 @@ impl Frames {
         mesh: &Mesh,
         options: &Options,
     ) -> Result<(), Error> {
-        let (buffers, bench) = (Buffers::new(device, mesh, options)?, Bench::new(device)?);
+        let (buffers, bench) = (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
         (self.buffers, self.bench, self.stale) = (buffers, bench, false);
         self.readback = Readback::default();
         self.order.forget();
@@ -49,7 +49,7 @@ impl Frames {
         self.stale = true;
         // Under a limit of memory nothing is reused: it could not be counted anew.
         let old = Some(&self.buffers).filter(|_| device.memory().is_none());
-        self.buffers = Buffers::reusing(device, mesh, options, old)?;
+        self.buffers = Buffers::new(device, mesh, options, old)?;
         (self.stale, self.of_bodies) = (false, 0);
         self.bench.forget();
         self.order.forget();
@@ -57,7 +57,7 @@ impl Frames {
         Ok(())
     }
 
-    /// Makes room for so many entries in every list.
+    /// Gives every list this capacity.
     pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
         self.order.forget();
         self.geometry.listed = false;

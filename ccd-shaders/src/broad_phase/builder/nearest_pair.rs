@@ -39,11 +39,11 @@ kernel! {
     pair_leaves[256](t; params: Building;; boxes: [BoxWords], bounds: [u32],
         mut clusters: [ClusterWords], mut items: [UVec4]) {
         let i = t.i;
-        let of = params.args.set as usize;
-        let n_leaves = params.frame.count[of];
+        let tree = params.args.set as usize;
+        let n_leaves = params.frame.count[tree];
         if i < n_leaves {
             let grid = MortonGrid::new(&merged(bounds), 10);
-            let aabb = grid.in_cells(&box_at(boxes, (params.frame.start[of] + i) as usize));
+            let aabb = grid.in_cells(&box_at(boxes, (params.frame.start[tree] + i) as usize));
             let cluster = Cluster::new(&aabb, n_leaves - 1 + i, 1);
             put(clusters, i as usize, ClusterWords::of(&cluster));
             put(items, i as usize, item(&aabb, i));

@@ -28,11 +28,11 @@ kernel! {
     ploc_leaves[256](t; params: Building;; boxes: [BoxWords], bounds: [u32], order: [u32],
         mut clusters: [ClusterWords], mut names: [u32], mut counts: [u32]) {
         let i = t.i;
-        let of = params.args.set as usize;
-        let n_leaves = params.frame.count[of];
+        let tree = params.args.set as usize;
+        let n_leaves = params.frame.count[tree];
         if i < n_leaves {
             let grid = MortonGrid::new(&merged(bounds), 10);
-            let of_box = at(order, (params.frame.start[of] + i) as usize);
+            let of_box = at(order, (params.frame.start[tree] + i) as usize);
             let aabb = grid.in_cells(&box_at(boxes, of_box as usize));
             put(clusters, i as usize, ClusterWords::of(&Cluster::new(&aabb, n_leaves - 1 + i, 1)));
             put(names, i as usize, i);

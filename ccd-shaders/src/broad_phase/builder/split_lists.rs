@@ -132,9 +132,8 @@ kernel! {
 }
 
 kernel! {
-    /// Thread `i` writes the node that is split at place `i`. A list that is too short tells
-    /// nothing; then each finds the node of its own number by itself, so that what reads the tree
-    /// before the list has grown reads one.
+    /// Thread `i` writes the node that is split at place `i`. If the list is too short, it finds
+    /// node `i` from the keys, so that kernels which run before the list has grown read a tree.
     split_branches[256](t; params: Building; begins: [u32; 256]; keys: [u32], levels: [u32],
         present: [u32], table: [u32], entries: [u32], list: [u32], mut branches: [UVec4]) {
         let i = t.i;

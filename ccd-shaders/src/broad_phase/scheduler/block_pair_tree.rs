@@ -42,13 +42,13 @@ pub(super) struct Columns {
     /// The child of the first node, the first child of the second.
     a: u32,
     b: u32,
-    /// Of those of the second, those that it meets, and those that it does not, as bits.
+    /// Children of the second that it meets, and those that it does not, as bits.
     met: u32,
     apart: u32,
 }
 
 impl Columns {
-    /// What becomes of those that meet.
+    /// The fate of those that meet.
     #[inline(always)]
     fn fate(self) -> u32 {
         if self.level > 1 { INNER } else { LEAF }
@@ -88,7 +88,7 @@ impl PairTree for BlockTrees<'_> {
         let Self { params, boxes } = self;
         let (team, i) = (lane / WIDTH, lane % WIDTH);
         let some = pair[0] != NONE;
-        // Of no pair, that of the first two nodes is looked at in vain.
+        // A thread without a pair reads the first two nodes, without effect.
         let [above, x, y] = unpacked(if some { pair } else { packed(1, 0, 0) });
         let level = above - 1;
         let (a, b) = (x * WIDTH + i, y * WIDTH);

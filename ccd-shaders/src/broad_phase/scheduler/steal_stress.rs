@@ -9,6 +9,7 @@ use crate::entry::kernel;
 use crate::workgroup::{
     DeviceWords, add, add_shared, barrier, barrier_of_buffers, get, lower_shared, set,
 };
+use ccd_core::backend::broad_phase::pair_workers::victim;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::scheduling::stealing::{HANDS, Workers};
@@ -42,12 +43,12 @@ const RETIRED: u32 = 4;
 const FULL: u32 = u32::MAX;
 
 /// Words of the status, which all workers add to: batches that were popped, stolen; pushes that
-/// found no room; takes from stacks; workers that have work left.
+/// found a full deque; takes from stacks; workers that have work left.
 const STATUS_LEFT: usize = 4;
 
-/// The first thread says which batch is taken.
+/// The first thread notes which batch is taken.
 #[inline(always)]
-fn say(
+fn note(
     shared: &mut [u32; 8],
     workers: Workers,
     words: &DeviceWords,
@@ -63,7 +64,8 @@ fn say(
 
 kernel! {
     /// For tests: worker `i` takes items `[tag, lives]`, counts each, and keeps those that have
-    /// lives left with one less; all that it keeps goes through its deque as far as there is room.
+    /// lives left with one less; all that it keeps goes through its deque unless that is full.
+    /// The number of workers is a power of two.
     ///
     /// `words`: [`Workers`] of the record; `stacks`: of each worker, what it had when it ended.
     /// Each worker looks for work `args.rounds` times at most; it retires after `args.patience`
@@ -102,7 +104,7 @@ kernel! {
                     set(shared, N_TAKEN, n_items.min(THREADS));
                     kept += 1;
                 } else if let Some(slot) = workers.deque(me).try_pop(&words) {
-                    say(shared, workers, &words, FROM_OWN, me, slot);
+                    note(shared, workers, &words, FROM_OWN, me, slot);
                 }
             }
             barrier();
@@ -113,27 +115,23 @@ kernel! {
                 }
             }
             barrier();
-            if get(shared, SOURCE) == NOTHING && get(shared, HAND) == HANDS && t.lane < HANDS {
-                let turn = (me + round).wrapping_mul(0x9e37_79b9) >> 8;
-                let victim = (me + 1 + turn + t.lane).checked_rem(args.workers).unwrap_or(me);
-                let most = if args.most == 0 { 1 } else { args.most };
-                if victim != me && (args.most != 0 || t.lane == 0) {
-                    workers.steal_to_hand(&words, me, t.lane, victim, most);
-                }
+            let seeks = get(shared, SOURCE) == NOTHING && get(shared, HAND) == HANDS;
+            let victim = victim(args.workers, me, round, t.lane);
+            barrier();
+            if seeks && workers.reach_out(&words, me, t.lane, victim, args.most) {
+                lower_shared(shared, HAND, t.lane);
             }
             barrier();
-            if t.lane < HANDS && get(shared, SOURCE) == NOTHING {
-                if workers.holds(&words, me, t.lane) {
-                    lower_shared(shared, HAND, t.lane);
-                }
+            if seeks && args.most == 0 && Workers::takes_task(t.lane, get(shared, HAND)) {
+                workers.steal_to_hand(&words, me, t.lane, victim, 1);
             }
             barrier_of_buffers();
             if t.lane == 0 && get(shared, SOURCE) == NOTHING {
                 let hand = get(shared, HAND);
-                if hand < HANDS {
+                if hand < HANDS && workers.holds(&words, me, hand) {
                     let owner = workers.victim(&words, me, hand);
                     let slot = workers.next_slot(&words, me, hand);
-                    say(shared, workers, &words, STOLEN, owner, slot);
+                    note(shared, workers, &words, STOLEN, owner, slot);
                 }
             }
             barrier_of_buffers();

@@ -3,13 +3,13 @@
 //! workgroup are one worker, of which the first exchanges words of deques, all read and write the
 //! pairs of a batch, and each has a hand.
 //!
-//! A turn: pairs come from the stack and from the tasks; if there is room for a batch beside them,
-//! one comes from the worker's own deque; if there are none at all, from a range that it has
-//! stolen, before or just now. What was found is put away as by any worker. Then, if the stack has
-//! many pairs, a batch of its bottom goes to the deque: these are the oldest, with most below them;
-//! what is at the top takes their place. Where the deque is full, they stay.
+//! A turn: pairs come from the stack and from the tasks; if a batch fits beside them, one comes
+//! from the worker's own deque; if there are none at all, from a range that it has stolen, before
+//! or just now. What was found is put away as by any worker. Then, if the stack has many pairs, a
+//! batch of its bottom goes to the deque: these are the oldest, with most below them; what is at
+//! the top takes their place. Where the deque is full, they stay.
 //!
-//! Who ends has an empty stack, deque and hands, or leaves what there is to the next round.
+//! A worker that ends has an empty stack, deque and hands, or leaves the rest to the next round.
 
 use super::shared::{EXPANDED, FROM_STACK, FROM_TASKS, SPILL_BASE, Stack, TOP};
 use super::stolen_batches::{

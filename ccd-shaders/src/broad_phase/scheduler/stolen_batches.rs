@@ -1,8 +1,7 @@
-//! What the first thread of a worker that steals does with batches of pairs, and what all threads
-//! do: see `stealing`.
+//! Batches of pairs that a worker pops, steals and pushes; see `stealing`.
 //!
-//! The threads say to each other which batch was taken by words of workgroup memory. Between what
-//! two functions here do, in the order in which a turn calls them, stands a barrier of buffers.
+//! Words of workgroup memory tell all threads which batch was taken. A barrier of buffers stands
+//! between any two of these functions, in the order in which a turn calls them.
 
 use super::shared::{FROM_STACK, FROM_TASKS, Stack, TOP};
 use super::worker::{ENDS, PairTree, STOPS, WORKS, Worker};

@@ -1,10 +1,9 @@
 //! A worker and the parts of its turn; see `ccd_core::backend::broad_phase::pair_workers`. A
 //! scheduler of its own has another [`Worker::plan`].
 //!
-//! A worker moves pairs of nodes, two words each, between its stack, lists and deques, and knows
-//! nothing else of them. What one is, which children of it meet, and how many threads expand one,
-//! is said by a [`PairTree`]: two binary trees, or the block trees of two sets, or one of either
-//! with itself.
+//! A worker moves pairs of nodes, two words each, between its stack, lists and deques. A
+//! [`PairTree`] says what a pair is, which of its children meet, and how many threads expand it:
+//! two binary trees, the block trees of two sets, or one of either with itself.
 
 use super::shared::{
     BELOW, ENDED, ENDED_BASE, EXPANDED, FIRST, FROM_STACK, FROM_TASKS, LEAVES, LEAVES_BASE, NEXT,
