@@ -164,7 +164,7 @@ fn recorded(loaded: &Loaded, source: Source) -> String {
         return pairs;
     }
     let motion = loaded.motion.get_or_init(|| load_motion(source));
-    let Want::Brute([vf, ee], contacts) = &motion.want else { return pairs };
+    let Want::Reference([vf, ee], contacts) = &motion.want else { return pairs };
     let toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
     let contacts = contact_digest(contacts);
     format!("{pairs}candidates vf {vf} ee {ee}\ncontacts {contacts}, earliest {toi:?}\n")
@@ -290,7 +290,7 @@ fn check_contacts(
                 return Err("the comparison does not see another contact".into());
             }
         }
-        Want::Brute(candidates, contacts) => {
+        Want::Reference(candidates, contacts) => {
             agree(contacts, &report.contacts)?;
             check_controls(contacts)?;
             let found = session.candidates(x0, x1).map_err(|e| e.to_string())?;
@@ -305,7 +305,7 @@ fn check_contacts(
     // Of a real scene by the CPU, not by the report that is looked at.
     let toi = match want {
         Want::Recorded(_, contacts, _) => contacts.iter().map(|c| c.toi).min_by(f64::total_cmp),
-        Want::Brute(..) => report.toi,
+        Want::Reference(..) => report.toi,
     };
     check_earliest(&mut session, mesh, x0, x1, toi)?;
     Ok(Completion::Completed)

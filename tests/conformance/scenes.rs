@@ -2,9 +2,11 @@
 
 use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
 use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, Options};
+use ccd_core::reference;
 use ccd_testkit::compare::recorded_step;
 use ccd_testkit::{brute, data};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
+
 /// Boxes within which pairs are looked for, and two sets between which they are.
 pub struct Boxes {
     pub within: Vec<Aabb<f32>>,
@@ -22,8 +24,8 @@ pub struct Motion {
 }
 
 pub enum Want {
-    /// Of brute force: candidates, and every contact asked for by itself.
-    Brute([Digest; 2], Vec<Contact>),
+    /// Candidates of brute force, and contacts of the sequential step of the core.
+    Reference([Digest; 2], Vec<Contact>),
     /// What is recorded of a real scene, the contacts that one thread of the CPU finds, and the
     /// published answers, where there are any.
     Recorded(String, Vec<Contact>, Option<[Vec<data::Truth>; 2]>),
@@ -128,9 +130,15 @@ pub fn load_motion(source: Source) -> Motion {
         Source::Step(make) => {
             let step = make();
             let candidates = brute::candidates(&step.mesh, &step.x0, &step.x1);
-            let contacts = brute::contacts(&step.mesh, &step.x0, &step.x1);
+            // What backends are compared with, itself compared with every pair asked for.
+            let mesh = Arc::new(step.mesh.clone());
+            let report =
+                reference::step(&mesh, &step.x0, &step.x1, &Options::default()).expect("a step");
+            assert_eq!(report.contacts, brute::contacts(&step.mesh, &step.x0, &step.x1));
+            let n = candidates.each_ref().map(|pairs| pairs.len() as u64);
+            assert_eq!([report.candidates.vf, report.candidates.ee], n);
             let digests = candidates.map(|pairs| Digest::of(0, pairs.into_iter()));
-            Motion { step, want: Want::Brute(digests, contacts), undecided: 0 }
+            Motion { step, want: Want::Reference(digests, report.contacts), undecided: 0 }
         }
         Source::Boxes(_) => panic!("boxes do not move"),
     }

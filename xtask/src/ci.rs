@@ -82,13 +82,14 @@ fn bare_metal(root: &Path) -> Result<(), String> {
         ));
         return Ok(());
     }
-    for features in ["", "alloc"] {
+    for features in ["", "alloc", "glam,serde"] {
         command(
             root,
             &["cargo", "build", "-p", "ccd-core", "--target", BARE_METAL, "--features", features],
         )?;
     }
-    Ok(())
+    // A program that links there; its own configuration names the target.
+    command(&root.join("examples/bare-metal"), &["cargo", "build", "--release", "--locked"])
 }
 
 /// The line of the README that runs the tests: what CI runs is what it says.

@@ -16,6 +16,7 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("auto_goes_on_with_the_cpu", backends::auto_goes_on_with_the_cpu),
     ("opengl_is_refused", backends::opengl_is_refused),
     ("the_list_names_every_choice", methods::the_list_names_every_choice),
+    ("the_documents_name_every_choice", methods::the_documents_name_every_choice),
     ("every_choice_finds_the_same", methods::every_choice_finds_the_same),
     #[cfg(unix)]
     ("a_reader_that_goes_away_ends_quietly", interrupted::a_reader_that_goes_away_ends_quietly),

@@ -2,6 +2,7 @@
 
 use crate::{ccd, json, obj, text};
 use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Scheduler, Traversal, Volume};
+use std::path::Path;
 
 /// Keys of the list, options of the command, and names.
 fn choices() -> [(&'static str, &'static str, Vec<&'static str>); 7] {
@@ -56,4 +57,34 @@ pub fn every_choice_finds_the_same() {
         }
     }
     assert!(n_choices > 4);
+}
+
+/// The table of the documents names every choice, and no other; the files that it names are there.
+pub fn the_documents_name_every_choice() {
+    let page = include_str!("../../../docs/ALGORITHMS.md");
+    let (_, page) = page.split_once("## The documents, system by system").expect("the section");
+    let list = json(&ccd(&["list", "--json"]));
+    let options = [
+        ("broad_phases", "--broad-phase"),
+        ("builders", "--builder"),
+        ("traversals", "--traversal"),
+        ("volumes", "--volume"),
+        ("pipelines", "--pipeline"),
+        ("schedulers", "--scheduler"),
+        ("fronts", "--front"),
+    ];
+    let quoted: Vec<&str> = page.split('`').skip(1).step_by(2).collect();
+    for (group, option) in options {
+        let names = list[group].as_array().expect(group).iter();
+        let names: Vec<&str> = names.map(|row| row["name"].as_str().expect("a name")).collect();
+        let words: Vec<&str> = quoted.iter().flat_map(|text| text.split_whitespace()).collect();
+        let named = words.windows(2).filter(|pair| pair[0] == option).map(|pair| pair[1]);
+        let named: std::collections::BTreeSet<&str> = named.collect();
+        assert_eq!(named, names.into_iter().collect(), "{option}");
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folders = ["", "ccd-core/src", "ccd-cpu/src/broad_phase", "ccd-shaders/src/broad_phase"];
+    for file in quoted.iter().filter(|text| text.ends_with(".rs") || text.ends_with('/')) {
+        assert!(folders.iter().any(|folder| root.join(folder).join(file).exists()), "{file}");
+    }
 }
