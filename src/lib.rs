@@ -56,7 +56,7 @@
 //! # Features
 //! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
 //! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
-//! reports as data.
+//! reports as data, `catalogue` all methods beside those of the default ([`BroadPhaseMethod`]).
 //!
 //! # WebAssembly
 //! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
