@@ -302,10 +302,9 @@ fn traverse_half(device: &Device, tree: &Oriented, nodes: &[u8], n: u32) -> Vec<
 /// All pairs below those of two cuts, level by level; how many pairs of nodes there were.
 fn descend(device: &Device, trees: &Trees, oriented: &[u8], larger: u32) -> (Vec<Pair>, usize) {
     let [a_nodes, b_nodes] = trees.nodes.clone();
-    let nodes = 7;
+    let (nodes, capacity_in) = (7, CAPACITY);
     let args = NodeDescent { nodes, larger, capacity_nodes: CAPACITY, ..NodeDescent::default() };
-    let dispatch =
-        Dispatch { capacity_in: CAPACITY, capacity_out: CAPACITY, ..Dispatch::default() };
+    let dispatch = Dispatch { capacity_in, capacity_out: CAPACITY, ..Dispatch::default() };
     let kernel = CutPairsOriented {
         a_nodes: a_nodes.clone(),
         b_nodes: b_nodes.clone(),
@@ -344,8 +343,7 @@ fn check_traversals(device: &Device) {
     let loose: Vec<Aabb> = slanted(300, 0.3);
     let exact = rounds_like_a_cpu(device);
     for (name, boxes) in scenes().into_iter().filter(|(name, _)| exact || *name != SUBNORMAL) {
-        let n = boxes.len() as u32;
-        let all = brute::self_pairs(&boxes);
+        let (n, all) = (boxes.len() as u32, brute::self_pairs(&boxes));
         let within = Oriented::over(device, &boxes);
         let nodes = wide_tree(device, &within.twin, 1, 2);
         check_pairs(name, all.clone(), traverse_half(device, &within, &nodes, n));
@@ -361,8 +359,7 @@ fn check_traversals(device: &Device) {
         let nodes = wide_tree(device, &second.twin, 2, 2);
         let between = brute::pairs(&loose, &boxes);
         for sorted in [0, 1] {
-            let n = loose.len() as u32;
-            let found = traverse_full(device, &second, 0, &nodes, sorted, n);
+            let found = traverse_full(device, &second, 0, &nodes, sorted, loose.len() as u32);
             check_pairs(name, between.clone(), found);
         }
         let one = Trees::new(device, 1, [&[], &boxes, &[]]);

@@ -245,7 +245,6 @@ impl Bodies {
     /// what there is.
     ///
     /// # Errors
-    ///
     /// [`Error::BodyCount`], [`Error::MixedBodies`], [`Error::NoBody`], [`Error::NoFeature`],
     /// [`Error::TooMany`] of worlds.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
@@ -295,7 +294,6 @@ impl Bodies {
     /// Sets whether a body sleeps.
     ///
     /// # Errors
-    ///
     /// [`Error::NoBody`] if no vertex belongs to it.
     pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), Error> {
         self.body(body)?.sleeping = sleeping;
@@ -305,7 +303,6 @@ impl Bodies {
     /// Sets whether a body is fixed.
     ///
     /// # Errors
-    ///
     /// [`Error::NoBody`] if no vertex belongs to it.
     pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), Error> {
         self.body(body)?.fixed = fixed;
