@@ -46,10 +46,6 @@ pub type Block = Aabb<F32x8>;
 pub const EMPTY: Block =
     Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
 
-/// Eight boxes that overlap everything.
-pub const EVERYTHING: Block =
-    Aabb { min: [F32x8([f32::NEG_INFINITY; WIDTH]); 3], max: [F32x8([f32::INFINITY; WIDTH]); 3] };
-
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.
 pub trait Simd: Copy + Send + Sync {

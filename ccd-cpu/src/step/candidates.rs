@@ -70,15 +70,15 @@ impl Scene<'_> {
     /// The lanes of `mask` whose boxes in `b` overlap that of lane `lane` of `a` in the precision
     /// of the input.
     #[inline(always)]
-    pub fn confirmed<S: RowSimd, const N: usize, const M: usize>(
+    pub fn confirmed<'a, S: RowSimd, const N: usize, const M: usize>(
         &self,
         simd: S,
-        (a, lane): (&Side<N>, usize),
-        b: &Side<M>,
+        (a, lane): (impl Side<'a, N>, usize),
+        b: impl Side<'a, M>,
         mask: u32,
     ) -> u32 {
         let Some(slack) = self.slack else { return mask };
-        let sure = simd.overlaps_surely(a.boxes, lane, b.boxes, slack);
+        let sure = simd.overlaps_surely(a.boxes(), lane, b.boxes(), slack);
         let unsure = mask & !sure;
         if unsure == 0 {
             return mask;
@@ -90,32 +90,33 @@ impl Scene<'_> {
     /// Counts the lanes of `mask` whose features are wanted, and hands those on that no axis keeps
     /// apart. Of a face in `a` and vertices in `b` pairs have the vertex first, as all do.
     #[inline(always)]
-    pub fn hand_on<W: Take, S: RowSimd, const N: usize, const M: usize>(
+    pub fn hand_on<'a, W: Take, S: RowSimd, const N: usize, const M: usize>(
         &self,
         worker: &mut W,
         simd: S,
-        (a, lane): (&Side<N>, usize),
-        b: &Side<M>,
+        (a, lane): (impl Side<'a, N>, usize),
+        b: impl Side<'a, M>,
         mut mask: u32,
     ) {
-        let (kind, id, face_first) = (kind_of(N), a.ids[lane], N == 3);
+        let (kind, face_first) = (kind_of(N), N == 3);
         if self.selection.is_of_features() && mask != 0 {
-            mask = self.selection.of_features(kind, (id, face_first), b.ids, mask);
+            mask = self.selection.of_features(kind, (a.ids()[lane], face_first), b.ids(), mask);
         }
         worker.count(kind, mask.count_ones() as u64);
         if W::FILTERED && mask != 0 {
-            mask &= !separated(simd, a.ends, lane, b.ends, self.needed_gap());
+            mask &= !separated(simd, a.ends(), lane, b.ends(), self.needed_gap());
         }
-        if !face_first {
-            if mask != 0 {
-                worker.take(simd, self, kind, id, b.ids, mask);
-            }
+        if mask == 0 {
             return;
+        }
+        let id = a.ids()[lane];
+        if !face_first {
+            return worker.take(simd, self, kind, id, b.ids(), mask);
         }
         while mask != 0 {
             let j = mask.trailing_zeros() as usize;
             mask &= mask - 1;
-            worker.take_one(self, kind, Pair { a: b.ids[j], b: id });
+            worker.take_one(self, kind, Pair { a: b.ids()[j], b: id });
         }
     }
 }
@@ -214,17 +215,22 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
     #[inline(always)]
     fn row<S: RowSimd>(&self, worker: &mut W, simd: S, row: Overlaps) {
         let Overlaps { a, lane, b, mut mask } = row;
-        let (of_a, of_b) = (self.a.side(a), self.b.side(b));
+        let (of_a, of_b) = ((self.a, a), (self.b, b));
         let vertices = of_a.vertices_of(lane);
-        mask &= !shared(simd, vertices, of_b.vertices);
+        mask &= !shared(simd, vertices, of_b.vertices());
         if mask == 0 {
             return;
         }
         let (bodies_a, bodies_b) = ((&self.a.bodies, a), (&self.b.bodies, b));
-        mask =
-            self.scene.selection.of_bodies(vertices[0], of_b.vertices[0], mask, bodies_a, bodies_b);
-        mask = self.scene.confirmed(simd, (&of_a, lane), &of_b, mask);
-        self.scene.hand_on(worker, simd, (&of_a, lane), &of_b, mask);
+        mask = self.scene.selection.of_bodies(
+            vertices[0],
+            of_b.vertices()[0],
+            mask,
+            bodies_a,
+            bodies_b,
+        );
+        mask = self.scene.confirmed(simd, (of_a, lane), of_b, mask);
+        self.scene.hand_on(worker, simd, (of_a, lane), of_b, mask);
     }
 
     fn begin(&self, worker: &mut W, task: usize) {

@@ -4,7 +4,7 @@
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
-use crate::simd::{Block, EMPTY, EVERYTHING, RowSimd, WIDTH, Work};
+use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
 use ccd_core::backend::rules::Rules;
@@ -45,23 +45,42 @@ impl<const N: usize> Feature<N> {
 }
 
 /// One feature of each lane of a block: what the rule of candidates and the first filter read.
-#[derive(Clone, Copy)]
-pub struct Side<'a, const N: usize> {
+pub trait Side<'a, const N: usize>: Copy {
     /// Vertices.
-    pub vertices: [&'a [u32; WIDTH]; N],
+    fn vertices(self) -> [&'a [u32; WIDTH]; N];
     /// Ids.
-    pub ids: &'a [u32; WIDTH],
+    fn ids(self) -> &'a [u32; WIDTH];
     /// Boxes during the step.
-    pub boxes: &'a Block,
+    fn boxes(self) -> &'a Block;
     /// Boxes at its ends, of the positions in the table.
-    pub ends: &'a [Block; 2],
-}
-
-impl<const N: usize> Side<'_, N> {
+    fn ends(self) -> &'a [Block; 2];
     /// The vertices of one lane.
     #[inline(always)]
-    pub fn vertices_of(&self, lane: usize) -> [u32; N] {
-        self.vertices.map(|ids| ids[lane])
+    fn vertices_of(self, lane: usize) -> [u32; N] {
+        self.vertices().map(|ids| ids[lane])
+    }
+}
+
+/// A block of leaves.
+impl<'a, const N: usize> Side<'a, N> for (&'a Leaves<N>, usize) {
+    #[inline(always)]
+    fn vertices(self) -> [&'a [u32; WIDTH]; N] {
+        self.0.vertices[self.1].each_ref()
+    }
+
+    #[inline(always)]
+    fn ids(self) -> &'a [u32; WIDTH] {
+        self.0.boxes.ids(self.1)
+    }
+
+    #[inline(always)]
+    fn boxes(self) -> &'a Block {
+        &self.0.boxes.blocks()[self.1]
+    }
+
+    #[inline(always)]
+    fn ends(self) -> &'a [Block; 2] {
+        &self.0.ends[self.1]
     }
 }
 
@@ -103,20 +122,6 @@ impl<const N: usize> Leaves<N> {
             std::array::from_fn(|k| features.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
-    }
-
-    /// The features of a block.
-    #[inline(always)]
-    pub fn side(&self, block: usize) -> Side<'_, N> {
-        // Without a panic, so that what a sink does not read costs nothing. Ends are there if it
-        // reads them; these would separate nothing.
-        debug_assert!(block < self.boxes.blocks().len());
-        Side {
-            vertices: self.vertices[block].each_ref(),
-            ids: self.boxes.ids(block),
-            boxes: self.boxes.blocks().get(block).unwrap_or(&EMPTY),
-            ends: self.ends.get(block).unwrap_or(&[EVERYTHING; 2]),
-        }
     }
 
     /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still

@@ -196,9 +196,9 @@ impl TriangleLeaves {
 
     /// Corner `k` of each triangle of a block.
     #[inline(always)]
-    pub fn corner(&self, block: usize, k: usize) -> Side<'_, 1> {
+    pub fn corner(&self, block: usize, k: usize) -> TriangleSide<'_, 1> {
         let features = &self.blocks[block];
-        Side {
+        TriangleSide {
             vertices: [&features.corners[k]],
             ids: &features.corners[k],
             boxes: &self.features[block][k],
@@ -208,9 +208,9 @@ impl TriangleLeaves {
 
     /// Side `k` of each triangle of a block.
     #[inline(always)]
-    pub fn side(&self, block: usize, k: usize) -> Side<'_, 2> {
+    pub fn side(&self, block: usize, k: usize) -> TriangleSide<'_, 2> {
         let features = &self.blocks[block];
-        Side {
+        TriangleSide {
             vertices: features.side(k),
             ids: &features.sides[k],
             boxes: &self.features[block][3 + k],
@@ -220,14 +220,45 @@ impl TriangleLeaves {
 
     /// The triangles of a block.
     #[inline(always)]
-    pub fn face(&self, block: usize) -> Side<'_, 3> {
+    pub fn face(&self, block: usize) -> TriangleSide<'_, 3> {
         let [a, b, c] = &self.blocks[block].corners;
-        Side {
+        TriangleSide {
             vertices: [a, b, c],
             ids: &self.blocks[block].ids,
             boxes: &self.boxes.blocks()[block],
             ends: &self.ends[block].face,
         }
+    }
+}
+
+/// One feature of each triangle of a block.
+#[derive(Clone, Copy)]
+pub struct TriangleSide<'a, const N: usize> {
+    vertices: [&'a [u32; WIDTH]; N],
+    ids: &'a [u32; WIDTH],
+    boxes: &'a Block,
+    ends: &'a [Block; 2],
+}
+
+impl<'a, const N: usize> Side<'a, N> for TriangleSide<'a, N> {
+    #[inline(always)]
+    fn vertices(self) -> [&'a [u32; WIDTH]; N] {
+        self.vertices
+    }
+
+    #[inline(always)]
+    fn ids(self) -> &'a [u32; WIDTH] {
+        self.ids
+    }
+
+    #[inline(always)]
+    fn boxes(self) -> &'a Block {
+        self.boxes
+    }
+
+    #[inline(always)]
+    fn ends(self) -> &'a [Block; 2] {
+        self.ends
     }
 }
 

@@ -9,7 +9,7 @@ use crate::broad_phase::pair_source::{Overlaps, PairSink};
 use crate::simd::{RowSimd, WIDTH};
 use crate::step::candidates::{Scene, Take, shared};
 use crate::step::leaves::Side;
-use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
+use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves, TriangleSide};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::candidate::{is_corner, share_vertex};
 use ccd_core::backend::layout::Pair;
@@ -77,13 +77,13 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 if represents(k) && faces != 0 {
                     represented += faces.count_ones();
                     let (vertex, face) = (leaves.corner(a, k), leaves.face(b));
-                    self.expand(worker, simd, (&vertex, lane), &face, [faces, near]);
+                    self.expand(worker, simd, (vertex, lane), face, [faces, near]);
                 }
                 let vertices = mask & of_b.represents[k];
                 if is_face && vertices != 0 {
                     represented += vertices.count_ones();
                     let (face, vertex) = (leaves.face(a), leaves.corner(b, k));
-                    self.expand(worker, simd, (&face, lane), &vertex, [vertices, near]);
+                    self.expand(worker, simd, (face, lane), vertex, [vertices, near]);
                 }
             }
         }
@@ -97,7 +97,7 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                     let edges = mask & of_b.represents[3 + j];
                     if edges != 0 {
                         represented += edges.count_ones();
-                        self.expand(worker, simd, (&edge, lane), &leaves.side(b, j), [edges, near]);
+                        self.expand(worker, simd, (edge, lane), leaves.side(b, j), [edges, near]);
                     }
                 }
             }
@@ -143,13 +143,13 @@ impl<W: Take> TrianglePairs<'_, W> {
         &self,
         worker: &mut W,
         simd: S,
-        (a, lane): (&Side<N>, usize),
-        b: &Side<M>,
+        (a, lane): (TriangleSide<N>, usize),
+        b: TriangleSide<M>,
         [mut mask, near]: [u32; 2],
     ) {
-        mask &= simd.overlaps(a.boxes, lane, b.boxes);
+        mask &= simd.overlaps(a.boxes(), lane, b.boxes());
         if mask & near != 0 {
-            mask &= !shared(simd, a.vertices_of(lane), b.vertices);
+            mask &= !shared(simd, a.vertices_of(lane), b.vertices());
         }
         mask = self.scene.confirmed(simd, (a, lane), b, mask);
         if mask != 0 {
