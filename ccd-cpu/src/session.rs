@@ -19,7 +19,7 @@ use ccd_core::Error;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
-use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, State};
+use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Moved, State};
 use passes::{collect, detect, least_toi, prepare};
 use std::sync::Arc;
 
@@ -153,10 +153,10 @@ impl session::Engine for Engine {
         self.state.report.clear();
     }
 
-    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Error> {
+    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         self.clear();
         self.threads.stop.begin()?;
-        self.run(given, ask.window(), ask == Ask::Earliest)
+        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, ask == Ask::Earliest)
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
@@ -257,8 +257,8 @@ impl Engine {
     }
 
     #[inline(never)]
-    fn run(&mut self, given: Given, window: [f64; 2], earliest: bool) -> Result<(), Error> {
-        let mut x = Positions::new(given, window);
+    fn run(&mut self, mut x: Positions, earliest: bool) -> Result<(), Error> {
+        let window = [x.from, x.until];
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
         let State { mesh, options, report } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);

@@ -12,7 +12,7 @@ use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::precision::{Given, Precision};
-use ccd_core::model::session::{self, Ask, Change, On, State};
+use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
 use ccd_core::narrow_phase::decide;
 use std::time::Instant;
 
@@ -90,7 +90,7 @@ impl session::Engine for Engine {
         self.frames.geometry.listed = false;
     }
 
-    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Error> {
+    fn find(&mut self, given: Given, _moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         let every = self.state.options.tolerance < 1e-7;
         let goal = match ask {
             Ask::Earliest if !every => self.frames.goal_of_earliest(),

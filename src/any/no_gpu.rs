@@ -3,7 +3,7 @@
 
 use crate::{Aabb, BroadPhaseMethod, CancelToken, Pair, Scheduling};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Change, On, State};
+use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -85,7 +85,7 @@ impl session::Engine for Engine {
         match *self {}
     }
 
-    fn find(&mut self, _: Given, _: Ask) -> Result<(), Error> {
+    fn find(&mut self, _: Given, _: Option<Moved>, _: Ask) -> Result<(), Error> {
         match *self {}
     }
 

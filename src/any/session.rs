@@ -4,7 +4,7 @@ use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
 use crate::positions::Precision;
 use crate::{CancelToken, Intersection};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Change, Intersects, On, State};
+use ccd_core::model::session::{self, Ask, Change, Intersects, Moved, On, State};
 
 /// Continuous collision detection of one mesh over many steps, on the CPU or on a GPU: the calls
 /// of [`crate::Session`], and those of [`Engine`].
@@ -68,10 +68,10 @@ impl session::Engine for Engine {
         }
     }
 
-    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Error> {
-        match self.0.run(|on| on.find(given, ask), on_cpu)? {
+    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
+        match self.0.run(|on| on.find(given, moved, ask), on_cpu)? {
             Turn::Done(()) => Ok(()),
-            Turn::Cpu(on) => Ok(on.find(given, ask)?),
+            Turn::Cpu(on) => Ok(on.find(given, moved, ask)?),
         }
     }
 

@@ -345,7 +345,7 @@ impl Bodies {
         &self.rules[self.number_of_vertex[v as usize] as usize]
     }
 
-    fn number(&self, name: u32) -> Option<usize> {
+    pub(super) fn number(&self, name: u32) -> Option<usize> {
         self.names.binary_search(&name).ok()
     }
 

@@ -237,6 +237,13 @@ pub enum Error {
         /// Bytes that it may hold.
         limit: u64,
     },
+    /// Bodies were to move before anybody said where all vertices are.
+    NoPositions,
+    /// A body was to move by positions in `f64` where those of all vertices are in `f32`.
+    MixedPrecision {
+        /// Its name.
+        body: u32,
+    },
     /// The session's cancel token was cancelled.
     Cancelled,
 }
@@ -371,6 +378,12 @@ impl core::fmt::Display for Error {
                     "{what} need {bytes} bytes besides the {held} that are held; the limit of \
                      memory is {limit}"
                 )
+            }
+            Error::NoPositions => {
+                f.write_str("there are no positions yet: call `set_positions` before bodies move")
+            }
+            Error::MixedPrecision { body } => {
+                write!(f, "body {body} moves in f64, and the positions of the mesh are in f32")
             }
             Error::Cancelled => f.write_str("cancelled"),
         }

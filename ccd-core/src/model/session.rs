@@ -4,9 +4,11 @@
 mod candidates;
 mod changes;
 mod engine;
+mod moving;
 
 pub use candidates::{Candidates, Intersection};
-pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
+pub use engine::{Ask, Change, Engine, Filter, Intersects, Moved, State};
+pub use moving::BodyMotion;
 
 use super::cancel::CancelToken;
 use super::error::{Error, check_window};
@@ -19,6 +21,7 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::{Deref, DerefMut};
+use moving::Kept;
 
 /// Continuous collision detection of one mesh over many steps.
 ///
@@ -38,6 +41,7 @@ use core::ops::{Deref, DerefMut};
 pub struct Session<E, P = ()> {
     engine: E,
     gathered: Gathered,
+    kept: Kept,
     place: PhantomData<fn() -> P>,
 }
 
@@ -73,7 +77,8 @@ impl<E: Engine, P> Session<E, P> {
     fn of(on: &E::On, mesh: Arc<Mesh>, options: Options) -> Result<Self, E::Error> {
         options.check(&mesh)?;
         let engine = E::new(on, State::new(mesh, options))?;
-        Ok(Self { engine, gathered: Gathered::default(), place: PhantomData })
+        let (gathered, kept) = (Gathered::default(), Kept::default());
+        Ok(Self { engine, gathered, kept, place: PhantomData })
     }
 
     /// The mesh of the next step. [`Report::mesh`] is that of the last one.
@@ -183,6 +188,68 @@ impl<E: Engine, P> Session<E, P> {
         Ok(self.earliest_toi(x0, x1)?.unwrap_or(1.0))
     }
 
+    /// From now on all vertices stand at `x`, until [`Session::step_bodies`] and
+    /// [`Session::earliest_toi_of_bodies`] move bodies. Positions are copied.
+    ///
+    /// # Errors
+    /// [`Error::VertexCount`], and what the type of positions says. Coordinates are checked by the
+    /// next of these calls.
+    pub fn set_positions<A>(&mut self, x: &A) -> Result<(), Error>
+    where
+        A: AsPositions + ?Sized,
+    {
+        let Self { engine, kept, .. } = self;
+        kept.set(&engine.state().mesh, ends(x, x))
+    }
+
+    /// Every contact of a step in which these bodies move and all others stand where the last call
+    /// that moved them left them, or [`Session::set_positions`]: what [`Session::step`] finds for
+    /// the same positions, and the same bits.
+    ///
+    /// On a CPU it costs what the bodies cost that are not fixed and do not sleep, and a logarithm
+    /// of what does: positions, boxes and trees of what stands still are not looked at again. A
+    /// body that is named stands at its `x1` afterwards; after an error all stand where they stood.
+    ///
+    /// ```
+    /// use ccd_core::model::{bodies::Bodies, mesh::Mesh, options::Options, session::BodyMotion};
+    /// # use ccd_core::Error;
+    /// # use ccd_core::model::session::{Engine, Session};
+    ///
+    /// # fn contacts<E: Engine<On = (), Error = Error>>() -> Result<usize, Error> {
+    /// // A floor of one face, and a particle above it.
+    /// let bodies = Bodies::new(&[0, 0, 0, 1], &[true, false], false);
+    /// let options = Options::default().with_bodies(bodies);
+    /// let mut session = Session::<E>::new(Mesh::new(4, &[[0, 1, 2]])?, options)?;
+    /// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
+    /// session.set_positions(&x)?;
+    /// let (from, to) = ([x[3]], [[0.2, -1.0, 0.2]]);
+    /// let report = session.step_bodies(&[BodyMotion::new(1, &from, &to)])?;
+    /// # Ok(report.contacts.len())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoPositions`] before [`Session::set_positions`]; [`Error::NoBody`];
+    /// [`Error::VertexCount`] for another number of positions than the body has vertices;
+    /// [`Error::MixedPrecision`]; besides those of [`Session::step`].
+    pub fn step_bodies(&mut self, motions: &[BodyMotion]) -> Result<&Report, E::Error> {
+        self.ask_of_bodies(motions, Ask::Contacts { window: [0.0, 1.0] })?;
+        Ok(self.report())
+    }
+
+    /// The earliest time of impact of a step in which these bodies move: what
+    /// [`Session::earliest_toi`] is to [`Session::step`].
+    ///
+    /// # Errors
+    /// Those of [`Session::step_bodies`].
+    pub fn earliest_toi_of_bodies(
+        &mut self,
+        motions: &[BodyMotion],
+    ) -> Result<Option<f64>, E::Error> {
+        self.ask_of_bodies(motions, Ask::Earliest)?;
+        Ok(self.report().toi)
+    }
+
     /// Lists all [`Candidates`] of the step: pairs of features whose swept boxes overlap, without
     /// those that share a vertex or that the bodies rule out.
     ///
@@ -228,7 +295,23 @@ impl<E: Engine, P> Session<E, P> {
         let Self { engine, gathered, .. } = self;
         let checked = check_window(ask.window());
         let given = checked.and_then(|()| given(&engine.state().mesh, gathered, ends));
-        let done = given.map_err(E::Error::from).and_then(|given| engine.find(given, ask));
+        let done = given.map_err(E::Error::from).and_then(|given| engine.find(given, None, ask));
+        if done.is_err() {
+            engine.clear();
+        }
+        done
+    }
+}
+
+impl<E: Engine, P> Session<E, P> {
+    /// Asks something of a step in which bodies move.
+    fn ask_of_bodies(&mut self, motions: &[BodyMotion], ask: Ask) -> Result<(), E::Error> {
+        let Self { engine, kept, .. } = self;
+        let begun = kept.begin(engine.state().options.bodies.as_ref(), motions);
+        let done = begun
+            .map_err(E::Error::from)
+            .and_then(|(given, moved)| engine.find(given, Some(moved), ask));
+        kept.end(done.is_err());
         if done.is_err() {
             engine.clear();
         }

@@ -5,7 +5,7 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of, get_lane, set_lane};
 use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
@@ -20,10 +20,23 @@ pub struct BlockBvh {
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
+    /// Per level above the leaves.
+    mixed: Vec<Mixed>,
     worlds: Worlds,
     looseness_at_build: Option<f64>,
     sums: Vec<f64>,
     build: u64,
+}
+
+/// The one lane of a level below which boxes that move are followed by fixed ones. Its box may be
+/// much larger than what moves below it, and two fixed boxes are no pair: against a lane of fixed
+/// boxes what moves counts alone.
+#[derive(Clone, Copy, Debug)]
+struct Mixed {
+    /// The number of the node: its block, then its lane.
+    node: usize,
+    /// What moves below it, in its lane.
+    moving: Block,
 }
 
 impl BlockBvh {
@@ -51,6 +64,14 @@ impl BlockBvh {
         } else {
             0
         }
+    }
+
+    /// If lane and block `i` of a level are those where boxes that move and fixed ones meet: that
+    /// lane, and in it what moves.
+    #[inline(always)]
+    pub fn mixed(&self, level: usize, i: usize) -> Option<(usize, &Block)> {
+        let mixed = self.mixed.get(level.wrapping_sub(1))?;
+        (mixed.node / WIDTH == i).then_some((mixed.node % WIDTH, &mixed.moving))
     }
 
     /// Whether any box is fixed.
@@ -101,7 +122,30 @@ impl BlockBvh {
     /// [`BlockBvh::begin`].
     pub fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         let moving = leaves.n_moving();
-        self.fit_blocks(threads, leaves.blocks(), [leaves.n_changed(), moving])
+        let looseness = self.fit_blocks(threads, leaves.blocks(), [leaves.n_changed(), moving]);
+        self.mix(leaves.blocks(), leaves.len() - leaves.n_still());
+        looseness
+    }
+
+    /// Finds the lanes where the first `moving` leaves end.
+    fn mix(&mut self, leaves: &[Block], moving: usize) {
+        self.mixed.clear();
+        if !self.any_fixed {
+            return;
+        }
+        let (mut node, mut below) = (moving, Aabb::EMPTY);
+        for level in 1..self.height {
+            let blocks = if level == 1 { leaves } else { &self.upper[level - 2] };
+            // Children before the one that is mixed itself.
+            let first = node / WIDTH * WIDTH;
+            let union =
+                |all: Aabb<f32>, child| all.union(&get_lane(&blocks[child / WIDTH], child % WIDTH));
+            below = (first..node).fold(below, union);
+            node /= WIDTH;
+            let mut moving = EMPTY;
+            set_lane(&mut moving, node % WIDTH, &below);
+            self.mixed.push(Mixed { node, moving });
+        }
     }
 
     /// The same for blocks of which the first so many have changed, and the first so many may move.

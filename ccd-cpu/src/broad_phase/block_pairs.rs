@@ -108,6 +108,9 @@ impl PairTree for BlockPairs<'_> {
     fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let pair = BlockPair::unpacked(pair);
         let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
+        if self.a.any_fixed() {
+            masks &= !self.apart_from_fixed(simd, pair);
+        }
         if self.a.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
         }
@@ -207,6 +210,27 @@ impl<'a> BlockPairs<'a> {
         let row = self.b.fixed(pair.level as usize, pair.b as usize) as u64;
         (0..WIDTH)
             .fold(0, |masks, i| if rows >> i & 1 == 1 { masks | row << (8 * i) } else { masks })
+    }
+}
+
+impl BlockPairs<'_> {
+    /// Of a pair above the leaves, byte `i`, bit `j`: whether one of child `i` and child `j` is
+    /// fixed, and what moves in the other is apart from it.
+    #[inline(always)]
+    fn apart_from_fixed<S: RowSimd>(self, simd: S, BlockPair { level, a, b }: BlockPair) -> u64 {
+        let (level, a, b) = (level as usize, a as usize, b as usize);
+        let mut apart = 0;
+        if let Some((lane, moving)) = self.a.mixed(level, a) {
+            let met = simd.overlaps(moving, lane, &self.b.level(level)[b]);
+            apart |= ((self.b.fixed(level, b) as u32 & !met) as u64) << (8 * lane);
+        }
+        if let Some((lane, moving)) = self.b.mixed(level, b) {
+            let met = simd.overlaps(moving, lane, &self.a.level(level)[a]);
+            let rows = self.a.fixed(level, a) as u32 & !met;
+            apart |=
+                (0..WIDTH).fold(0, |bits, i| bits | ((rows >> i & 1) as u64) << (8 * i + lane));
+        }
+        apart
     }
 }
 

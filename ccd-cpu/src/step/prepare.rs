@@ -19,7 +19,9 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
+use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Error, Real};
+use std::ops::Range;
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
@@ -31,6 +33,8 @@ pub struct Positions<'a> {
     pub given: Given<'a>,
     pub from: f64,
     pub until: f64,
+    /// What is known from the call before.
+    pub moved: Option<Moved<'a>>,
     /// Whether a pass over all of these times came before: then less time matters now.
     pub again: bool,
 }
@@ -38,7 +42,7 @@ pub struct Positions<'a> {
 impl<'a> Positions<'a> {
     /// At both ends of the step, of which the times of a window matter.
     pub fn new(given: Given<'a>, [from, until]: [f64; 2]) -> Self {
-        Self { given, from, until, again: false }
+        Self { given, from, until, moved: None, again: false }
     }
 
     /// Whether the whole step matters.
@@ -71,7 +75,10 @@ pub struct Prepared {
     built: bool,
     /// Whether the last step was prepared to the end, so that all parts of this are of one step.
     whole: bool,
+    /// The number of the last call whose positions were told by what moved in it.
+    call: Option<u64>,
     scans: Vec<Scan>,
+    changed: Vec<(usize, Scan)>,
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
     units: Table,
@@ -94,7 +101,9 @@ impl Prepared {
         Self {
             built: false,
             whole: true,
+            call: None,
             scans: Vec::new(),
+            changed: Vec::new(),
             scan: Scan::NONE,
             table: Vec::new(),
             units: Table::AS_GIVEN,
@@ -180,8 +189,14 @@ impl Prepared {
         options: &Options,
         x: &Ends<T>,
     ) -> Result<(), Error> {
-        self.scan = self.scan(threads, x)?;
-        self.still.look(threads, x.x0, x.x1, options.min_distance)?;
+        let call = self.call.take();
+        // Within a call positions stay as they are.
+        let moved =
+            x.times.moved.filter(|to| call.is_some_and(|n| n == to.call || n + 1 == to.call));
+        let runs = moved.map(|to| to.runs);
+        self.scan = self.scan(threads, x, runs)?;
+        self.still.look(threads, (x.x0, x.x1), options.min_distance, runs)?;
+        self.call = x.times.moved.map(|to| to.call);
         self.units = self.fill_table(threads, x);
         self.sweep(threads, x, ccd_core::backend::quantization::margin(options.min_distance));
         Ok(())
@@ -218,16 +233,36 @@ impl Prepared {
         }
     }
 
-    /// Checks coordinates and finds their bounds and whether each is an `f32`.
-    fn scan<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Result<Scan, Error> {
+    /// Checks coordinates and finds their bounds and whether each is an `f32`; of vertices in `runs`
+    /// alone, if the others are known.
+    fn scan<T: Real>(
+        &mut self,
+        threads: &Threads,
+        x: &Ends<T>,
+        runs: Option<&[Range<u32>]>,
+    ) -> Result<Scan, Error> {
         const CHUNK: usize = 2048;
-        self.scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
-        threads.fill(&mut self.scans, |i| {
+        let scan = |i: usize| {
             let mut scan = Scan::NONE;
             let part = i * CHUNK..((i + 1) * CHUNK).min(x.x0.len());
             scan.take_all(&x.x0[part.clone()], &x.x1[part]);
             scan
-        });
+        };
+        let Self { scans, changed, .. } = self;
+        if let Some(runs) = runs {
+            changed.clear();
+            for run in runs {
+                let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
+                changed.extend(chunks.map(|i| (i, Scan::NONE)));
+            }
+            changed.sort_unstable_by_key(|chunk| chunk.0);
+            changed.dedup_by_key(|chunk| chunk.0);
+            threads.each(changed, &|_, (i, slot)| *slot = scan(*i));
+            changed.iter().for_each(|&(i, scan)| scans[i] = scan);
+        } else {
+            scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
+            threads.fill(scans, scan);
+        }
         let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
         all.check(x.x0, x.x1)?;
         Ok(all)

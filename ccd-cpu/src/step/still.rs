@@ -11,6 +11,7 @@ use ccd_core::backend::quantization::Table;
 use ccd_core::backend::rules::{Rules, moves};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::{Error, Real};
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
 
 /// Elements that are left or made together.
@@ -62,7 +63,8 @@ impl Still {
         self.holds_table
     }
 
-    /// Looks at checked positions: whether all are where they were.
+    /// Looks at checked positions: whether all are where they were; `runs`: vertices that may be
+    /// elsewhere than in the call before, if that is known.
     ///
     /// # Errors
     ///
@@ -70,12 +72,21 @@ impl Still {
     pub fn look<T: Real>(
         &mut self,
         threads: &Threads,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
+        (x0, x1): (&[[T; 3]], &[[T; 3]]),
         min_distance: f64,
+        runs: Option<&[Range<u32>]>,
     ) -> Result<(), Error> {
         (self.holds, self.holds_table) = (false, false);
         if self.vertices.is_empty() {
+            return Ok(());
+        }
+        let made = (size_of::<T>() as u32, min_distance.to_bits());
+        let is_still = |run: &Range<u32>| {
+            let first = self.vertices.partition_point(|&v| v < run.start);
+            self.vertices.get(first).is_some_and(|v| run.contains(v))
+        };
+        if runs.is_some_and(|runs| !runs.iter().any(is_still)) {
+            self.holds = self.made.replace(made) == Some(made);
             return Ok(());
         }
         let (vertices, may_move) = (&self.vertices, self.may_move);
@@ -96,7 +107,7 @@ impl Still {
                 }
             }
         });
-        let (vertex, made) = (first.into_inner(), (size_of::<T>() as u32, min_distance.to_bits()));
+        let vertex = first.into_inner();
         let made_so = self.made.replace(made) == Some(made);
         if vertex != u32::MAX {
             self.made = None;

@@ -40,7 +40,10 @@ impl<E: Engine, P> Session<E, P> {
 
     fn change_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), E::Error> {
         options.check(&mesh)?;
-        self.engine.change(Change::Mesh(mesh, options))
+        let same = Arc::ptr_eq(&mesh, self.mesh());
+        self.engine.change(Change::Mesh(mesh, options))?;
+        self.kept.forget(!same);
+        Ok(())
     }
 
     /// From now on another [`Options::min_distance`]. Order, trees and fronts stay, but on a GPU
@@ -114,7 +117,9 @@ impl<E: Engine, P> Session<E, P> {
             return Ok(());
         }
         bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(self.mesh()))?;
-        self.engine.change(Change::Bodies(bodies))
+        self.engine.change(Change::Bodies(bodies))?;
+        self.kept.forget(false);
+        Ok(())
     }
 
     /// From now on pairs of features for which `filter` says no are left out: by their kind and

@@ -11,6 +11,7 @@ use crate::model::precision::Given;
 use crate::model::report::Report;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// The work of a [`Session`](super::Session) on a backend.
 pub trait Engine: Sized {
@@ -35,11 +36,12 @@ pub trait Engine: Sized {
     /// Empties the report, after a call has failed.
     fn clear(&mut self);
 
-    /// Finds what is asked for, and leaves it in the report. `given`: a position for every vertex.
+    /// Finds what is asked for, and leaves it in the report. `given`: a position for every vertex;
+    /// `moved`: which of them differ from those of the call before, if that is known.
     ///
     /// # Errors
     /// Those of [`Session::step`](super::Session::step).
-    fn find(&mut self, given: Given, ask: Ask) -> Result<(), Self::Error>;
+    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Self::Error>;
 
     /// Lists candidates.
     ///
@@ -85,6 +87,17 @@ impl State {
     pub fn new(mesh: Arc<Mesh>, options: Options) -> Self {
         Self { mesh, options, report: Report::default() }
     }
+}
+
+/// What is known of a step's positions from the call before it.
+#[derive(Clone, Copy, Debug)]
+pub struct Moved<'a> {
+    /// Vertices with other positions, at either end, than in the call before; all others are the
+    /// same, and do not move.
+    pub runs: &'a [Range<u32>],
+    /// The number of this call. The call before has the number before, and it counts for an engine
+    /// only if that was its own last complete call.
+    pub call: u64,
 }
 
 /// What is asked of a step.
