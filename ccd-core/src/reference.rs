@@ -60,7 +60,7 @@ pub fn step<T: Real>(
     check_coordinates(0, x0)?;
     check_coordinates(1, x1)?;
     let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
-    rules.as_ref().map_or(Ok(()), |rules| rules.check_still(x0, x1))?;
+    rules.as_ref().map_or(Ok(()), |rules| rules.check_still(x0, x1, None))?;
 
     let search = options.search([0.0, 1.0]);
     let mut report = Report::default();

@@ -90,13 +90,13 @@ impl session::Engine for Engine {
         self.frames.geometry.listed = false;
     }
 
-    fn find(&mut self, given: Given, _moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
+    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         let every = self.state.options.tolerance < 1e-7;
         let goal = match ask {
             Ask::Earliest if !every => self.frames.goal_of_earliest(),
             _ => Goal::Contacts,
         };
-        self.run(given, ask.window(), goal)?;
+        self.run((given, moved), ask.window(), goal)?;
         if ask == Ask::Earliest {
             self.state.report.contacts.clear();
             self.state.report.undecided = 0;
@@ -189,24 +189,31 @@ impl Engine {
     }
 
     fn list(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.run(given, WHOLE, Goal::Candidates)?;
+        self.run((given, None), WHOLE, Goal::Candidates)?;
         let lists = self.frames.read_candidates(&self.device, self.state.report.candidates)?;
         let codimensional = self.codimensional.as_ref().map(|found| found.pairs.clone());
         Ok(Candidates::new(lists, codimensional.unwrap_or_default()))
     }
 
     #[inline(never)]
-    fn run(&mut self, given: Given, window: [f64; 2], goal: Goal) -> Result<(), Error> {
+    fn run(
+        &mut self,
+        (given, moved): (Given, Option<Moved>),
+        window: [f64; 2],
+        goal: Goal,
+    ) -> Result<(), Error> {
         let State { mesh, options, .. } = &self.state;
+        let known = moved.filter(|&moved| self.frames.buffers.positions.follows(moved));
         if let Some(rules) = &self.frames.buffers.rules {
+            let runs = known.map(|moved| moved.runs);
             match given {
-                Precision::F32([x0, x1]) => rules.check_still(x0, x1),
-                Precision::F64([x0, x1]) => rules.check_still(x0, x1),
+                Precision::F32([x0, x1]) => rules.check_still(x0, x1, runs),
+                Precision::F64([x0, x1]) => rules.check_still(x0, x1, runs),
             }?;
         }
         let start = Instant::now();
         self.device.check_lost()?;
-        self.frames.upload(&self.device, mesh, given, options.min_distance)?;
+        self.frames.upload(&self.device, mesh, (given, moved), options.min_distance)?;
         session::Engine::clear(self);
         let State { mesh, options, report } = &mut self.state;
         report.set_mesh(mesh);

@@ -20,6 +20,8 @@ mod kept_order;
 mod kernels;
 mod limits;
 mod listed;
+#[path = "../sessions/moving_bodies.rs"]
+mod moving_bodies;
 mod oriented;
 mod pairs;
 mod poison;

@@ -2,6 +2,7 @@
 //! the CPU, whose rules are tested against brute force.
 
 use crate::emulated::methods;
+use crate::moving_bodies;
 use crate::scenes::{check_candidates, check_pairs, check_reports, check_step};
 use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, twin, zeros};
 use crate::twin::{code, union};
@@ -18,7 +19,19 @@ pub const TESTS: crate::Tests = &[
     ("rules", check_rules),
     ("rules_change", check_changes),
     ("worlds", check_worlds),
+    ("moving_bodies", check_moving_bodies),
 ];
+
+/// Steps that are told which bodies move are plain steps.
+fn check_moving_bodies(device: &Device) {
+    let (mesh, bodies, x) = moving_bodies::scene();
+    let narrow: Vec<[f32; 3]> = x.iter().map(|p| p.map(|c| c as f32)).collect();
+    let far: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c + 1e5 + 0.1)).collect();
+    let options = Options::default().with_bodies(bodies);
+    let session = || Session::new(device, &mesh, options.clone()).expect("a session");
+    moving_bodies::check("f32", (&mut session(), &mut session()), &narrow);
+    moving_bodies::check("f64", (&mut session(), &mut session()), &far);
+}
 
 /// Every vertex, edge and face by its place, in worlds.
 fn check_kernels(device: &Device) {

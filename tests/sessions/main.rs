@@ -10,6 +10,7 @@ mod found;
 mod fronts;
 mod leaving;
 mod limits;
+mod moving_bodies;
 mod rules;
 mod send_sync;
 mod triangles;

@@ -9,6 +9,7 @@ use crate::model::contact::Kind;
 use crate::model::error::Error;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// The rules of [`Bodies`], to be read.
 ///
@@ -154,18 +155,30 @@ impl Rules {
         self.may_move
     }
 
-    /// Fails with the first vertex that moves and must not. Coordinates that are no numbers are
-    /// found by those who check them.
+    /// Fails with the first vertex that moves and must not: of these runs, if others are known to
+    /// stand still. Coordinates that are no numbers are found by those who check them.
     ///
     /// # Errors
     ///
     /// [`Error::FixedMoves`].
-    pub fn check_still<T: Real>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
-        let moves = |&&v: &&u32| moves(x0[v as usize], x1[v as usize]);
-        match self.still.iter().find(moves).filter(|_| !self.may_move) {
-            Some(&vertex) => Err(Error::FixedMoves { vertex: vertex as usize }),
-            None => Ok(()),
+    pub fn check_still<T: Real>(
+        &self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        runs: Option<&[Range<u32>]>,
+    ) -> Result<(), Error> {
+        if self.may_move {
+            return Ok(());
         }
+        let begin = |v: u32| self.still.partition_point(|&still| still < v);
+        let all = [0..u32::MAX];
+        for run in runs.unwrap_or(&all) {
+            let moves = |&&v: &&u32| moves(x0[v as usize], x1[v as usize]);
+            if let Some(&vertex) = self.still[begin(run.start)..begin(run.end)].iter().find(moves) {
+                return Err(Error::FixedMoves { vertex: vertex as usize });
+            }
+        }
+        Ok(())
     }
 }
 

@@ -84,7 +84,7 @@ impl Engine {
         let mut gathered = Gathered::default();
         let given = session::given(&self.state.mesh, &mut gathered, ends(x0, x1));
         let done = given.map_err(Error::from);
-        done.and_then(|given| self.run(given, WHOLE, Goal::Candidates))
+        done.and_then(|given| self.run((given, None), WHOLE, Goal::Candidates))
             .inspect_err(|_| session::Engine::clear(self))?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])

@@ -20,6 +20,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
+use ccd_core::model::session::Moved;
 
 mod changes;
 
@@ -97,13 +98,13 @@ impl Frames {
         &mut self,
         device: &Device,
         mesh: &Mesh,
-        given: Given,
+        (given, moved): (Given, Option<Moved>),
         distance: f64,
     ) -> Result<(), Error> {
         self.geometry.listed = false;
         self.refresh(device, mesh)?;
         let Buffers { positions, source, .. } = &mut self.buffers;
-        if positions.upload(device, given, distance, source.finder().boxes())? {
+        if positions.upload(device, (given, moved), distance, source.finder().boxes())? {
             self.bench.forget();
         }
         if let Some(triangles) = source.triangles_mut() {

@@ -8,7 +8,9 @@ use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::math::real::Real;
 use ccd_core::model::precision::{Given, Points, Precision};
+use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Positions on the device.
@@ -26,11 +28,20 @@ pub struct Positions {
     slack: f32,
     /// Bound of the coordinates of paths.
     pub reach: f32,
+    /// The number of the last call that was told what moved in it, as far as it came.
+    call: Option<u64>,
+    /// Of every [`CHUNK`] vertices.
+    scans: Vec<Scan>,
     host_paths: Vec<Path>,
     host_wide: Vec<[f64; 3]>,
     host_keys: Vec<[[u32; 2]; 6]>,
     host_boxes: Vec<Aabb>,
 }
+
+/// Vertices that are scanned together.
+const CHUNK: usize = 2048;
+/// From this many runs on, one copy of all paths takes less than one of each.
+const MANY_RUNS: usize = 64;
 
 /// What makes the boxes of vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +73,8 @@ impl Positions {
             table: Table::AS_GIVEN,
             slack: 0.0,
             reach: 0.0,
+            call: None,
+            scans: Vec::new(),
             host_paths: Vec::new(),
             host_wide: Vec::new(),
             host_keys: Vec::new(),
@@ -74,29 +87,47 @@ impl Positions {
     pub fn upload(
         &mut self,
         device: &Device,
-        given: Given,
+        (given, moved): (Given, Option<Moved>),
         min_distance: f64,
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
-        match given {
-            Precision::F32([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
-            Precision::F64([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
-        }
+        let runs = moved.filter(|&moved| self.follows(moved)).map(|moved| moved.runs);
+        self.call = None;
+        let replaced = match given {
+            Precision::F32([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
+            Precision::F64([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
+        }?;
+        self.call = moved.map(|moved| moved.call);
+        Ok(replaced)
+    }
+
+    /// Whether the positions that are here are those of the call before.
+    pub fn follows(&self, moved: Moved) -> bool {
+        self.call.is_some_and(|call| call + 1 == moved.call)
     }
 
     fn take<T: Coordinate>(
         &mut self,
         device: &Device,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
+        (x0, x1): (&[[T; 3]], &[[T; 3]]),
+        runs: Option<&[Range<u32>]>,
         min_distance: f64,
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
-        let mut scan = Scan::NONE;
-        scan.take_all(x0, x1);
+        let all = [0..x0.len() as u32];
+        self.scans.resize(x0.len().div_ceil(CHUNK), Scan::NONE);
+        for run in runs.unwrap_or(&all) {
+            for i in run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK) {
+                let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
+                self.scans[i] = Scan::NONE;
+                self.scans[i].take_all(&x0[chunk.clone()], &x1[chunk]);
+            }
+        }
+        let scan = self.scans.iter().fold(Scan::NONE, |all, scan| all.merged(scan));
         scan.check(x0, x1)?;
         let table = scan.table(true);
-        self.table = table;
+        let before = std::mem::replace(&mut self.table, table);
+        let paths_before = self.boxes != Boxes::OfPositions && before == table;
         self.exact = table == Table::AS_GIVEN;
         let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
         self.reach = if self.exact { scan.greatest() } else { extent * table.scale }.round_up();
@@ -138,10 +169,24 @@ impl Positions {
             let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
             [p[0], p[1], p[2], 0.0]
         };
-        self.host_paths.clear();
-        self.host_paths
-            .extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
-        device.write("paths", &self.paths, 0, bytemuck::cast_slice(&self.host_paths))?;
+        let path = |v: usize| Path { t0: path_end(&x0[v]), t1: path_end(&x1[v]) };
+        if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
+            for run in runs {
+                let run = run.start as usize..run.end as usize;
+                run.clone().for_each(|v| self.host_paths[v] = path(v));
+                let at = (run.start * size_of::<Path>()) as u64;
+                device.write(
+                    "paths",
+                    &self.paths,
+                    at,
+                    bytemuck::cast_slice(&self.host_paths[run]),
+                )?;
+            }
+        } else {
+            self.host_paths.clear();
+            self.host_paths.extend((0..x0.len()).map(path));
+            device.write("paths", &self.paths, 0, bytemuck::cast_slice(&self.host_paths))?;
+        }
         if self.boxes == Boxes::OfPaths {
             return Ok(false);
         }
@@ -177,6 +222,7 @@ impl Positions {
     /// Takes the paths that are there, which the caller has written, as exact.
     pub fn take_paths(&mut self) {
         (self.boxes, self.exact, self.table) = (Boxes::OfPaths, true, Table::AS_GIVEN);
+        self.call = None;
         self.slack = 0.0;
     }
 
