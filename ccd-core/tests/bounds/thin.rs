@@ -7,6 +7,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
+use ccd_core::narrow_phase::intersection::segment_meets_triangle;
 use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Real, Verdict};
 
@@ -54,6 +55,30 @@ fn what_touches_after_a_window_is_no_contact_in_it() {
         for verdict in [onto_edge(0.25, 1.0, &window), onto_vertex(0.0, &window)] {
             assert_eq!([is_hit(verdict), is_open(verdict)], [hits, !hits], "{until}: {verdict:?}");
         }
+    }
+}
+
+#[test]
+fn an_edge_in_the_plane_of_a_face_meets_it_within_and_at_its_border() {
+    // A plane that no axis is normal to, in coordinates without rounding.
+    let at = |u: f64, v: f64| [u, v, 2.0 * u - 3.0 * v];
+    let face = [at(0.0, 0.0), at(8.0, 0.0), at(0.0, 8.0)];
+    let meets = |p, q| segment_meets_triangle([p, q], face);
+    for ((p, q), want) in [
+        // Within, where it meets no side.
+        ((at(1.0, 1.0), at(2.0, 3.0)), true),
+        ((at(1.0, 1.0), at(1.0, 1.0)), true),
+        // Across a side, along one, through a corner.
+        ((at(1.0, 1.0), at(9.0, 1.0)), true),
+        ((at(-1.0, 0.0), at(9.0, 0.0)), true),
+        ((at(-1.0, 9.0), at(1.0, 7.0)), true),
+        // Beside it.
+        ((at(5.0, 5.0), at(9.0, 4.0)), false),
+        ((at(9.0, 0.0), at(10.0, 0.0)), false),
+        ((at(-1.0, -1.0), at(-2.0, 3.0)), false),
+    ] {
+        assert_eq!(meets(p, q), Some(want), "{p:?} to {q:?}");
+        assert_eq!(meets(q, p), Some(want), "{q:?} to {p:?}");
     }
 }
 
