@@ -2,7 +2,7 @@
 //! same positions, whatever stands still, changes in between, or is refused.
 
 use ccd::scenes::{Random, triangle_soup};
-use ccd::{Bodies, BodyMotion, Coordinate, Mesh, Options};
+use ccd::{Bodies, BodyMotion, Coordinate, Mesh};
 use ccd_core::model::session::{Engine, Session};
 use std::fmt::Debug;
 
@@ -138,7 +138,7 @@ fn steps_of_bodies_are_plain_steps() {
     let narrow: Vec<[f32; 3]> = x.iter().map(|p| p.map(|c| c as f32)).collect();
     // Far away, so that boxes and tables are rounded.
     let far: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c + 1e5 + 0.1)).collect();
-    let plain = Options::default().with_bodies(bodies);
+    let plain = ccd::Options::default().with_bodies(bodies);
     for (what, options) in [
         ("one thread", plain.clone().with_threads(1)),
         ("two threads", plain.clone().with_threads(2)),
@@ -156,7 +156,7 @@ fn steps_of_bodies_are_plain_steps() {
 #[test]
 fn bodies_move_in_the_precision_of_the_mesh() {
     let bodies = Bodies::new(&[0, 0, 0, 1], &[true, false], false);
-    let options = Options::default().with_bodies(bodies);
+    let options = ccd::Options::default().with_bodies(bodies);
     let mut session = ccd::Session::new(Mesh::new(4, &[[0, 1, 2]]).unwrap(), options).unwrap();
     let x = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
     let (from, to) = ([x[3]], [[0.2f32, -1.0, 0.2]]);

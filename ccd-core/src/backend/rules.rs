@@ -171,8 +171,8 @@ impl Rules {
             return Ok(());
         }
         let begin = |v: u32| self.still.partition_point(|&still| still < v);
-        let all = [0..u32::MAX];
-        for run in runs.unwrap_or(&all) {
+        let all = 0..u32::MAX;
+        for run in runs.unwrap_or(core::slice::from_ref(&all)) {
             let moves = |&&v: &&u32| moves(x0[v as usize], x1[v as usize]);
             if let Some(&vertex) = self.still[begin(run.start)..begin(run.end)].iter().find(moves) {
                 return Err(Error::FixedMoves { vertex: vertex as usize });

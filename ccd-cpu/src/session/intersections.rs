@@ -6,7 +6,7 @@ use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
 use crate::step::candidates::{Given, Scene, shared};
 use crate::step::leaves::Leaves;
-use crate::step::prepare::Positions;
+use crate::step::positions::Positions;
 use crate::threads::{Own, Threads};
 use ccd_core::model::contact::State;
 use ccd_core::model::mesh::Mesh;

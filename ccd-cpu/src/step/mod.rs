@@ -7,6 +7,7 @@ pub mod contact_order;
 pub mod find;
 pub mod leaves;
 pub mod narrow_phase;
+pub mod positions;
 pub mod prepare;
 pub mod selection;
 pub mod stand_ins;

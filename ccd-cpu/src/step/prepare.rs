@@ -4,8 +4,9 @@
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::WIDTH;
-use crate::step::candidates::{Given, Scene};
+use crate::step::candidates::Scene;
 use crate::step::leaves::Feature;
+use crate::step::positions::{Ends, Positions};
 use crate::step::selection::Selection;
 use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
@@ -19,55 +20,12 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
-use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Error, Real};
 use std::ops::Range;
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
 pub const MAX_LOOSENESS: f64 = 1.15;
-
-/// Positions of a step, of which only the times from `from` to `until` matter.
-#[derive(Clone, Copy)]
-pub struct Positions<'a> {
-    pub given: Given<'a>,
-    pub from: f64,
-    pub until: f64,
-    /// What is known from the call before.
-    pub moved: Option<Moved<'a>>,
-    /// Whether a pass over all of these times came before: then less time matters now.
-    pub again: bool,
-}
-
-impl<'a> Positions<'a> {
-    /// At both ends of the step, of which the times of a window matter.
-    pub fn new(given: Given<'a>, [from, until]: [f64; 2]) -> Self {
-        Self { given, from, until, moved: None, again: false }
-    }
-
-    /// Whether the whole step matters.
-    pub fn whole(&self) -> bool {
-        self.from <= 0.0 && self.until >= 1.0
-    }
-}
-
-/// The same in the precision of the input.
-struct Ends<'a, T> {
-    x0: &'a [[T; 3]],
-    x1: &'a [[T; 3]],
-    times: &'a Positions<'a>,
-}
-
-impl<T: Real> Ends<'_, T> {
-    /// Positions of vertex `i` at `from` and at `until`, each up to [`swept_box::end_error`].
-    fn ends(&self, i: usize) -> [[f64; 3]; 2] {
-        let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
-        [
-            if self.times.from <= 0.0 { p } else { swept_box::end(p, q, self.times.from) },
-            if self.times.until >= 1.0 { q } else { swept_box::end(p, q, self.times.until) },
-        ]
-    }
-}
 
 /// Boxes, leaves and tables of a mesh; buffers are kept between steps.
 #[derive(Debug)]

@@ -114,9 +114,9 @@ impl Positions {
         min_distance: f64,
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
-        let all = [0..x0.len() as u32];
+        let all = 0..x0.len() as u32;
         self.scans.resize(x0.len().div_ceil(CHUNK), Scan::NONE);
-        for run in runs.unwrap_or(&all) {
+        for run in runs.unwrap_or(std::slice::from_ref(&all)) {
             for i in run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK) {
                 let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
                 self.scans[i] = Scan::NONE;

@@ -76,9 +76,12 @@ fn what_stands_still_and_moves_is_found() {
     let mut x1 = x0;
     x1[0][1] = 5.0;
     let rules = Rules::new(&bodies).unwrap();
-    assert_eq!(rules.check_still(&x0, &x1), Ok(()));
+    assert_eq!(rules.check_still(&x0, &x1, None), Ok(()));
     x1[2][2] = 2.5;
-    assert_eq!(rules.check_still(&x0, &x1), Err(Error::FixedMoves { vertex: 2 }));
+    assert_eq!(rules.check_still(&x0, &x1, None), Err(Error::FixedMoves { vertex: 2 }));
+    let run = |first: u32| [first..first + 1];
+    assert_eq!(rules.check_still(&x0, &x1, Some(&run(1))), Ok(()));
+    assert!(rules.check_still(&x0, &x1, Some(&run(2))).is_err());
     let driven = Rules::new(&bodies.with_fixed_motion(true)).unwrap();
-    assert_eq!(driven.check_still(&x0, &x1), Ok(()));
+    assert_eq!(driven.check_still(&x0, &x1, None), Ok(()));
 }
