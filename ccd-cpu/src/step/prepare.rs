@@ -20,6 +20,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
+use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Error, Real};
 use std::ops::Range;
 
@@ -191,8 +192,8 @@ impl Prepared {
         }
     }
 
-    /// Checks coordinates and finds their bounds and whether each is an `f32`; of vertices in `runs`
-    /// alone, if the others are known.
+    /// Checks coordinates and finds their bounds and whether each is an `f32`; of vertices in
+    /// `runs` alone, if the others are known.
     fn scan<T: Real>(
         &mut self,
         threads: &Threads,

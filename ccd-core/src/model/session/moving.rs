@@ -32,8 +32,8 @@ pub struct BodyMotion<'a> {
 }
 
 impl<'a> BodyMotion<'a> {
-    /// The body `body` moves from `x0` to `x1`: whatever positions a step takes, one for each vertex
-    /// of the body.
+    /// The body `body` moves from `x0` to `x1`: whatever positions a step takes, one for each
+    /// vertex of the body.
     pub fn new<A, B>(body: u32, x0: &'a A, x1: &'a B) -> Self
     where
         A: AsPositions + ?Sized,
