@@ -11,7 +11,8 @@ macro_rules! are {
 }
 
 are! {
-    ccd::Aabb, ccd::Approach, ccd::Bodies, ccd::BroadPhase, ccd::BroadPhaseMethod,
+    ccd::Aabb, ccd::Approach, ccd::Bodies, ccd::BodyMotion<'static>, ccd::BroadPhase,
+    ccd::BroadPhaseMethod,
     ccd::BroadPhaseTimes, ccd::Builder, ccd::Candidates<'static>, ccd::Contact,
     ccd::ContactGeometry, ccd::Descent, ccd::CancelToken, ccd::Digest,
     ccd::Distance, ccd::EdgeEdge<f64>, ccd::Error, ccd::Exclusions, ccd::Front,
