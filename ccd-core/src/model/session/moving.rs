@@ -17,10 +17,11 @@ use core::ops::Range;
 /// use ccd_core::model::session::BodyMotion;
 ///
 /// let crate_at_rest = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-/// let mut pose = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
-/// let x0 = Posed::one(&crate_at_rest, &pose);
-/// pose[3][1] = -0.5;
-/// let x1 = Posed::one(&crate_at_rest, &pose);
+/// let before = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
+/// let mut after = before;
+/// after[3][1] = -0.5;
+/// let x0 = Posed::one(&crate_at_rest, &before);
+/// let x1 = Posed::one(&crate_at_rest, &after);
 /// let motion = BodyMotion::new(3, &x0, &x1);
 /// assert_eq!(motion.body, 3);
 /// ```
