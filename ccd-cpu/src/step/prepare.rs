@@ -20,7 +20,6 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
-use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Error, Real};
 use std::ops::Range;
 
