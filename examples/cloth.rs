@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = Arc::new(Mesh::new(x.len(), &faces)?);
     let body: Vec<u32> = (0..x.len()).map(|v| (v >= N * N) as u32).collect();
     let options = Options::default()
-        .with_bodies(Bodies::new(&body, &[false, true], true))
+        .with_bodies(Bodies::new(&body).with_fixed(1, true))
         .with_leave_contact(true);
 
     // The same mesh asked two questions: what is near, and how far one may go.

@@ -1,22 +1,25 @@
 //! A static world with a moving body: a box spins down on hills and stops where it would touch
 //! them.
 //!
-//! The world is a fixed body, positions come from rest positions and a matrix for each body, and
-//! the session runs on a GPU where there is one with enough to do. Vertices move on straight lines
-//! between two poses, so a pose in the middle of a step is not what was tested: a step that is not
-//! free is tried again with half of its time, from pose to pose.
+//! The world is a fixed body whose positions are handed over once. A step is told the two poses of
+//! the box, costs what the box costs, and answers with the first contact: where it is, and along
+//! which normal the box parts. Vertices move on straight lines between two poses, so a pose in the
+//! middle of a step is not what was tested: a step that is not free is tried again with half of its
+//! time, from pose to pose.
 //!
 //! `cargo run --release --example moving_body`
 
 use ccd::any::{Backend, Session};
 use ccd::scenes::grid;
-use ccd::{Bodies, Mesh, Options, Posed};
+use ccd::{Bodies, BodyMotion, Hit, Mesh, Options, Posed};
 use glam::{Mat4, Quat, Vec3};
 use std::sync::Arc;
 
 /// Vertices along a side of the world, and the length of a cell.
 const N: usize = 48;
 const CELL: f32 = 0.25;
+/// The body of the box; that of the hills is 0.
+const BOX_BODY: u32 = 1;
 /// What box and hills keep between them.
 const DISTANCE: f64 = 0.005;
 
@@ -34,47 +37,58 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = Arc::new(Mesh::new(rest.len(), &faces)?);
     let body: Vec<u32> = (0..mesh.n_vertices() as u32).map(|v| (v >= first) as u32).collect();
     // The world does not move, and neither body is looked at against itself.
-    let bodies = Bodies::new(&body, &[true, false], false);
+    let bodies = Bodies::new(&body).with_fixed(0, true).with_self_contacts(false);
     let options = Options::default().with_min_distance(DISTANCE).with_bodies(bodies);
     let choice = Backend::Auto.choose(mesh.edges().len())?;
     let mut session = Session::new(&choice, mesh.clone(), options)?;
 
+    // The box is where its rest positions are until a step moves it.
+    session.set_positions(&rest)?;
+    let box_at_rest = rest.split_off(first as usize);
+
     let pose = |t: f32| {
         let turn = Quat::from_euler(glam::EulerRot::XYZ, 1.3 * t, 0.4 * t, 0.7 * t);
         let place = Vec3::new(-1.0 + 0.5 * t, 3.0 - 0.8 * t, 0.3 * t);
-        [Mat4::IDENTITY, Mat4::from_rotation_translation(turn, place)]
+        Mat4::from_rotation_translation(turn, place)
+    };
+    let first_contact = |session: &mut Session, t: f32, step: f32| {
+        let poses = [pose(t), pose(t + step)];
+        let [x0, x1] = poses.each_ref().map(|pose| Posed::one(&box_at_rest, pose));
+        session.first_contact_of_bodies(&[BodyMotion::new(BOX_BODY, &x0, &x1)])
     };
     // Seconds, and the step: 2 degrees of a turn, between which a body shrinks by 0.02 %.
     let (mut t, mut step, mut n_steps) = (0.0f32, 1.0 / 40.0, 0);
+    let mut last: Option<Hit> = None;
     while step > 1e-4 {
-        let [from, to] = [pose(t), pose(t + step)];
-        let [x0, x1] = [&from, &to].map(|poses| Posed::new(&rest, &body, poses));
-        match session.earliest_toi(&x0, &x1)? {
+        match first_contact(&mut session, t, step)? {
             None => t += step,
-            Some(_) => step /= 2.0,
+            Some(hit) => (step, last) = (step / 2.0, Some(hit)),
         }
         n_steps += 1;
         assert!(t < 10.0, "the box fell through the world");
     }
+    let hit = last.expect("it came to rest by a contact");
+    let (point, normal) = (hit.point, hit.normal_towards(BOX_BODY));
     println!("{mesh:?} on {}: at rest after {t:.4} s, {n_steps} steps", session.place());
+    println!("on {point:.3?}, along {normal:.3?}");
 
     // Looked at without the session: every corner is above the lowest point of the cell below it,
-    // and a step as large as the last one that was refused ends in a contact.
-    let [_, last] = pose(t);
+    // and the hills hold the box from below.
+    let last = pose(t);
     let index = |c: f32| ((c / CELL + 0.5 * (N - 1) as f32) as usize).min(N - 2);
-    for &corner in &rest[first as usize..] {
+    for &corner in &box_at_rest {
         let p = last.transform_point3(corner);
         let (i, j) = (index(p.x), index(p.z));
         let corners = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];
         let low = corners.map(|(i, j)| rest[j * N + i].y).into_iter().fold(f32::MAX, f32::min);
         assert!(p.y > low, "a corner at {p} is under the hills");
     }
-    let [from, to] = [pose(t), pose(t + 1e-3)];
-    let [x0, x1] = [&from, &to].map(|poses| Posed::new(&rest, &body, poses));
-    assert!(!session.step(&x0, &x1)?.contacts.is_empty());
-    // Without the distance that they keep, the same step is free.
+    assert!(normal[1] > 0.5, "the box is held along {normal:?}");
+    // A step as large as the last one that was refused ends in a contact. Without the distance that
+    // they keep, it is free.
+    assert!(first_contact(&mut session, t, 1e-3)?.is_some());
     session.set_min_distance(0.0)?;
-    assert_eq!(session.earliest_toi(&x0, &x1)?, None);
+    assert_eq!(first_contact(&mut session, t, 1e-3)?, None);
     Ok(())
 }
 

@@ -18,7 +18,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let n = n_large + small.mesh.n_vertices();
     let mesh = Mesh::new(n, &faces)?;
     let body: Vec<u32> = (0..n).map(|v| (v >= n_large) as u32).collect();
-    let bodies = |fixed: bool| Bodies::new(&body, &[fixed], true).with_excluded_bodies(&[[0, 0]]);
+    let bodies =
+        |fixed: bool| Bodies::new(&body).with_fixed(0, fixed).with_excluded_bodies(&[[0, 0]]);
     println!("{} edges, {} of them moving", mesh.edges().len(), small.mesh.edges().len());
     let mut found = Vec::new();
     for (name, bodies) in [("without self-contact", bodies(false)), ("fixed", bodies(true))] {

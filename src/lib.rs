@@ -32,6 +32,8 @@
 //! |---|---|
 //! | every contact of a step, once | [`step`] |
 //! | the largest safe step | [`earliest_toi`] |
+//! | the first contact, with point and normal | [`Session::first_contact`]: [`Hit`] |
+//! | bodies that move while others stand still | [`Session::step_bodies`]: [`BodyMotion`] |
 //! | frame after frame of one mesh | [`Session`] |
 //! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
 //! | contact at a distance | [`Options::min_distance`] |
@@ -116,7 +118,7 @@ pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
 pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling};
-pub use ccd_core::model::session::BodyMotion;
+pub use ccd_core::model::session::{BodyMotion, Hit};
 pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
 pub use ccd_core::model::tree_statistics::TreeStatistics;
 pub use ccd_core::narrow_phase::codimensional::{

@@ -186,7 +186,7 @@ pub fn copies(step: &Step, n: usize) -> (Step, Bodies) {
     let mesh = Mesh::new(n * n_vertices, &faces).expect("a valid mesh");
     let body: Vec<u32> = (0..n * n_vertices).map(|v| (v / n_vertices) as u32).collect();
     let worlds: Vec<u32> = (0..n as u32).collect();
-    let bodies = Bodies::new(&body, &[], true).with_worlds(&worlds);
+    let bodies = Bodies::new(&body).with_worlds(&worlds);
     (Step { mesh, x0: step.x0.repeat(n), x1: step.x1.repeat(n) }, bodies)
 }
 

@@ -315,7 +315,7 @@ fn check_bodies(data: &Path) {
     let body: Vec<u32> = text.split_whitespace().map(|w| w.parse().unwrap()).collect();
     let mesh = t0.mesh().unwrap();
     let all = run(&t0, &t1, 2);
-    let bodies = ccd::Bodies::new(&body, &[], false);
+    let bodies = ccd::Bodies::new(&body).with_self_contacts(false);
     let options = Options::default().with_bodies(bodies);
     let between = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
     let different = |c: &&Contact| {

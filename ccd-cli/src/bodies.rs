@@ -48,7 +48,11 @@ impl BodyOptions {
                 }
             }
         }
-        Ok(Some(Bodies::new(&of_vertex, &fixed, !self.no_self_contact)))
+        Ok(Some(
+            Bodies::new(&of_vertex)
+                .with_fixed_mask(&fixed)
+                .with_self_contacts(!self.no_self_contact),
+        ))
     }
 }
 

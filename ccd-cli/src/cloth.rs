@@ -75,7 +75,7 @@ impl Cloth {
         grid(&mut faces, N_SPHERE, N_CLOTH as u32);
         let mesh = Mesh::new(x.len(), &faces)?;
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
-        let bodies = Bodies::new(&body, &[false, true], true);
+        let bodies = Bodies::new(&body).with_fixed(1, true);
         let choice = backend.choose(mesh.edges().len())?;
         let options = method.set(Options::default().with_bodies(Some(bodies)))?;
         let session = |min_distance| {

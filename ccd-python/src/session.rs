@@ -78,7 +78,9 @@ impl Session {
         }
         let bodies = bodies.map(|bodies| flat_ids("bodies", bodies)).transpose()?;
         let bodies = bodies.map(|bodies| {
-            Bodies::new(&bodies, &fixed.unwrap_or_default(), self_contact.unwrap_or(true))
+            Bodies::new(&bodies)
+                .with_fixed_mask(&fixed.unwrap_or_default())
+                .with_self_contacts(self_contact.unwrap_or(true))
         });
         let options = Options::default()
             .with_min_distance(min_distance)

@@ -159,7 +159,7 @@ fn mesh(batch: &Batch) -> Result<(Mesh, Bodies), String> {
     let mesh = Mesh::with_edges(4 * n as usize, &faces, &edges).map_err(|e| e.to_string())?;
     let bodies: Vec<u32> = (0..4 * n).map(|v| v / 4).collect();
     let worlds: Vec<u32> = (0..n).collect();
-    Ok((mesh, Bodies::new(&bodies, &[], true).with_worlds(&worlds)))
+    Ok((mesh, Bodies::new(&bodies).with_worlds(&worlds)))
 }
 
 fn together<R: ccd::Coordinate>(

@@ -116,7 +116,10 @@ impl<'a> State<'a> {
         }
         let fixed: Vec<bool> = (0..N_BODIES).map(|_| random.below(4) == 0).collect();
         let (self_contact, moves) = (random.below(2) == 0, random.below(4) == 0);
-        let mut all = Bodies::new(&self.body_of, &fixed, self_contact).with_fixed_motion(moves);
+        let mut all = Bodies::new(&self.body_of)
+            .with_fixed_mask(&fixed)
+            .with_self_contacts(self_contact)
+            .with_fixed_motion(moves);
         let used: Vec<u32> = (0..N_BODIES).filter(|b| self.body_of.contains(b)).collect();
         for &b in &used {
             let (other, number) = (used[random.below(used.len())], random.below(4) as u32);
@@ -174,7 +177,7 @@ impl<'a> State<'a> {
                 ("bad options", session.set_min_distance(-1.0).is_err() && refused)
             }
             4 => {
-                let bodies = Bodies::new(&vec![0; n + 1], &[], true);
+                let bodies = Bodies::new(&vec![0; n + 1]);
                 ("bad bodies", session.set_bodies(bodies).is_err())
             }
             _ => match session.gpu() {

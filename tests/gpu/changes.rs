@@ -54,7 +54,10 @@ fn check_changes(device: &Device) {
         (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),
     ];
     let body: Vec<u32> = (0..120).map(|v| v / 3 % 5).collect();
-    let bodies = Bodies::new(&body, &[true, false, true], false).with_fixed_motion(true);
+    let bodies = Bodies::new(&body)
+        .with_fixed_mask(&[true, false, true])
+        .with_self_contacts(false)
+        .with_fixed_motion(true);
     let mut last = Session::new(device, &small.mesh, Options::default()).expect("a session");
     // On an emulated GPU the second, the fourth and the fifth.
     let chosen = |k: &usize| !is_thin(device) || [1, 3, 4].contains(k);
@@ -90,7 +93,7 @@ fn check_changes(device: &Device) {
 /// What is refused leaves the session as it was.
 fn check_refused(device: &Device) {
     let (small, large) = (crumpled_sheet(7, 1), crumpled_sheet(9, 2));
-    let bodies = Bodies::new(&vec![1; small.mesh.n_vertices()], &[], true);
+    let bodies = Bodies::new(&vec![1; small.mesh.n_vertices()]);
     let options = Options::default().with_bodies(bodies);
     let mut session = Session::new(device, &small.mesh, options.clone()).expect("a session");
     let n = check("before", device, &mut session, &small);

@@ -89,7 +89,7 @@ fn check_memory(device: &Device) {
     let mut session = Session::new(device, &mesh, options).unwrap();
     let body: Vec<u32> = (0..mesh.n_vertices() as u32).map(|v| v / 3).collect();
     for k in 0..200 {
-        let bodies = ccd::Bodies::new(&body, &[], k % 2 == 0);
+        let bodies = ccd::Bodies::new(&body).with_self_contacts(k % 2 == 0);
         session.set_bodies(bodies).unwrap();
         if k % 50 == 0 {
             session.set_mesh(&mesh).unwrap();

@@ -120,7 +120,7 @@ fn check_kernels(device: &Device) {
 fn soup(which: u32) -> (Step, Bodies) {
     let step = triangle_soup(250, 0.2, 5);
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 9).collect();
-    let mut bodies = Bodies::new(&body, &[], true).with_fixed_motion(true);
+    let mut bodies = Bodies::new(&body).with_fixed_motion(true);
     if which & 1 != 0 {
         bodies = bodies.with_fixed(2, true).with_sleeping(3, true).with_self_contact(4, false);
     }
@@ -165,7 +165,11 @@ fn check_rules(device: &Device) {
     let (step, _) = soup(0);
     let name = |v: u32| (v / 3 % 4) | ((v / 3 % 2) << 31);
     let names: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(name).collect();
-    check_step(device, &step, Options::default().with_bodies(Bodies::new(&names, &[], false)));
+    check_step(
+        device,
+        &step,
+        Options::default().with_bodies(Bodies::new(&names).with_self_contacts(false)),
+    );
 }
 
 /// Rules that change between steps give what a new session gives.

@@ -186,7 +186,12 @@ fn check_bodies(device: &Device) {
     sheet.x1.extend(&other.x0);
     let body: Vec<u32> = (0..2 * n).map(|v| v / n).collect();
     for self_contact in [false, true] {
-        let bodies = Some(Bodies::new(&body, &[false, true], self_contact).with_fixed_motion(true));
+        let bodies = Some(
+            Bodies::new(&body)
+                .with_fixed(1, true)
+                .with_self_contacts(self_contact)
+                .with_fixed_motion(true),
+        );
         let features = Options::default().with_bodies(bodies).with_min_distance(0.003);
         for orphans in [false, true] {
             let options = features.clone().with_pipeline(triangles(orphans, true).pipeline);

@@ -58,7 +58,7 @@ fn a_particle_on_a_rod_has_a_geometry() {
     let at = Contact::new(contact.kind, contact.state, 2, 0, 0.5).geometry(&mesh, &x0, &x1);
     assert_eq!((at.normal, at.weights), ([0.0, 1.0, 0.0], [1.0, 0.75, 0.25, 0.0]));
     // Of one body, or fixed, it is not looked at.
-    let apart = Options::default().with_bodies(Bodies::new(&[0; 3], &[], false));
+    let apart = Options::default().with_bodies(Bodies::new(&[0; 3]).with_self_contacts(false));
     assert!(ccd::step(&mesh, &x0, &x1, &apart).unwrap().contacts.is_empty());
     let d = mesh.distance(Kind::VertexEdge, Pair { a: 2, b: 0 }, &x0);
     assert!(d.least <= 1.0 && d.greatest >= 1.0 && d.greatest - d.least < 1e-13);
@@ -86,7 +86,7 @@ fn intersections_are_those_of_every_pair() {
         total += found.len();
         // In another place of the same shape there are none of a body with itself.
         let body = vec![0; mesh.n_vertices()];
-        let alone = Options::default().with_bodies(Bodies::new(&body, &[], false));
+        let alone = Options::default().with_bodies(Bodies::new(&body).with_self_contacts(false));
         assert!(ccd::intersections(mesh, x, &alone).unwrap().is_empty());
     }
     assert!(total > 200, "{total}");
@@ -171,7 +171,7 @@ fn what_is_near_at_rest_is_left_out() {
         assert!(n_open < 9, "{n_open}");
         let options = Options::default().with_min_distance(distance);
         let all = ccd::step(mesh, x, &step.x1, &options).unwrap().contacts;
-        let bodies = Bodies::new(&vec![0; mesh.n_vertices()], &[], true).with_exclusions(&near);
+        let bodies = Bodies::new(&vec![0; mesh.n_vertices()]).with_exclusions(&near);
         let left = ccd::step(mesh, x, &step.x1, &options.with_bodies(bodies)).unwrap().contacts;
         let is_near = |c: &&Contact| match c.kind {
             Kind::VertexFace => near.vf.contains(&[c.a, c.b]),

@@ -111,7 +111,9 @@ fn random_bodies(random: &mut Random, scene: &Scene, n: u32) -> Option<Bodies> {
         return None;
     }
     let fixed: Vec<bool> = (0..n).map(|_| random.below(4) == 0).collect();
-    let mut bodies = Bodies::new(&scene.body_of, &fixed, random.below(2) == 0)
+    let mut bodies = Bodies::new(&scene.body_of)
+        .with_fixed_mask(&fixed)
+        .with_self_contacts(random.below(2) == 0)
         .with_fixed_motion(random.below(4) == 0);
     let there = |b: u32| scene.body_of.contains(&b);
     for b in (0..n).filter(|&b| there(b)) {

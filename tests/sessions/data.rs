@@ -38,7 +38,9 @@ fn meshes_are_checked() {
 #[test]
 fn options_may_be_partial_but_not_misspelt() {
     let groups = Groups { memberships: 1, filter: 6 };
-    let bodies = Bodies::new(&[7, 7, 3, 900], &[false, false, false, true], false)
+    let bodies = Bodies::new(&[7, 7, 3, 900])
+        .with_fixed(3, true)
+        .with_self_contacts(false)
         .with_sleeping(7, true)
         .with_groups(900, groups)
         .with_world(900, 2)

@@ -42,6 +42,9 @@ where
     assert!(mixed, "{what}: at the start alone");
     assert!(session.step(x[0], x[1]).unwrap().contacts == right, "{what}");
     assert!(either.step(x[0], x[1]).unwrap().contacts == right, "{what}, any");
+    let of_form = right.iter().map(|c| c.geometry(mesh, x[0], x[1]));
+    let slices = right.iter().map(|c| c.geometry(mesh, want[0], want[1]));
+    assert!(of_form.eq(slices), "{what}: geometry");
     let earliest = right.iter().map(|c| c.toi).reduce(f64::min);
     assert_eq!(session.earliest_toi(x[0], x[1]).unwrap(), earliest, "{what}");
     assert_eq!(either.earliest_toi(x[0], x[1]).unwrap(), earliest, "{what}, any");

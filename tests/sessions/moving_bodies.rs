@@ -2,7 +2,7 @@
 //! same positions, whatever stands still, changes in between, or is refused.
 
 use ccd::scenes::{Random, triangle_soup};
-use ccd::{Bodies, BodyMotion, Coordinate, Mesh};
+use ccd::{Bodies, BodyMotion, Coordinate, Hit, Mesh, Report};
 use ccd_core::model::session::{Engine, Session};
 use std::fmt::Debug;
 
@@ -14,7 +14,7 @@ const N_BODIES: u32 = 12;
 pub fn scene() -> (Mesh, Bodies, Vec<[f64; 3]>) {
     let step = triangle_soup(N_TRIANGLES, 0.25, 11);
     let body: Vec<u32> = (0..3 * N_TRIANGLES as u32).map(|v| v / 6 * 5 % N_BODIES + 100).collect();
-    let mut bodies = Bodies::new(&body, &[], true);
+    let mut bodies = Bodies::new(&body);
     for name in 100..104 {
         bodies = bodies.with_fixed(name, true);
     }
@@ -92,16 +92,47 @@ pub fn check<E: Engine, P, T: Coordinate>(
         let want = plain.earliest_toi(&from, &to).expect("a step");
         assert_eq!(toi, want, "{what}, step {k}");
         // Bodies that have arrived are sent from where they were.
+        let hit = told.first_contact_of_bodies(&motions).expect("a step");
+        let first = plain.first_contact(&from, &to).expect("a step");
+        assert_eq!(hit, first, "{what}, step {k}");
         let report = told.step_bodies(&motions).expect("a step");
         let want = plain.step(&from, &to).expect("a step");
         assert!(report.contacts == want.contacts, "{what}, step {k}: other contacts");
         assert_eq!(report.candidates, want.candidates, "{what}, step {k}");
         assert_eq!(report.toi, want.toi, "{what}, step {k}");
+        check_first(&format!("{what}, step {k}"), hit.as_ref(), report, &bodies, [&from, &to]);
         n_contacts += report.contacts.len();
         n_free += toi.is_none() as usize;
         x = to;
     }
     assert!(n_contacts > 200, "{what}: {n_contacts} contacts, {n_free} free");
+}
+
+/// The first contact is the first of all contacts.
+fn check_first<T: Coordinate>(
+    what: &str,
+    hit: Option<&Hit>,
+    all: &Report,
+    bodies: &Bodies,
+    [x0, x1]: [&[[T; 3]]; 2],
+) {
+    assert_eq!(hit.map(|_| true), all.toi.map(|_| true), "{what}");
+    let (Some(hit), Some(toi)) = (hit, all.toi) else { return };
+    assert!((hit.toi - toi).abs() <= 2.5e-6, "{what}: {} for {toi}", hit.toi);
+    let [a, b] = hit.features;
+    let contact = all.contacts.iter().find(|c| (c.kind, c.a, c.b) == (hit.kind, a, b));
+    let mut contact = *contact.unwrap_or_else(|| panic!("{what}: {hit:?} is none of all"));
+    // Of the same pair a shorter step may know the time better.
+    assert!((contact.toi - toi).abs() <= 2.5e-6, "{what}: {contact:?} for {toi}");
+    contact.toi = hit.toi;
+    let at = contact.geometry(all.mesh(), x0, x1);
+    assert_eq!((hit.point, hit.normal, hit.weights), (at.point, at.normal, at.weights), "{what}");
+    let of = bodies.body_of_vertex();
+    assert_eq!(hit.bodies, [hit.vertices[0], hit.vertices[3]].map(|v| of[v as usize]), "{what}");
+    let [first, second] = hit.bodies.map(|body| hit.normal_towards(body));
+    assert_eq!(first, at.normal, "{what}");
+    let turned = if hit.bodies[0] == hit.bodies[1] { at.normal } else { at.normal.map(|c| -c) };
+    assert_eq!(second, turned, "{what}");
 }
 
 /// Calls that are refused leave everything where it was.
@@ -155,7 +186,7 @@ fn steps_of_bodies_are_plain_steps() {
 
 #[test]
 fn bodies_move_in_the_precision_of_the_mesh() {
-    let bodies = Bodies::new(&[0, 0, 0, 1], &[true, false], false);
+    let bodies = Bodies::new(&[0, 0, 0, 1]).with_fixed(0, true).with_self_contacts(false);
     let options = ccd::Options::default().with_bodies(bodies);
     let mut session = ccd::Session::new(Mesh::new(4, &[[0, 1, 2]]).unwrap(), options).unwrap();
     let x = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];

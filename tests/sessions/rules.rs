@@ -45,7 +45,7 @@ impl Scene {
     /// Rules of all sorts; `which`: of some sorts alone.
     fn bodies(&self, which: u32) -> Bodies {
         let mut random = Random::new(which + 77);
-        let mut bodies = Bodies::new(&self.body_of, &[], true);
+        let mut bodies = Bodies::new(&self.body_of);
         for body in 0..N_BODIES {
             if which & 1 != 0 {
                 bodies = bodies.with_self_contact(body, random.below(2) == 0);
@@ -179,7 +179,7 @@ fn what_is_fixed_stands_still_or_is_moved() {
     let fixed = [true, false, true, true, true, true, true, false, true];
     // Bodies in one piece each, so that there are parts that stand still.
     let body_of: Vec<u32> = (0..1200).map(|v| v / 4 * N_BODIES / 300).collect();
-    let bodies = Bodies::new(&body_of, &fixed, true);
+    let bodies = Bodies::new(&body_of).with_fixed_mask(&fixed);
     let options = Options::default().with_threads(2).with_bodies(bodies.clone());
     let mut kept = session(&scene, options.clone());
     let mut x0 = scene.x.clone();

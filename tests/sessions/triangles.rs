@@ -146,7 +146,10 @@ fn sheets_with_bodies_and_without() {
     let y = [0, 1].map(|k| x[k].iter().copied().chain(fixed.clone()).collect());
     let body_of: Vec<u32> = (0..2 * n_vertices).map(|v| v / n_vertices).collect();
     for self_contact in [false, true] {
-        let bodies = Bodies::new(&body_of, &[false, true], self_contact).with_fixed_motion(true);
+        let bodies = Bodies::new(&body_of)
+            .with_fixed(1, true)
+            .with_self_contacts(self_contact)
+            .with_fixed_motion(true);
         let (some, counts) = check(&both, &y, Some(&bodies), "two sheets");
         assert!(some > 50 && (counts.orphans > 0) == self_contact, "{some}, {counts:?}");
     }

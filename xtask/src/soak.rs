@@ -23,7 +23,7 @@ struct Scene {
 
 impl Scene {
     fn new(name: &'static str, sequence: scenes::Sequence, with_bodies: bool) -> Self {
-        let bodies = with_bodies.then(|| Bodies::new(&sequence.body, &[], false));
+        let bodies = with_bodies.then(|| Bodies::new(&sequence.body).with_self_contacts(false));
         let frames = (0..4).map(|i| sequence.frame(i)).collect();
         Self { name, mesh: sequence.mesh.into(), bodies, min_distance: 0.0, frames }
     }

@@ -24,7 +24,7 @@ use alloc::vec::Vec;
 /// use ccd_core::model::groups::Groups;
 ///
 /// let floor = Groups { memberships: 1, filter: 2 };
-/// let bodies = Bodies::new(&[0, 0, 1, 2], &[], true)
+/// let bodies = Bodies::new(&[0, 0, 1, 2])
 ///     .with_fixed(0, true)
 ///     .with_groups(0, floor)
 ///     .with_groups(1, Groups { memberships: 4, filter: !0 })
@@ -69,15 +69,15 @@ impl Bodies {
     /// Worlds are numbered below this: their numbers stand in the upper bits of sort keys.
     pub const MAX_WORLDS: u32 = 1 << 16;
 
-    /// Bodies are named by `body_of_vertex`; those whose entry in `fixed` is true do not move
-    /// (missing entries are false). With `self_contact` off, no pair within one body is looked at.
-    pub fn new(body_of_vertex: &[u32], fixed: &[bool], self_contact: bool) -> Self {
+    /// The body of each vertex, by its name, which may be any number. Bodies move, and touch
+    /// themselves and each other.
+    pub fn new(body_of_vertex: &[u32]) -> Self {
         let mut names = body_of_vertex.to_vec();
         names.sort_unstable();
         names.dedup();
-        let rules = |&name: &u32| Body {
-            self_contact,
-            fixed: fixed.get(name as usize).copied().unwrap_or(false),
+        let rules = Body {
+            self_contact: true,
+            fixed: false,
             sleeping: false,
             groups: Groups::ALL,
             world: 0,
@@ -85,7 +85,7 @@ impl Bodies {
         let number = |name: &u32| names.partition_point(|n| n < name) as u32;
         Self {
             number_of_vertex: body_of_vertex.iter().map(number).collect(),
-            rules: names.iter().map(rules).collect(),
+            rules: names.iter().map(|_| rules).collect(),
             body_of_vertex: body_of_vertex.to_vec(),
             names,
             excluded_bodies: Vec::new(),
@@ -95,7 +95,24 @@ impl Bodies {
         }
     }
 
-    /// With pairs of features within a body looked at or not.
+    /// With pairs of features within each body looked at or not.
+    #[must_use]
+    pub fn with_self_contacts(mut self, self_contact: bool) -> Self {
+        self.rules.iter_mut().for_each(|rules| rules.self_contact = self_contact);
+        self
+    }
+
+    /// With those bodies fixed whose entry is true, by their names (missing entries are false), and
+    /// no other; see [`Bodies::with_fixed`].
+    #[must_use]
+    pub fn with_fixed_mask(mut self, fixed: &[bool]) -> Self {
+        for (rules, &name) in self.rules.iter_mut().zip(&self.names) {
+            rules.fixed = fixed.get(name as usize).copied().unwrap_or(false);
+        }
+        self
+    }
+
+    /// With pairs of features within one body looked at or not.
     #[must_use]
     pub fn with_self_contact(self, body: u32, self_contact: bool) -> Self {
         self.change(body, |rules| rules.self_contact = self_contact)
@@ -168,7 +185,7 @@ impl Bodies {
     /// // One body, whose neighbouring features are nearer than some minimum distance.
     /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
     /// let near = Exclusions::of_neighbours(&mesh, 1);
-    /// let bodies = Bodies::new(&[0; 5], &[], true).with_exclusions(&near);
+    /// let bodies = Bodies::new(&[0; 5]).with_exclusions(&near);
     /// assert!(bodies.check(&mesh).is_ok());
     /// # Ok::<(), ccd_core::Error>(())
     /// ```
@@ -369,7 +386,9 @@ mod tests {
 
     #[test]
     fn bodies_select_pairs() {
-        let bodies = Bodies::new(&[0, 0, 1, 2], &[false, true, true], false);
+        let bodies = Bodies::new(&[0, 0, 1, 2])
+            .with_fixed_mask(&[false, true, true])
+            .with_self_contacts(false);
         assert!(bodies.wants(0, 2) && bodies.wants(3, 1));
         assert!(!bodies.wants(0, 1) && !bodies.wants(2, 3));
         let mesh = Mesh::new(4, &[[0, 1, 2]]).unwrap();
@@ -382,7 +401,7 @@ mod tests {
     #[test]
     fn rules_that_name_nothing_are_errors() {
         let mesh = Mesh::new(3, &[[0, 1, 2]]).unwrap();
-        let of = || Bodies::new(&[7, 7, 7], &[], true);
+        let of = || Bodies::new(&[7, 7, 7]);
         assert_eq!(of().check(&mesh), Ok(()));
         assert_eq!(of().with_fixed(0, true).check(&mesh), Err(Error::NoBody { body: 0 }));
         assert_eq!(

@@ -142,7 +142,7 @@ mod tests {
         let mesh = Mesh::with_edges(7, &[], &[[1, 2], [3, 4]]).unwrap();
         let found = Codimensional::of(&mesh);
         assert_eq!((&found.vertices[..], &found.edges[..]), (&[0, 5, 6][..], &[0, 1][..]));
-        let bodies = Bodies::new(&[0, 1, 1, 2, 2, 3, 4], &[], true)
+        let bodies = Bodies::new(&[0, 1, 1, 2, 2, 3, 4])
             .with_excluded_bodies(&[[1, 3]])
             .with_excluded_features(Kind::VertexVertex, &[[5, 6]]);
         let rules = Rules::new(&bodies).unwrap();

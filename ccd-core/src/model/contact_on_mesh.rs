@@ -1,11 +1,12 @@
 //! A contact on its mesh: its vertices, and how they meet at the time of impact.
 
 use crate::layout::Pair;
+use crate::model::bodies::Bodies;
 use crate::model::contact::{Contact, Kind};
 use crate::model::mesh::Mesh;
-use crate::model::precision::{Coordinate, Given, Precision};
+use crate::model::positions::{AsPositions, Ends, PositionView, ends};
+use crate::model::precision::{Coordinate, Precision};
 use crate::narrow_phase::contact_geometry::{ContactGeometry, contact_geometry};
-use crate::narrow_phase::decide::gather;
 
 impl Contact {
     /// Its vertices: `v f0 f1 f2`, the vertex and those of the face as the mesh has them, or
@@ -16,6 +17,15 @@ impl Contact {
     /// If the contact is none of this mesh and names features that it does not have.
     pub fn vertices(&self, mesh: &Mesh) -> [u32; 4] {
         mesh.vertices_of(self.kind, Pair { a: self.a, b: self.b })
+    }
+
+    /// The bodies of its features, by their names: of `a`, then of `b`.
+    ///
+    /// # Panics
+    /// If the contact is none of this mesh, or the bodies are those of another one.
+    pub fn bodies(&self, mesh: &Mesh, bodies: &Bodies) -> [u32; 2] {
+        let vertices = self.vertices(mesh);
+        [vertices[0], vertices[3]].map(|v| bodies.name(v))
     }
 
     /// Point, normal and weights at the time of impact, from the positions that were given to the
@@ -49,28 +59,29 @@ impl Contact {
     /// # Ok::<(), ccd_core::Error>(())
     /// ```
     ///
-    /// In `f64`, whatever the positions are in. Of an undecided contact it is the geometry at the
+    /// Positions are whatever [`Session::step`](super::session::Session::step) takes; what is
+    /// computed is `f64`. Of an undecided contact it is the geometry at the
     /// time until which the step is certainly free. One contact takes about a third of a
     /// microsecond.
     ///
     /// # Panics
     /// If the contact is none of this mesh, or there is no position for one of its vertices.
-    pub fn geometry<T: Coordinate>(
-        &self,
-        mesh: &Mesh,
-        x0: &[[T; 3]],
-        x1: &[[T; 3]],
-    ) -> ContactGeometry {
-        geometry(self, mesh, T::erase::<Given>([x0, x1]))
+    pub fn geometry<A, B>(&self, mesh: &Mesh, x0: &A, x1: &B) -> ContactGeometry
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        geometry(self, mesh, ends(x0, x1))
     }
 }
 
+/// [`Contact::geometry`], without the types of positions.
 #[inline(never)]
-fn geometry(contact: &Contact, mesh: &Mesh, given: Given) -> ContactGeometry {
+pub(super) fn geometry(contact: &Contact, mesh: &Mesh, x: Ends) -> ContactGeometry {
     let ids = contact.vertices(mesh);
-    let (t0, t1) = match given {
-        Precision::F32([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
-        Precision::F64([x0, x1]) => (gather(ids, x0), gather(ids, x1)),
+    let [t0, t1] = match x {
+        Precision::F32(x) => x.map(|x| gather(ids, x)),
+        Precision::F64(x) => x.map(|x| gather(ids, x)),
     };
     let mut found = contact_geometry(contact.kind.patch(), &t0, &t1, contact.toi, 0.0);
     // A last vertex that is repeated has all of its weight in its first place.
@@ -81,4 +92,9 @@ fn geometry(contact: &Contact, mesh: &Mesh, given: Given) -> ContactGeometry {
         Kind::VertexVertex => *weights = [1.0, 1.0, 0.0, 0.0],
     }
     found
+}
+
+/// Positions of four vertices.
+fn gather<T: Coordinate>(ids: [u32; 4], x: PositionView<T>) -> [[f64; 3]; 4] {
+    ids.map(|v| x.at(v as usize).map(T::to_f64))
 }

@@ -105,7 +105,7 @@ impl Serialize for Bodies {
 impl<'de> Deserialize<'de> for Bodies {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let data = BodiesData::<Vec<u32>>::deserialize(deserializer)?;
-        let mut bodies = Bodies::new(&data.body_of_vertex, &[], true)
+        let mut bodies = Bodies::new(&data.body_of_vertex)
             .with_excluded_bodies(&data.excluded_bodies)
             .with_fixed_motion(data.fixed_may_move);
         for rules in data.bodies {

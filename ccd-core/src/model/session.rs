@@ -4,10 +4,12 @@
 mod candidates;
 mod changes;
 mod engine;
+mod first_contact;
 mod moving;
 
 pub use candidates::{Candidates, Intersection};
 pub use engine::{Ask, Change, Engine, Filter, Intersects, Moved, State};
+pub use first_contact::Hit;
 pub use moving::BodyMotion;
 
 use super::cancel::CancelToken;
@@ -217,7 +219,7 @@ impl<E: Engine, P> Session<E, P> {
     ///
     /// # fn contacts<E: Engine<On = (), Error = Error>>() -> Result<usize, Error> {
     /// // A floor of one face, and a particle above it.
-    /// let bodies = Bodies::new(&[0, 0, 0, 1], &[true, false], false);
+    /// let bodies = Bodies::new(&[0, 0, 0, 1]).with_fixed(0, true).with_self_contacts(false);
     /// let options = Options::default().with_bodies(bodies);
     /// let mut session = Session::<E>::new(Mesh::new(4, &[[0, 1, 2]])?, options)?;
     /// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
@@ -296,24 +298,33 @@ impl<E: Engine, P> Session<E, P> {
         let checked = check_window(ask.window());
         let given = checked.and_then(|()| given(&engine.state().mesh, gathered, ends));
         let done = given.map_err(E::Error::from).and_then(|given| engine.find(given, None, ask));
-        if done.is_err() {
-            engine.clear();
-        }
-        done
+        self.settled(done)
     }
-}
 
-impl<E: Engine, P> Session<E, P> {
     /// Asks something of a step in which bodies move.
     fn ask_of_bodies(&mut self, motions: &[BodyMotion], ask: Ask) -> Result<(), E::Error> {
+        self.with_bodies_moved(motions, |engine, given, moved| engine.find(given, moved, ask))
+    }
+
+    /// What `find` finds while bodies move; they stand where they went, if it ends well.
+    fn with_bodies_moved<T>(
+        &mut self,
+        motions: &[BodyMotion],
+        find: impl FnOnce(&mut E, Given, Option<Moved>) -> Result<T, E::Error>,
+    ) -> Result<T, E::Error> {
         let Self { engine, kept, .. } = self;
         let begun = kept.begin(engine.state().options.bodies.as_ref(), motions);
         let done = begun
             .map_err(E::Error::from)
-            .and_then(|(given, moved)| engine.find(given, Some(moved), ask));
+            .and_then(|(given, moved)| find(engine, given, Some(moved)));
         kept.end(done.is_err());
+        self.settled(done)
+    }
+
+    /// Empties the report after a call that failed.
+    fn settled<T>(&mut self, done: Result<T, E::Error>) -> Result<T, E::Error> {
         if done.is_err() {
-            engine.clear();
+            self.engine.clear();
         }
         done
     }

@@ -148,10 +148,7 @@ impl Prepared {
         x: &Ends<T>,
     ) -> Result<(), Error> {
         let call = self.call.take();
-        // Within a call positions stay as they are.
-        let moved =
-            x.times.moved.filter(|to| call.is_some_and(|n| n == to.call || n + 1 == to.call));
-        let runs = moved.map(|to| to.runs);
+        let runs = x.times.moved.filter(|moved| moved.follows(call)).map(|moved| moved.runs);
         self.scan = self.scan(threads, x, runs)?;
         self.still.look(threads, (x.x0, x.x1), options.min_distance, runs)?;
         self.call = x.times.moved.map(|to| to.call);

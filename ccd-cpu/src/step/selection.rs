@@ -142,8 +142,8 @@ mod tests {
         // without self-contact, some that stand still, in two worlds.
         let body: Vec<u32> = (0..400).map(|v| if v < 200 { v / 8 } else { 25 + v / 3 }).collect();
         let n = 25 + 400 / 3 + 1;
-        let mut bodies = Bodies::new(&body, &[], true)
-            .with_worlds(&(0..n).map(|b| b / 5 % 2).collect::<Vec<u32>>());
+        let mut bodies =
+            Bodies::new(&body).with_worlds(&(0..n).map(|b| b / 5 % 2).collect::<Vec<u32>>());
         for alone in [4, 100] {
             bodies = bodies.with_self_contact(alone, false);
         }

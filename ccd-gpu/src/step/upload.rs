@@ -101,9 +101,9 @@ impl Positions {
         Ok(replaced)
     }
 
-    /// Whether the positions that are here are those of the call before.
+    /// Whether the positions that are here are those before this call, or of it.
     pub fn follows(&self, moved: Moved) -> bool {
-        self.call.is_some_and(|call| call + 1 == moved.call)
+        moved.follows(self.call)
     }
 
     fn take<T: Coordinate>(

@@ -80,7 +80,7 @@ const SCENES: [Scene; 3] = [
         for (v, x) in still.iter_mut().enumerate().filter(|(v, _)| fixed[body[*v] as usize]) {
             *x = step.x0[v];
         }
-        let bodies = Bodies::new(&body, &fixed, false);
+        let bodies = Bodies::new(&body).with_fixed_mask(&fixed).with_self_contacts(false);
         (Step { x1: still, ..step }, Options::default().with_bodies(bodies))
     },
 ];

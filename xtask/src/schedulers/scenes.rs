@@ -65,7 +65,8 @@ pub fn all(wanted: &dyn Fn(&str) -> bool, n_frames: usize) -> Result<Vec<Scene>,
     for (name, make, self_contact, lazy, gproximity, front) in DISSERTATION {
         if wanted(name) {
             let scene = make();
-            let bodies = (!self_contact).then(|| Bodies::new(&scene.body, &[], false));
+            let bodies =
+                (!self_contact).then(|| Bodies::new(&scene.body).with_self_contacts(false));
             let published = Some(Published { lazy, gproximity, front });
             let (frames, pipeline) = (frames(&scene), Pipeline::TRIANGLES);
             scenes.push(Scene::new(name, scene.mesh, pipeline, bodies, frames, published)?);

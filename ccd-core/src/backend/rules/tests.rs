@@ -11,7 +11,7 @@ fn tables_say_what_bodies_say() {
     for round in 0..40 {
         let n_bodies = 1 + below(80);
         let of_vertex: Vec<u32> = (0..200).map(|_| below(n_bodies) * 7).collect();
-        let mut bodies = Bodies::new(&of_vertex, &[], below(2) == 1);
+        let mut bodies = Bodies::new(&of_vertex).with_self_contacts(below(2) == 1);
         let mut pairs = Vec::new();
         for _ in 0..round {
             let mut body = || of_vertex[below(200) as usize];
@@ -54,7 +54,7 @@ fn tables_say_what_bodies_say() {
 #[test]
 fn many_bodies_of_few_sorts_are_few_classes() {
     let of_vertex: Vec<u32> = (0..20_000).collect();
-    let mut bodies = Bodies::new(&of_vertex, &[], true);
+    let mut bodies = Bodies::new(&of_vertex);
     for body in 0..20_000 {
         bodies = bodies.with_groups(body, Groups { memberships: 1 << (body % 3), filter: 5 });
     }
@@ -65,13 +65,13 @@ fn many_bodies_of_few_sorts_are_few_classes() {
     let too_many = Rules::new(&bodies.with_excluded_bodies(&pairs)).unwrap_err();
     assert!(matches!(too_many, Error::TooMany { element: "classes of bodies", .. }));
     // What words say by themselves needs no table.
-    let simple = Bodies::new(&of_vertex, &[true], true).with_self_contact(3, false);
+    let simple = Bodies::new(&of_vertex).with_fixed(0, true).with_self_contact(3, false);
     assert!(!Rules::new(&simple).unwrap().has_table());
 }
 
 #[test]
 fn what_stands_still_and_moves_is_found() {
-    let bodies = Bodies::new(&[0, 1, 1], &[false, true], true);
+    let bodies = Bodies::new(&[0, 1, 1]).with_fixed(1, true);
     let x0 = [[0.0f32; 3], [1.0; 3], [2.0; 3]];
     let mut x1 = x0;
     x1[0][1] = 5.0;

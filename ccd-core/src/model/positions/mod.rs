@@ -119,6 +119,21 @@ impl<'a, T: Coordinate> PositionView<'a, T> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+
+    /// The position of vertex `v`, the same bits that a step reads.
+    ///
+    /// # Panics
+    /// If there is none, or no matrix for its body.
+    pub fn at(&self, v: usize) -> [T; 3] {
+        match &self.0 {
+            Form::Points(x) => x[v],
+            Form::Strided(x) => x.at(v),
+            Form::Posed(x) => x.at(v),
+            // Only a view of `f32` has this form; an `f32` is exact in either type.
+            #[cfg(feature = "glam")]
+            Form::Padded(x) => x[v].to_array().map(|c| T::from_f64(c as f64)),
+        }
+    }
 }
 
 /// A point that lies in memory as three coordinates and nothing else: `[f32; 3]`, `[f64; 3]`, and

@@ -123,8 +123,14 @@ impl<'a, T: Coordinate> Posed<'a, T> {
                 return Err(Error::Projection { time, body, row });
             }
         }
-        let body = move |v: usize| body_of_vertex.map_or(0, |bodies| bodies[v] as usize);
-        Ok(rest.iter().enumerate().map(move |(v, p)| moved(&poses[body(v)], p)))
+        Ok((0..rest.len()).map(|v| self.at(v)))
+    }
+
+    /// The position of vertex `v`.
+    #[inline]
+    pub(super) fn at(&self, v: usize) -> [T; 3] {
+        let body = self.body_of_vertex.map_or(0, |bodies| bodies[v] as usize);
+        moved(&self.poses[body], &self.rest[v])
     }
 }
 

@@ -80,6 +80,13 @@ impl<'a, T: Coordinate> Strided<'a, T> {
         self.len() == 0
     }
 
+    /// The position of vertex `v`.
+    pub(super) fn at(&self, v: usize) -> [T; 3] {
+        let &Self { bytes, stride, offset, .. } = self;
+        assert!(v < self.len(), "vertex {v} of {} positions", self.len());
+        bytemuck::pod_read_unaligned(&bytes[offset + v * stride..][..size_of::<[T; 3]>()])
+    }
+
     /// How many positions end within the bytes.
     fn fitting(&self) -> usize {
         let capacity = self.bytes.len().checked_sub(self.offset);

@@ -95,9 +95,16 @@ pub struct Moved<'a> {
     /// Vertices with other positions, at either end, than in the call before; all others are the
     /// same, and do not move.
     pub runs: &'a [Range<u32>],
-    /// The number of this call. The call before has the number before, and it counts for an engine
-    /// only if that was its own last complete call.
+    /// The number of this call. The one before it has the number before.
     pub call: u64,
+}
+
+impl Moved<'_> {
+    /// Whether it holds for an engine that completed call `last` as its last one: that before this
+    /// call, or another part of this one.
+    pub fn follows(&self, last: Option<u64>) -> bool {
+        last.is_some_and(|last| last == self.call || last + 1 == self.call)
+    }
 }
 
 /// What is asked of a step.
