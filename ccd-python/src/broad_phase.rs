@@ -2,9 +2,10 @@
 
 use crate::arrays::{Floats, numbers, pair_array};
 use crate::errors::{failed, lock, refused};
+use crate::options::by_name;
 use crate::session::backend;
 use ccd::any::{self, Backend};
-use ccd::{Aabb, BroadPhaseMethod, Catalogued};
+use ccd::{Aabb, BroadPhaseMethod};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use std::sync::Mutex;
@@ -47,10 +48,7 @@ impl BroadPhase {
     #[new]
     #[pyo3(signature = (*, threads=0, method="blocks", device=None))]
     fn new(py: Python<'_>, threads: usize, method: &str, device: Option<&str>) -> PyResult<Self> {
-        let method = BroadPhaseMethod::named(method).ok_or_else(|| {
-            let names: Vec<_> = BroadPhaseMethod::ROWS.iter().map(|row| row.name).collect();
-            refused(format!("method is {method:?}; it must be one of {}", names.join(", ")))
-        })?;
+        let method: BroadPhaseMethod = by_name("method", method)?;
         let on = match backend(device)? {
             Backend::Cpu => {
                 let inner = ccd::BroadPhase::new(threads, method).map_err(refused)?;

@@ -11,10 +11,22 @@ pub fn refused(why: impl Display) -> PyErr {
     PyValueError::new_err(why.to_string())
 }
 
+/// Input that is refused: positions by the names of the arguments, `x0` and `x1`.
+pub fn input(why: ccd::Error) -> PyErr {
+    let mut text = why.to_string();
+    for (time, name) in [("t0", "x0"), ("t1", "x1")] {
+        text = text.replace(&format!(" at {time} "), &format!(" of {name} "));
+        if let Some(rest) = text.strip_prefix(time) {
+            text = format!("{name}{rest}");
+        }
+    }
+    refused(text)
+}
+
 /// Input that is refused, or a device that did not do what was asked.
 pub fn failed(why: any::Error) -> PyErr {
     match why {
-        any::Error::Input(why) => refused(why),
+        any::Error::Input(why) => input(why),
         why => PyRuntimeError::new_err(why.to_string()),
     }
 }

@@ -1,9 +1,17 @@
 //! Topology: faces, and the edges in a canonical order.
 
-use crate::arrays::{ids, pair_array, rows};
-use crate::errors::refused;
+use crate::arrays::{Floats, ids, numbers, pair_array, rows};
+use crate::errors::{input, refused};
+use ccd::{Exclusions, near_at_rest};
 use numpy::PyArray2;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
+use std::sync::Arc;
+
+/// Pairs of vertex and face, and of edges.
+type PairLists<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>);
+/// Arguments by place and by name.
+type NewArgs<'py> = (PairLists<'py>, Bound<'py, PyDict>);
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
 ///
@@ -23,7 +31,7 @@ use pyo3::prelude::*;
 ///     If an index is out of range, or there are more than 2^31 - 1 elements of a kind.
 #[pyclass(frozen, module = "meshccd")]
 pub struct Mesh {
-    pub inner: ccd::Mesh,
+    pub inner: Arc<ccd::Mesh>,
 }
 
 #[pymethods]
@@ -41,7 +49,7 @@ impl Mesh {
         let last = faces.as_flattened().iter().chain(edges.as_flattened()).max();
         let n_vertices = n_vertices.unwrap_or_else(|| last.map_or(0, |&v| v as usize + 1));
         let inner = py.detach(|| ccd::Mesh::with_edges(n_vertices, &faces, &edges));
-        Ok(Self { inner: inner.map_err(refused)? })
+        Ok(Self { inner: Arc::new(inner.map_err(refused)?) })
     }
 
     /// Number of vertices, also those in no face.
@@ -63,9 +71,45 @@ impl Mesh {
         pair_array(py, self.inner.edges().as_flattened().to_vec())
     }
 
+    /// Pairs of features that at most `rings` edges join, to be excluded where a distance is kept
+    /// that is larger than the edges: arrays of shape (n, 2), uint32, of vertex and face, and of
+    /// two edges.
+    fn neighbours<'py>(&self, py: Python<'py>, rings: u32) -> PyResult<PairLists<'py>> {
+        pair_lists(py, py.detach(|| Exclusions::of_neighbours(&self.inner, rings)))
+    }
+
+    /// Pairs of features without a common vertex that are at most `distance` apart at the positions
+    /// `x`, as `neighbours` returns them.
+    fn near_at_rest<'py>(&self, x: &Bound<'py, PyAny>, distance: f64) -> PyResult<PairLists<'py>> {
+        let py = x.py();
+        let x = Floats::new([("x", x)], &[3])?.in_rows(["x"], &[3])?;
+        let near = match &x {
+            Floats::F32([x]) => {
+                let x = numbers(x)?.as_chunks().0;
+                py.detach(|| near_at_rest(&self.inner, x, distance))
+            }
+            Floats::F64([x]) => {
+                let x = numbers(x)?.as_chunks().0;
+                py.detach(|| near_at_rest(&self.inner, x, distance))
+            }
+        };
+        pair_lists(py, near.map_err(input)?)
+    }
+
+    /// What a copy is made of.
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArgs<'py>> {
+        let more = [("n_vertices", self.n_vertices())].into_py_dict(py)?;
+        Ok(((self.faces(py)?, self.edges(py)?), more))
+    }
+
     fn __repr__(&self) -> String {
         let mesh = &self.inner;
         let (v, e, f) = (mesh.n_vertices(), mesh.edges().len(), mesh.faces().len());
         format!("<Mesh of {v} vertices, {e} edges, {f} faces>")
     }
+}
+
+fn pair_lists(py: Python<'_>, lists: Exclusions) -> PyResult<PairLists<'_>> {
+    let array = |pairs: Vec<[u32; 2]>| pair_array(py, pairs.into_flattened());
+    Ok((array(lists.vf)?, array(lists.ee)?))
 }

@@ -1,9 +1,9 @@
 //! Single queries, one or many at once.
 
 use crate::arrays::{Floats, numbers};
-use crate::errors::refused;
+use crate::errors::{input, refused};
 use crate::report::{MISS, state_number};
-use ccd::{EdgeEdge, Error, State, Verdict, VertexFace};
+use ccd::{Distance, EdgeEdge, Error, State, Verdict, VertexEdge, VertexFace, VertexVertex};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -55,17 +55,99 @@ pub fn edge_edge<'py>(
     decide(x0, x1, min_distance, |t0, t1, d| ccd::edge_edge(&EdgeEdge { t0, t1 }, d))
 }
 
-/// Four points at one time.
-type Quad = [[f64; 3]; 4];
-
-fn decide<'py>(
+/// Decides vertex-edge queries: a particle `v` and a rod `e0 e1` that move on straight lines.
+///
+/// Parameters, results and errors are those of `vertex_face`, with positions `v e0 e1` of shape
+/// (..., 3, 3).
+#[pyfunction]
+#[pyo3(signature = (x0, x1, min_distance=0.0))]
+pub fn vertex_edge<'py>(
     x0: &Bound<'py, PyAny>,
     x1: &Bound<'py, PyAny>,
     min_distance: f64,
-    query: fn(Quad, Quad, f64) -> Verdict<f64>,
+) -> PyResult<Answers<'py>> {
+    decide(x0, x1, min_distance, |t0, t1, d| ccd::vertex_edge(&VertexEdge { t0, t1 }, d))
+}
+
+/// Decides vertex-vertex queries: two particles `v` and `w` that move on straight lines.
+///
+/// Parameters, results and errors are those of `vertex_face`, with positions `v w` of shape
+/// (..., 2, 3).
+#[pyfunction]
+#[pyo3(signature = (x0, x1, min_distance=0.0))]
+pub fn vertex_vertex<'py>(
+    x0: &Bound<'py, PyAny>,
+    x1: &Bound<'py, PyAny>,
+    min_distance: f64,
+) -> PyResult<Answers<'py>> {
+    decide(x0, x1, min_distance, |t0, t1, d| ccd::vertex_vertex(&VertexVertex { t0, t1 }, d))
+}
+
+/// How far features are apart at one moment, between two bounds.
+///
+/// Parameters
+/// ----------
+/// kind : Kind
+///     Which features.
+/// x : (..., n, 3) array
+///     Their positions: `v f0 f1 f2`, `ea0 ea1 eb0 eb1`, `v e0 e1` or `v w`; n is 4, 4, 3 or 2.
+///
+/// Returns
+/// -------
+/// least, greatest : (...) arrays of float64
+///     The distance is certainly not below `least`, and not above `greatest`.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If the shape does not fit, or a number is not finite or beyond 1e100.
+#[pyfunction]
+pub fn distance<'py>(kind: u8, x: &Bound<'py, PyAny>) -> PyResult<Bounds<'py>> {
+    match kind {
+        0 => bounds(x, Distance::vertex_face),
+        1 => bounds(x, Distance::edge_edge),
+        2 => bounds(x, Distance::vertex_edge),
+        3 => bounds(x, Distance::vertex_vertex),
+        _ => Err(refused(format!("kind is {kind}; it must be 0, 1, 2 or 3, see Kind"))),
+    }
+}
+
+/// Least and greatest distances.
+type Bounds<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
+
+fn bounds<'py, const N: usize>(
+    x: &Bound<'py, PyAny>,
+    distance: fn([[f64; 3]; N]) -> Distance,
+) -> PyResult<Bounds<'py>> {
+    let py = x.py();
+    let positions = Floats::new([("x", x)], &[N, 3])?;
+    let all = match &positions {
+        Floats::F32([x]) => points(0, numbers(x)?),
+        Floats::F64([x]) => points(0, numbers(x)?),
+    };
+    let all = all.map_err(input)?;
+    let (least, greatest): (Vec<_>, Vec<_>) = py.detach(|| {
+        let each = all.as_chunks::<N>().0.iter().map(|&at| distance(at));
+        each.map(|found| (found.least, found.greatest)).unzip()
+    });
+    let shape = &positions.shape(0)[..positions.shape(0).len() - 2];
+    Ok((
+        PyArray1::from_vec(py, least).reshape(shape.to_vec())?,
+        PyArray1::from_vec(py, greatest).reshape(shape.to_vec())?,
+    ))
+}
+
+/// A query of `N` points at both ends of a step, with a minimum distance.
+type Query<const N: usize> = fn([[f64; 3]; N], [[f64; 3]; N], f64) -> Verdict<f64>;
+
+fn decide<'py, const N: usize>(
+    x0: &Bound<'py, PyAny>,
+    x1: &Bound<'py, PyAny>,
+    min_distance: f64,
+    query: Query<N>,
 ) -> PyResult<Answers<'py>> {
     let py = x0.py();
-    let positions = Floats::new([("x0", x0), ("x1", x1)], &[4, 3])?;
+    let positions = Floats::new([("x0", x0), ("x1", x1)], &[N, 3])?;
     if positions.shape(0) != positions.shape(1) {
         let [a, b] = [0, 1].map(|i| positions.shape(i));
         return Err(refused(format!(
@@ -85,7 +167,7 @@ fn decide<'py>(
             py.detach(|| all(x0, x1, min_distance, query))
         }
     };
-    let (state, toi) = answers.map_err(refused)?;
+    let (state, toi) = answers.map_err(input)?;
     let shape = &positions.shape(0)[..positions.shape(0).len() - 2];
     Ok((
         PyArray1::from_vec(py, state).reshape(shape.to_vec())?,
@@ -94,15 +176,15 @@ fn decide<'py>(
 }
 
 /// Decides all queries in `f64`, in which every `f32` has its place.
-fn all<T: Copy + Into<f64>>(
+fn all<T: Copy + Into<f64>, const N: usize>(
     x0: &[T],
     x1: &[T],
     min_distance: f64,
-    query: fn(Quad, Quad, f64) -> Verdict<f64>,
+    query: Query<N>,
 ) -> Result<(Vec<u8>, Vec<f64>), Error> {
     let ends = [points(0, x0)?, points(1, x1)?];
-    let quads = |end: usize| ends[end].as_chunks::<4>().0;
-    let verdicts = quads(0).iter().zip(quads(1)).map(|(&t0, &t1)| query(t0, t1, min_distance));
+    let of = |end: usize| ends[end].as_chunks::<N>().0;
+    let verdicts = of(0).iter().zip(of(1)).map(|(&t0, &t1)| query(t0, t1, min_distance));
     Ok(verdicts
         .map(|verdict| match verdict {
             Verdict::Miss => (MISS, f64::INFINITY),

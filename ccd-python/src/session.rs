@@ -1,13 +1,21 @@
 //! A mesh stepped frame by frame, on the CPU or on a GPU.
 
-use crate::arrays::{Floats, flat_ids, numbers, pair_array};
+use crate::arrays::{Floats, numbers, pair_array};
+use crate::bodies::bodies;
+use crate::calls::{
+    Call, EarliestToi, FirstContact, Intersect, ListCandidates, SetPositions, Step,
+};
 use crate::errors::{failed, lock, refused};
+use crate::filter::Wanted;
 use crate::mesh::Mesh;
-use crate::report::{Columns, Report};
+use crate::options;
+use crate::report::{Columns, Hit, Report};
 use ccd::any::{self, Backend};
-use ccd::{Bodies, Coordinate, Options};
+use ccd::{BodyMotion, Coordinate};
+use numpy::PyArray2;
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use std::sync::Mutex;
 
 /// Continuous collision detection of one mesh over many steps: keep it for the next frames.
@@ -17,7 +25,8 @@ use std::sync::Mutex;
 /// are read where they are and must not be written to meanwhile; anything else is copied. If one
 /// array is float32 and the other is not, both are taken as float64.
 ///
-/// The interpreter is released during the work. Calls from several threads take turns.
+/// The interpreter is released during the work. Calls from several threads take turns. A session
+/// serves the process that made it: after a fork, make another.
 ///
 /// Parameters
 /// ----------
@@ -26,8 +35,8 @@ use std::sync::Mutex;
 ///     Contact means a distance of at most this; 0 means touching.
 /// threads : int
 ///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
-/// bodies : (n_vertices,) array of integers, optional
-///     The body that each vertex belongs to.
+/// bodies : Bodies, or (n_vertices,) array of integers, optional
+///     Bodies with their rules, or the body that each vertex belongs to.
 /// fixed : (n_bodies,) array of bool, optional
 ///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at, and a
 ///     step in which one moves is refused.
@@ -39,6 +48,13 @@ use std::sync::Mutex;
 /// max_memory : int, optional
 ///     Bytes that the session may hold; by default there is no limit. What would go beyond is
 ///     refused before it is allocated, and the session stays usable.
+/// tolerance : float
+///     How early a certain time of impact may be, in units of the step; at least 1e-12.
+/// leave_contact : bool
+///     Whether features that are in contact at the start may separate: no contact, unless they
+///     come nearer or touch again.
+/// method, builder, traversal, volume, pipeline, scheduler, front : str, optional
+///     How pairs are found, by the names that `ccd list` prints. All find the same contacts.
 ///
 /// Raises
 /// ------
@@ -48,63 +64,50 @@ use std::sync::Mutex;
 ///     If there is no GPU and one was asked for.
 #[pyclass(frozen, module = "meshccd")]
 pub struct Session {
-    #[pyo3(get)]
-    /// The mesh.
-    mesh: Py<Mesh>,
     inner: Mutex<any::Session>,
+    mesh: Mutex<Py<Mesh>>,
+    filter: Mutex<Option<Py<PyAny>>>,
+    made_by: u32,
 }
 
 #[pymethods]
 impl Session {
     #[new]
-    #[pyo3(signature = (
-        mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, self_contact=None,
-        device=None, max_memory=None
-    ))]
-    #[allow(clippy::too_many_arguments, reason = "Python's, by name")]
-    fn new(
-        py: Python<'_>,
-        mesh: Py<Mesh>,
-        min_distance: f64,
-        threads: usize,
-        bodies: Option<&Bound<'_, PyAny>>,
-        fixed: Option<Vec<bool>>,
-        self_contact: Option<bool>,
-        device: Option<&str>,
-        max_memory: Option<u64>,
-    ) -> PyResult<Self> {
-        if bodies.is_none() && (fixed.is_some() || self_contact.is_some()) {
-            return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
-        }
-        let bodies = bodies.map(|bodies| flat_ids("bodies", bodies)).transpose()?;
-        let bodies = bodies.map(|bodies| {
-            Bodies::new(&bodies)
-                .with_fixed_mask(&fixed.unwrap_or_default())
-                .with_self_contacts(self_contact.unwrap_or(true))
-        });
-        let options = Options::default()
-            .with_min_distance(min_distance)
-            .with_threads(threads)
-            .with_bodies(bodies)
-            .with_max_memory(max_memory);
-        let backend = backend(device)?;
-        let topology = &mesh.get().inner;
+    #[pyo3(signature = (mesh, **given))]
+    #[pyo3(text_signature = "(mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, \
+        self_contact=None, device=None, max_memory=None, tolerance=1e-06, leave_contact=False, \
+        method=None, builder=None, traversal=None, volume=None, pipeline=None, scheduler=None, \
+        front=None)")]
+    fn new(py: Python<'_>, mesh: Py<Mesh>, given: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        let options = options::options(&given)?;
+        let device: Option<String> = given.get_item("device")?.map_or(Ok(None), |d| d.extract())?;
+        let (backend, topology) = (backend(device.as_deref())?, &mesh.get().inner);
         let inner = py.detach(|| {
             options.check(topology)?;
             let choice = backend.choose(topology.edges().len())?;
             any::Session::new(&choice, topology.clone(), options)
         });
-        Ok(Self { inner: Mutex::new(inner.map_err(failed)?), mesh })
+        Ok(Self {
+            inner: Mutex::new(inner.map_err(failed)?),
+            mesh: Mutex::new(mesh),
+            filter: Mutex::default(),
+            made_by: std::process::id(),
+        })
     }
 
-    /// Every contact of the step from `x0` to `x1`.
+    /// Every contact of the step from `x0` to `x1` that exists in the window of time
+    /// `(t_a, t_b)`, by default (0, 1).
+    #[pyo3(signature = (x0, x1, window=None))]
     fn step(
         &self,
         py: Python<'_>,
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
+        window: Option<[f64; 2]>,
     ) -> PyResult<Report> {
-        self.with(py, [x0, x1], step, step)?.into_report(py)
+        let window = window.unwrap_or([0.0, 1.0]);
+        self.with(py, [x0, x1], Step(window))?.into_report(py, self.mesh(py)?)
     }
 
     /// The earliest time of impact of the step, never late; None if all of it is free. Cheaper
@@ -115,7 +118,17 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<f64>> {
-        self.with(py, [x0, x1], |s, a, b| s.earliest_toi(a, b), |s, a, b| s.earliest_toi(a, b))
+        self.with(py, [x0, x1], EarliestToi)
+    }
+
+    /// The first contact of the step with its point and normal; None if all of it is free.
+    fn first_contact(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+    ) -> PyResult<Option<Hit>> {
+        Ok(self.with(py, [x0, x1], FirstContact)?.map(Hit::from))
     }
 
     /// The part of the step that is free of contact, in [0, 1]: the earliest time of impact, or 1
@@ -140,6 +153,42 @@ impl Session {
         Ok(self.earliest_toi(py, x0, x1)?.is_none())
     }
 
+    /// From now on all vertices stand at `x`, until `step_bodies` and its like move bodies.
+    fn set_positions(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<()> {
+        self.with(py, [x, x], SetPositions)
+    }
+
+    /// Every contact of a step in which some bodies move, and all others stand where they are: a
+    /// list of `(body, x0, x1)` with the positions of the vertices of that body. On a CPU what is
+    /// fixed costs nothing then.
+    fn step_bodies(&self, py: Python<'_>, motions: Motions<'_>) -> PyResult<Report> {
+        let columns = self.with_bodies(py, &motions, |session, motions| {
+            session.step_bodies(motions)?;
+            Ok(Columns::new(session.report(), session.options()))
+        })?;
+        columns.into_report(py, self.mesh(py)?)
+    }
+
+    /// The earliest time of impact of a step in which some bodies move, as for `step_bodies`.
+    fn earliest_toi_of_bodies(
+        &self,
+        py: Python<'_>,
+        motions: Motions<'_>,
+    ) -> PyResult<Option<f64>> {
+        self.with_bodies(py, &motions, |session, motions| session.earliest_toi_of_bodies(motions))
+    }
+
+    /// The first contact of a step in which some bodies move, as for `step_bodies`.
+    fn first_contact_of_bodies(
+        &self,
+        py: Python<'_>,
+        motions: Motions<'_>,
+    ) -> PyResult<Option<Hit>> {
+        let first = self
+            .with_bodies(py, &motions, |session, motions| session.first_contact_of_bodies(motions));
+        Ok(first?.map(Hit::from))
+    }
+
     /// All candidates of the step: pairs of features without a common vertex whose swept boxes
     /// overlap. Four arrays of shape (n, 2), uint32, in no particular order, in that of `Kind`:
     /// vertex and face; two edges, the lesser id first; and of particles (vertices of no edge) and
@@ -150,10 +199,81 @@ impl Session {
         x0: &Bound<'py, PyAny>,
         x1: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyTuple>> {
-        let all = self.with(py, [x0, x1], candidates, candidates)?;
+        let all = self.with(py, [x0, x1], ListCandidates)?;
         let arrays: Vec<_> =
             all.into_iter().map(|pairs| pair_array(py, pairs)).collect::<PyResult<_>>()?;
         PyTuple::new(py, arrays)
+    }
+
+    /// Edges and faces without a common vertex that have a point in common at the positions `x`:
+    /// an array of shape (n, 2), uint32, sorted; where the mesh goes through itself.
+    fn intersections<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        pair_array(py, self.with(py, [x, x], Intersect)?)
+    }
+
+    /// From now on steps of another mesh, with other bodies if some are given.
+    #[pyo3(signature = (mesh, bodies=None))]
+    fn set_mesh(
+        &self,
+        py: Python<'_>,
+        mesh: Py<Mesh>,
+        bodies: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let others = bodies.map(self::bodies).transpose()?;
+        let topology = mesh.get().inner.clone();
+        self.change(py, move |session| match others {
+            Some(bodies) => session.set_mesh_and_bodies(topology, bodies),
+            None => session.set_mesh(topology),
+        })?;
+        *lock(&self.mesh)? = mesh;
+        Ok(())
+    }
+
+    /// From now on these bodies, or none.
+    #[pyo3(signature = (bodies=None))]
+    fn set_bodies(&self, py: Python<'_>, bodies: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let bodies = bodies.map(self::bodies).transpose()?;
+        self.change(py, move |session| session.set_bodies(bodies))
+    }
+
+    /// From now on another `min_distance`.
+    fn set_min_distance(&self, py: Python<'_>, min_distance: f64) -> PyResult<()> {
+        self.change(py, move |session| session.set_min_distance(min_distance))
+    }
+
+    /// From now on a body sleeps, or is awake.
+    fn set_sleeping(&self, py: Python<'_>, body: u32, sleeping: bool) -> PyResult<()> {
+        self.change(py, move |session| session.set_sleeping(body, sleeping))
+    }
+
+    /// From now on a body is fixed, or moves.
+    fn set_fixed(&self, py: Python<'_>, body: u32, fixed: bool) -> PyResult<()> {
+        self.change(py, move |session| session.set_fixed(body, fixed))
+    }
+
+    /// From now on `filter(kind, pairs)` says which candidates count: asked once a call for each
+    /// `Kind` that has some, with an array of shape (n, 2), it returns n of bool. None: all count.
+    /// Candidates are listed for it, which costs time. On the CPU; steps of bodies do not ask it.
+    #[pyo3(signature = (filter=None))]
+    fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        if filter.is_none() {
+            self.change(py, |session| {
+                session.remove_filter();
+                Ok(())
+            })?;
+        }
+        *lock(&self.filter)? = filter;
+        Ok(())
+    }
+
+    /// The mesh of the next step.
+    #[getter]
+    fn mesh(&self, py: Python<'_>) -> PyResult<Py<Mesh>> {
+        Ok(lock(&self.mesh)?.clone_ref(py))
     }
 
     /// Where steps run: "2 threads", or the name of the GPU.
@@ -163,61 +283,86 @@ impl Session {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let (place, n) = (self.place(py)?, self.mesh.get().inner.n_vertices());
+        let (place, n) = (self.place(py)?, self.mesh(py)?.get().inner.n_vertices());
         Ok(format!("<Session of {n} vertices on {place}>"))
     }
 }
 
-/// A call of a session, for positions of one precision.
-type Call<T, R> = fn(&mut any::Session, &[[T; 3]], &[[T; 3]]) -> Result<R, any::Error>;
-
-fn step<T: Coordinate>(
-    session: &mut any::Session,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-) -> Result<Columns, any::Error> {
-    session.step(x0, x1)?;
-    Ok(Columns::new(session.report(), session.mesh()))
-}
-
-fn candidates<T: Coordinate>(
-    session: &mut any::Session,
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-) -> Result<[Vec<u32>; 4], any::Error> {
-    let all = session.candidates(x0, x1)?;
-    let kinds = [all.vf, all.ee, all.ve, all.vv];
-    Ok(kinds.map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
-}
+/// Bodies, each with its positions at both ends of a step.
+type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 
 impl Session {
     /// Makes a call without the interpreter.
-    fn with<R: Send>(
+    fn with<C: Call>(
         &self,
         py: Python<'_>,
         [x0, x1]: [&Bound<'_, PyAny>; 2],
-        narrow: Call<f32, R>,
-        wide: Call<f64, R>,
-    ) -> PyResult<R> {
+        call: C,
+    ) -> PyResult<C::Found> {
         let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
         match &positions {
-            Floats::F32([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, narrow),
-            Floats::F64([x0, x1]) => self.run(py, numbers(x0)?, numbers(x1)?, wide),
+            Floats::F32([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
+            Floats::F64([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
         }
     }
 
-    fn run<T: Coordinate, R: Send>(
+    fn run<T: Coordinate, C: Call>(
         &self,
         py: Python<'_>,
-        x0: &[T],
-        x1: &[T],
-        call: Call<T, R>,
-    ) -> PyResult<R> {
-        py.detach(|| {
-            let mut session = lock(&self.inner)?;
-            call(&mut session, x0.as_chunks().0, x1.as_chunks().0).map_err(failed)
-        })
+        x: [&[T]; 2],
+        call: C,
+    ) -> PyResult<C::Found> {
+        let x = x.map(|x| x.as_chunks().0);
+        let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
+        if let Some(filter) = filter {
+            let candidates = self.change(py, |session| {
+                session.remove_filter();
+                ListCandidates.call(session, x)
+            })?;
+            let wanted = Wanted::new(py, &filter, candidates)?;
+            self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
+        }
+        self.change(py, move |session| call.call(session, x))
     }
+
+    /// Does something with the session, without the interpreter.
+    fn change<R: Send>(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
+    ) -> PyResult<R> {
+        if self.made_by != std::process::id() {
+            let why = "the session was made before a fork, and its threads are not in this \
+                       process: make a new one here, or start processes by \"spawn\"";
+            return Err(PyRuntimeError::new_err(why));
+        }
+        py.detach(|| change(&mut *lock(&self.inner)?).map_err(failed))
+    }
+
+    fn with_bodies<R: Send>(
+        &self,
+        py: Python<'_>,
+        motions: &Motions<'_>,
+        call: fn(&mut any::Session, &[BodyMotion]) -> Result<R, any::Error>,
+    ) -> PyResult<R> {
+        let positions = motions.iter().map(|(_, x0, x1)| {
+            Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])
+        });
+        let positions: Vec<Floats<'_, 2>> = positions.collect::<PyResult<_>>()?;
+        let motions = motions.iter().zip(&positions).map(|(&(body, ..), positions)| {
+            Ok(match positions {
+                Floats::F32([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
+                Floats::F64([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
+            })
+        });
+        let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
+        self.change(py, |session| call(session, &motions))
+    }
+}
+
+fn motion<'a, T: Coordinate>(body: u32, x: [&'a [T]; 2]) -> BodyMotion<'a> {
+    let [x0, x1] = x.map(|x| x.as_chunks::<3>().0);
+    BodyMotion::new(body, x0, x1)
 }
 
 /// The backend of a name.

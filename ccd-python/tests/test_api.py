@@ -10,7 +10,21 @@ import numpy as np
 import pytest
 
 import meshccd
-from meshccd import BroadPhase, Kind, Mesh, Session, State, edge_edge, vertex_face
+from meshccd import (
+    Bodies,
+    BroadPhase,
+    Kind,
+    Mesh,
+    Session,
+    State,
+    distance,
+    edge_edge,
+    read_mesh,
+    read_positions,
+    vertex_edge,
+    vertex_face,
+    vertex_vertex,
+)
 
 FACES = [[0, 1, 2], [2, 1, 3], [4, 5, 6]]
 X0 = np.array(
@@ -164,17 +178,26 @@ NAN[3, 1] = np.nan
         (lambda: Session(Mesh(FACES), bodies=[0, 0]), "2"),
         (lambda: Session(Mesh(FACES), bodies=[0, 1, 0, 0, 0, 0, 0]), "face 0"),
         (lambda: Session(Mesh(FACES), threads=100_000), "100000"),
-        (lambda: Session(Mesh(FACES)).step(X0, X1[1:]), "6"),
+        (lambda: Session(Mesh(FACES)).step(X0, X1[1:]), "x1 has 6 vertices"),
+        (lambda: Session(Mesh(FACES), method="magic"), "method is 'magic'|brute-force"),
+        (lambda: Session(Mesh(FACES), method="blocks", builder="ploc"), "builder is for"),
+        (lambda: Session(Mesh(FACES), tolerance=0.0), "tolerance"),
+        (lambda: Session(Mesh(FACES)).step(X0, X1, (0.5, 0.25)), "0.5"),
+        (lambda: Session(Mesh(FACES)).step_bodies([]), "positions"),
+        (lambda: Bodies([0, 0], fixd=[True]), "fixd"),
+        (lambda: distance(4, X0[:4]), "kind is 4"),
+        (lambda: distance(Kind.VERTEX_EDGE, X0[:4]), r"it must be \(\.\., 3, 3\)"),
+        (lambda: read_mesh("nowhere.obj"), "nowhere.obj"),
         (lambda: Session(Mesh(FACES)).step(X0[:, :2], X1[:, :2]), r"it must be \(\.\., 3\)"),
         (lambda: Session(Mesh(FACES)).step(X0[0], X1[0]), r"it must be \(n, 3\)"),
-        (lambda: Session(Mesh(FACES)).step(X0, NAN), "vertex 3 at t1 has y = NaN"),
+        (lambda: Session(Mesh(FACES)).step(X0, NAN), "vertex 3 of x1 has y = NaN"),
         (lambda: Session(Mesh(FACES)).step(X0.astype(complex), X1), "complex128"),
         (lambda: Session(Mesh(FACES)).step("x", X1), "shape"),
         (lambda: BroadPhase(method="magic"), "brute-force"),
         (lambda: BroadPhase(device="auto"), "device"),
         (lambda: BroadPhase().self_pairs([[[1, 0, 0], [0, 1, 1]]]), "box 0"),
         (lambda: vertex_face(X0[:4], X1[:3]), "shape"),
-        (lambda: vertex_face(X0[:4], NAN[:4]), "vertex 3 at t1 has y = NaN"),
+        (lambda: vertex_face(X0[:4], NAN[:4]), "vertex 3 of x1 has y = NaN"),
         (lambda: vertex_face(X0[:4], X1[:4], -1.0), "-1"),
     ],
 )
@@ -306,6 +329,6 @@ def test_everything_is_documented():
         thing = getattr(meshccd, name)
         if name != "__version__":
             assert thing.__doc__, name
-    for of in (Mesh, Session, meshccd.Report, BroadPhase):
+    for of in (Mesh, Bodies, Session, meshccd.Report, meshccd.Geometry, meshccd.Hit, BroadPhase):
         for name, member in vars(of).items():
             assert name.startswith("__") or member.__doc__, f"{of.__name__}.{name}"

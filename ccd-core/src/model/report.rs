@@ -1,8 +1,10 @@
 //! What a step found, and where its time went.
 
+use super::bodies::Bodies;
 use super::contact::{Contact, Kind, PerKind, State};
 use super::mesh::Mesh;
 use alloc::sync::Arc;
+use alloc::vec;
 use alloc::vec::Vec;
 
 /// Where the time of a step went, in milliseconds of wall clock.
@@ -194,6 +196,29 @@ impl Report {
         let mut contacts = core::mem::take(&mut self.contacts);
         contacts.clear();
         *self = Self { contacts, ..Self::default() };
+    }
+
+    /// The least time of impact in each world of these bodies, those of the step; `None`: no
+    /// contact in it. By its number, as many as the greatest one says.
+    ///
+    /// ```
+    /// use ccd_core::model::{bodies::Bodies, report::Report};
+    ///
+    /// let bodies = Bodies::new(&[0, 1]).with_worlds(&[0, 2]);
+    /// assert_eq!(Report::default().toi_of_worlds(&bodies), [None; 3]);
+    /// ```
+    ///
+    /// # Panics
+    /// If the bodies are those of another mesh.
+    pub fn toi_of_worlds(&self, bodies: &Bodies) -> Vec<Option<f64>> {
+        let n_worlds = bodies.all().iter().map(|rules| rules.world + 1).max().unwrap_or(0);
+        let mut all = vec![None; n_worlds as usize];
+        for contact in &self.contacts {
+            let world = bodies.world(contact.vertices(self.mesh())[0]);
+            let toi = &mut all[world as usize];
+            *toi = Some(toi.map_or(contact.toi, |toi: f64| toi.min(contact.toi)));
+        }
+        all
     }
 
     /// Contacts by kind.

@@ -1,0 +1,147 @@
+//! Bodies: which vertices belong together, and which pairs of them are looked at.
+
+use crate::arrays::{flat_ids, ids};
+use crate::errors::refused;
+use ccd::{Groups, Kind};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+/// Bodies of a mesh and the rules of their pairs. An array with an entry for each body has that of
+/// body i at place i; what is missing there is as by default.
+///
+/// Parameters
+/// ----------
+/// of_vertex : (n_vertices,) array of integers
+///     The body that each vertex belongs to.
+/// fixed : (n_bodies,) array of bool, optional
+///     Bodies that do not move: pairs of them are not looked at, and a step in which one moves is
+///     refused.
+/// sleeping : (n_bodies,) array of bool, optional
+///     Bodies that are as fixed ones until they wake.
+/// self_contact : bool or (n_bodies,) array of bool
+///     Whether pairs within a body are looked at.
+/// memberships, filters : (n_bodies,) arrays of uint32, optional
+///     Groups, a bit each: a body is a member of those of `memberships`, and looked at against
+///     members of those of `filters`. Each of two bodies must want the other.
+/// worlds : (n_bodies,) array of integers below 65536, optional
+///     Bodies of two worlds are never looked at, wherever they are.
+/// excluded_bodies : (n, 2) array of integers, optional
+///     Pairs of bodies that are not looked at.
+/// excluded_vertex_face, excluded_edge_edge : (n, 2) arrays of integers, optional
+///     Pairs of features that are not looked at, by their ids in the mesh; see
+///     `Mesh.neighbours` and `Mesh.near_at_rest`.
+/// fixed_motion : bool
+///     Whether bodies that are fixed or asleep may be moved by the caller.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If an array has another shape or type. What does not fit a mesh is refused by `Session`.
+#[pyclass(frozen, module = "meshccd")]
+pub struct Bodies {
+    pub inner: ccd::Bodies,
+    of_vertex: Py<PyAny>,
+    rules: Py<PyDict>,
+}
+
+/// One value for all, or one for each body.
+#[derive(FromPyObject)]
+enum Flags {
+    All(bool),
+    Each(Vec<bool>),
+}
+
+#[pymethods]
+impl Bodies {
+    #[new]
+    #[pyo3(signature = (of_vertex, **rules))]
+    #[pyo3(text_signature = "(of_vertex, *, fixed=None, sleeping=None, self_contact=True, \
+        memberships=None, filters=None, worlds=None, excluded_bodies=None, \
+        excluded_vertex_face=None, excluded_edge_edge=None, fixed_motion=False)")]
+    fn new(of_vertex: &Bound<'_, PyAny>, rules: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let py = of_vertex.py();
+        let rules = rules.map_or_else(|| Ok(PyDict::new(py)), |rules| rules.copy())?;
+        let names = flat_ids("of_vertex", of_vertex)?;
+        let inner = with_rules(ccd::Bodies::new(&names), &names, &rules)?;
+        Ok(Self { inner, of_vertex: of_vertex.clone().unbind(), rules: rules.unbind() })
+    }
+
+    /// The body of each vertex, and the rules by their names.
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let given = PyTuple::new(py, [self.of_vertex.bind(py)])?;
+        PyTuple::new(py, [given.as_any(), self.rules.bind(py).as_any()])
+    }
+
+    fn __repr__(&self) -> String {
+        let names = self.inner.body_of_vertex();
+        let mut all = names.to_vec();
+        all.sort_unstable();
+        all.dedup();
+        format!("<Bodies: {} of {} vertices>", all.len(), names.len())
+    }
+}
+
+fn with_rules(
+    mut bodies: ccd::Bodies,
+    names: &[u32],
+    rules: &Bound<'_, PyDict>,
+) -> PyResult<ccd::Bodies> {
+    // Rules name bodies; an entry of a body that no vertex belongs to says nothing.
+    let n_bodies = names.iter().max().map_or(0, |&last| last + 1);
+    let mut there = vec![false; n_bodies as usize];
+    names.iter().for_each(|&body| there[body as usize] = true);
+    let of_bodies = |n: usize| (0..n as u32).filter(|&b| there.get(b as usize) == Some(&true));
+    let (mut memberships, mut filters) = (Vec::new(), Vec::new());
+    for (name, given) in rules.iter() {
+        if given.is_none() {
+            continue;
+        }
+        let name: String = name.extract()?;
+        let flags = || -> PyResult<Vec<bool>> { Ok(given.extract()?) };
+        match &name[..] {
+            "fixed" => bodies = bodies.with_fixed_mask(&flags()?),
+            "sleeping" => {
+                let sleeping = flags()?;
+                for body in of_bodies(sleeping.len()) {
+                    bodies = bodies.with_sleeping(body, sleeping[body as usize]);
+                }
+            }
+            "self_contact" => match given.extract()? {
+                Flags::All(self_contact) => bodies = bodies.with_self_contacts(self_contact),
+                Flags::Each(each) => {
+                    for body in of_bodies(each.len()) {
+                        bodies = bodies.with_self_contact(body, each[body as usize]);
+                    }
+                }
+            },
+            "memberships" => memberships = flat_ids(&name, &given)?,
+            "filters" => filters = flat_ids(&name, &given)?,
+            "worlds" => bodies = bodies.with_worlds(&flat_ids(&name, &given)?),
+            "excluded_bodies" => bodies = bodies.with_excluded_bodies(&ids::<2>(&name, &given)?),
+            "excluded_vertex_face" => {
+                let pairs = ids::<2>(&name, &given)?;
+                bodies = bodies.with_excluded_features(Kind::VertexFace, &pairs);
+            }
+            "excluded_edge_edge" => {
+                let pairs = ids::<2>(&name, &given)?;
+                bodies = bodies.with_excluded_features(Kind::EdgeEdge, &pairs);
+            }
+            "fixed_motion" => bodies = bodies.with_fixed_motion(given.extract()?),
+            _ => return Err(refused(format!("bodies have no rule {name:?}; see help(Bodies)"))),
+        }
+    }
+    for body in of_bodies(memberships.len().max(filters.len())) {
+        let of = |words: &[u32]| words.get(body as usize).copied().unwrap_or(u32::MAX);
+        let groups = Groups { memberships: of(&memberships), filter: of(&filters) };
+        bodies = bodies.with_groups(body, groups);
+    }
+    Ok(bodies)
+}
+
+/// What a caller gives as bodies: an object with rules, or the body of each vertex.
+pub fn bodies(given: &Bound<'_, PyAny>) -> PyResult<ccd::Bodies> {
+    match given.cast::<Bodies>() {
+        Ok(bodies) => Ok(bodies.get().inner.clone()),
+        Err(_) => Ok(ccd::Bodies::new(&flat_ids("bodies", given)?)),
+    }
+}
