@@ -381,39 +381,4 @@ impl Bodies {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bodies_select_pairs() {
-        let bodies = Bodies::new(&[0, 0, 1, 2])
-            .with_fixed_mask(&[false, true, true])
-            .with_self_contacts(false);
-        assert!(bodies.wants(0, 2) && bodies.wants(3, 1));
-        assert!(!bodies.wants(0, 1) && !bodies.wants(2, 3));
-        let mesh = Mesh::new(4, &[[0, 1, 2]]).unwrap();
-        assert_eq!(
-            bodies.check(&mesh),
-            Err(Error::MixedBodies { element: "face", at: 0, bodies: [0, 1] })
-        );
-    }
-
-    #[test]
-    fn rules_that_name_nothing_are_errors() {
-        let mesh = Mesh::new(3, &[[0, 1, 2]]).unwrap();
-        let of = || Bodies::new(&[7, 7, 7]);
-        assert_eq!(of().check(&mesh), Ok(()));
-        assert_eq!(of().with_fixed(0, true).check(&mesh), Err(Error::NoBody { body: 0 }));
-        assert_eq!(
-            of().with_excluded_bodies(&[[7, 8]]).check(&mesh),
-            Err(Error::NoBody { body: 8 })
-        );
-        assert_eq!(
-            of().with_excluded_features(Kind::VertexFace, &[[2, 1]]).check(&mesh),
-            Err(Error::NoFeature { element: "face", id: 1, n: 1 })
-        );
-        let far = of().with_worlds(&[0, 0, 0, 0, 0, 0, 0, 1 << 16]).check(&mesh);
-        assert!(matches!(far, Err(Error::TooMany { element: "worlds", .. })), "{far:?}");
-        assert_eq!(of().set_sleeping(3, true), Err(Error::NoBody { body: 3 }));
-    }
-}
+mod tests;
