@@ -297,7 +297,7 @@ fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
             false if *name == default => '*',
             false => ' ',
         };
-        output::say!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
+        output::say!("{mark} {name:<19} {:<8} {about}{source}", backends.join(" "));
     }
     output::say!("");
 }

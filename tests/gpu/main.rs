@@ -11,6 +11,7 @@ mod changes;
 mod codimensional;
 mod descent;
 mod emulated;
+mod end_points;
 #[path = "../../examples/engine.rs"]
 mod engine;
 mod failures;
@@ -128,6 +129,7 @@ fn main() {
             rules::TESTS,
             triangles::TESTS,
             intervals::TESTS,
+            end_points::TESTS,
             descent::TESTS,
             workers::TESTS,
             oriented::TESTS,

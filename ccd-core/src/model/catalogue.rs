@@ -56,6 +56,7 @@ pub trait Catalogued: Copy + PartialEq + 'static {
 }
 
 const CPU: &[&str] = &["cpu"];
+const GPU: &[&str] = &["gpu"];
 
 impl<T: Copy> Row<T> {
     /// A choice of this project, on both backends.
@@ -94,6 +95,10 @@ impl Catalogued for BroadPhaseMethod {
             .about("Sweep and prune in strips along the axis; for many boxes, of any sizes")
             .source("Liu 2010")
             .on(CPU),
+        Row::new(Self::SweepByEndPoints, "sweep-by-end-points")
+            .about("A device thread an end point, from start to end; a CPU has rows of boxes")
+            .source("Karras 2012a")
+            .on(GPU),
         Row::new(Self::UniformGrid, "uniform-grid")
             .about("Boxes in the cells of a grid; for boxes of about the same size")
             .source("Karras 2012a"),

@@ -26,6 +26,9 @@ pub enum BroadPhaseMethod {
     /// Boxes in all strips along the axis that they touch, swept within each [Liu 2010]: the sweep
     /// for many boxes, of any sizes.
     SweepInStrips,
+    /// End points of boxes sorted along one axis, and a thread for each [Karras 2012a]: the sweep
+    /// as its author prints it, on a GPU alone.
+    SweepByEndPoints,
     /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
     /// cells around it [Karras 2012a].
     UniformGrid,

@@ -15,6 +15,7 @@ mod pair_descent;
 pub mod pair_source;
 pub mod scheduled;
 mod scheduler;
+mod sweep_by_end_points;
 mod tree;
 mod upload;
 pub mod worker_counts;

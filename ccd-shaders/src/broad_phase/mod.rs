@@ -13,5 +13,6 @@ pub mod oriented;
 pub mod pair_descent;
 pub mod scheduler;
 pub mod stack_traversal;
+pub mod sweep_by_end_points;
 mod volume;
 pub mod worlds;

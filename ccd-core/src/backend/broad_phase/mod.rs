@@ -20,6 +20,7 @@ pub mod refit;
 pub mod split_lists;
 pub mod stack_traversal;
 pub mod sweep_and_prune;
+pub mod sweep_by_end_points;
 pub mod sweep_in_strips;
 pub mod swept_box;
 #[cfg(test)]

@@ -280,6 +280,12 @@ macro_rules! kernels {
             IntervalPairs = interval_pairs(128 threads, 4 barriers, f32, Params<Intervals>)
                 { sorted: Read, keys: Read, order: Read, survey: Read, work: Read,
                   pairs: Write }
+            /// Where boxes begin and end on an axis: keys, and what begins or ends there.
+            EndPointKeys = end_point_keys(256 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, survey: Read, keys: Write, points: Write }
+            /// From each start of a box to its end: overlapping boxes.
+            SweepEndPoints = sweep_end_points(128 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, points: Read, pairs: Write }
         }
         tests {
             /// Items that are counted whenever a worker takes them.
