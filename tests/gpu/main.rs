@@ -24,10 +24,12 @@ mod listed;
 #[path = "../sessions/moving_bodies.rs"]
 mod moving_bodies;
 mod oriented;
+mod pair_stacks;
 mod pairs;
 mod poison;
 mod queries;
 mod recovery;
+mod recursive;
 mod rules;
 mod scalars;
 mod scenes;
@@ -131,6 +133,8 @@ fn main() {
             intervals::TESTS,
             end_points::TESTS,
             descent::TESTS,
+            pair_stacks::TESTS,
+            recursive::TESTS,
             workers::TESTS,
             oriented::TESTS,
             stealing::TESTS,

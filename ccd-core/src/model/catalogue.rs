@@ -132,9 +132,8 @@ impl Catalogued for Traversal {
     const ALWAYS: &'static [&'static str] = &["leaf-order", "half"];
     const ROWS: &'static [Row<Self>] = &[
         Row::new(Self::Recursive, "recursive")
-            .about("A query per box in the order of input, by recursion")
-            .source("Karras 2012b")
-            .on(CPU),
+            .about("A query per box in the order of input, by recursion; on a GPU emulated")
+            .source("Karras 2012b"),
         Row::new(Self::Iterative, "iterative")
             .about("A query per box in the order of input, with a stack")
             .source("Karras 2012b"),
@@ -151,6 +150,10 @@ impl Catalogued for Traversal {
         Row::new(Self::CUT, "cut")
             .about("Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel")
             .source("Karras 2012b"),
+        Row::new(Self::CUT_STACKS, "cut-stacks")
+            .about("The same, a device thread with a stack for each; a CPU's `cut` has these")
+            .source("Karras 2012b")
+            .on(GPU),
     ];
 }
 

@@ -13,6 +13,7 @@ pub mod method;
 mod oriented;
 mod pair_descent;
 pub mod pair_source;
+mod pair_stacks;
 pub mod scheduled;
 mod scheduler;
 mod sweep_by_end_points;

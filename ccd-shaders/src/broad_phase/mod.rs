@@ -11,6 +11,7 @@ pub mod key_intervals;
 pub mod listed;
 pub mod oriented;
 pub mod pair_descent;
+pub mod pair_stacks;
 pub mod scheduler;
 pub mod stack_traversal;
 pub mod sweep_by_end_points;
