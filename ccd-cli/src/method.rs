@@ -35,7 +35,7 @@ pub struct MethodOptions {
     /// Most boxes for --builder nearest-pair, whose time grows with their square
     #[arg(long, value_name = "N")]
     limit: Option<u32>,
-    /// Nodes of the cut that --traversal cut starts from
+    /// Nodes of the cut that --traversal cut and cut-stacks start from
     #[arg(long, value_name = "N")]
     cut: Option<u32>,
     /// What is paired first, features or triangles
@@ -50,7 +50,7 @@ pub struct MethodOptions {
     /// pairs are no candidates, and none of them is undecided
     #[arg(long, value_parser = choice(ON_OFF))]
     cones: Option<bool>,
-    /// Which of two nodes --traversal simultaneous and cut expand
+    /// Which of two nodes --traversal simultaneous, cut and cut-stacks expand
     #[arg(long, value_parser = choice(DESCENTS))]
     descent: Option<Descent>,
     /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
@@ -210,10 +210,16 @@ impl MethodOptions {
                 let (nodes, descent) = (cut.unwrap_or(nodes), descent.unwrap_or(default));
                 Ok(Traversal::Cut { nodes, descent })
             }
+            (Traversal::CutStacks { nodes, descent: default }, cut, descent) => {
+                let (nodes, descent) = (cut.unwrap_or(nodes), descent.unwrap_or(default));
+                Ok(Traversal::CutStacks { nodes, descent })
+            }
             (_, None, None) => Ok(traversal),
-            (_, Some(_), _) => Err(Failure(format!("--cut is for --traversal cut, not {name}"))),
+            (_, Some(_), _) => {
+                Err(Failure(format!("--cut is for --traversal cut and cut-stacks, not {name}")))
+            }
             (_, _, Some(_)) => Err(Failure(format!(
-                "--descent is for --traversal simultaneous and cut, not {name}"
+                "--descent is for --traversal simultaneous, cut and cut-stacks, not {name}"
             ))),
         }
     }
@@ -297,7 +303,7 @@ fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
             false if *name == default => '*',
             false => ' ',
         };
-        output::say!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
+        output::say!("{mark} {name:<19} {:<8} {about}{source}", backends.join(" "));
     }
     output::say!("");
 }

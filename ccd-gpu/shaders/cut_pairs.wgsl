@@ -92,15 +92,17 @@ var<storage, read_write> control: type_21;
 var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_111_: u32;
-    var phi_148_: bool;
-    var phi_177_: array<u32, 2>;
-    var phi_178_: array<u32, 2>;
+    var phi_113_: u32;
+    var phi_150_: bool;
     var phi_179_: array<u32, 2>;
-    var phi_224_: bool;
+    var phi_180_: array<u32, 2>;
+    var phi_181_: array<u32, 2>;
+    var phi_232_: bool;
     var phi_233_: bool;
     var phi_234_: bool;
-    var phi_305_: bool;
+    var phi_235_: bool;
+    var phi_239_: bool;
+    var phi_301_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -108,111 +110,120 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e23 = id_2;
-    let _e24 = n_2;
-    let _e25 = lane_2;
-    let _e39 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
-    let _e42 = params.member.member_2.member_2;
-    if (_e42 == 0u) {
+    let _e24 = id_2;
+    let _e25 = n_2;
+    let _e26 = lane_2;
+    let _e40 = ((((_e24.y * _e25.x) + _e24.x) * 256u) + _e26);
+    let _e43 = params.member.member_2.member_2;
+    if (_e43 == 0u) {
         return;
     }
-    let _e44 = (_e39 / _e42);
-    let _e46 = params.member.member_2.member_2;
-    if (_e46 == 0u) {
+    let _e45 = (_e40 / _e43);
+    let _e47 = params.member.member_2.member_2;
+    if (_e47 == 0u) {
         return;
     }
-    let _e48 = (_e39 % _e46);
-    let _e50 = params.member.member_2.member;
-    let _e51 = (_e50 == 1u);
-    if _e51 {
-        phi_111_ = 0u;
+    let _e49 = (_e40 % _e47);
+    let _e51 = params.member.member_2.member;
+    let _e52 = (_e51 == 1u);
+    if _e52 {
+        phi_113_ = 0u;
     } else {
-        phi_111_ = 1u;
+        phi_113_ = 1u;
     }
-    let _e53 = phi_111_;
-    let _e54 = (_e53 * 1028u);
-    let _e56 = cuts.member[0u];
-    if (_e44 < _e56) {
-        let _e59 = cuts.member[_e54];
-        if (_e48 < _e59) {
-            if _e51 {
-                phi_148_ = (_e44 <= _e48);
+    let _e54 = phi_113_;
+    let _e55 = (_e54 * 1028u);
+    let _e57 = cuts.member[0u];
+    if (_e45 < _e57) {
+        let _e60 = cuts.member[_e55];
+        if (_e49 < _e60) {
+            if _e52 {
+                phi_150_ = (_e45 <= _e49);
             } else {
-                phi_148_ = true;
+                phi_150_ = true;
             }
-            let _e63 = phi_148_;
-            if _e63 {
-                let _e66 = cuts.member[(4u + _e44)];
-                let _e70 = cuts.member[((_e54 + 4u) + _e48)];
-                phi_177_ = array<u32, 2>(_e66, _e70);
+            let _e64 = phi_150_;
+            if _e64 {
+                let _e67 = cuts.member[(4u + _e45)];
+                let _e71 = cuts.member[((_e55 + 4u) + _e49)];
+                phi_179_ = array<u32, 2>(_e67, _e71);
             } else {
-                phi_177_ = array<u32, 2>(4294967295u, 4294967295u);
+                phi_179_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e73 = phi_177_;
-            phi_178_ = _e73;
+            let _e74 = phi_179_;
+            phi_180_ = _e74;
         } else {
-            phi_178_ = array<u32, 2>(4294967295u, 4294967295u);
+            phi_180_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e75 = phi_178_;
-        phi_179_ = _e75;
+        let _e76 = phi_180_;
+        phi_181_ = _e76;
     } else {
-        phi_179_ = array<u32, 2>(4294967295u, 4294967295u);
+        phi_181_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e77 = phi_179_;
-    if (_e77[0] != 4294967295u) {
-        let _e83 = a_nodes.member[_e77[0]];
-        let _e86 = b_nodes.member[_e77[1]];
-        let _e89 = params.member.member_2.member;
-        if (_e89 == 1u) {
-            phi_224_ = (_e77[0] == _e77[1]);
-        } else {
-            phi_224_ = false;
-        }
-        let _e95 = phi_224_;
-        if _e95 {
-            if (_e83.member_3 == 4294967295u) {
+    let _e78 = phi_181_;
+    if (_e78[0] != 4294967295u) {
+        let _e84 = params.member.member_2.member;
+        if (_e84 == 1u) {
+            if (_e78[0] == _e78[1]) {
+                let _e91 = a_nodes.member[_e78[0]];
+                phi_232_ = (_e91.member_3 == 4294967295u);
                 phi_233_ = false;
             } else {
+                phi_232_ = bool();
                 phi_233_ = true;
             }
-            let _e99 = phi_233_;
-            phi_234_ = _e99;
+            let _e95 = phi_232_;
+            let _e97 = phi_233_;
+            phi_234_ = _e95;
+            phi_235_ = _e97;
         } else {
-            phi_234_ = true;
+            phi_234_ = bool();
+            phi_235_ = true;
         }
-        let _e101 = phi_234_;
+        let _e99 = phi_234_;
+        let _e101 = phi_235_;
         if _e101 {
-            if ((((((_e83.member[0] <= _e86.member_2[0]) && (_e86.member[0] <= _e83.member_2[0])) && (_e83.member[1] <= _e86.member_2[1])) && (_e86.member[1] <= _e83.member_2[1])) && (_e83.member[2] <= _e86.member_2[2])) && (_e86.member[2] <= _e83.member_2[2])) {
-                let _e130 = atomicAdd((&control.member[0u]), 1u);
-                let _e133 = atomicMax((&output.member[0u]), (_e130 + 1u));
-                if ((_e130 + 1u) < _e130) {
-                    let _e137 = atomicAdd((&output.member[2u]), 1u);
-                }
-                let _e140 = params.member.member_2.member_3;
-                if (_e130 < _e140) {
-                    let _e144 = (2u * _e130);
-                    atomicStore((&output.member[(4u + _e144)]), _e77[0]);
-                    atomicStore((&output.member[(_e144 + 5u)]), _e77[1]);
-                }
-                phi_305_ = false;
+            phi_239_ = false;
+        } else {
+            phi_239_ = _e99;
+        }
+        let _e103 = phi_239_;
+        if _e103 {
+        } else {
+            let _e106 = a_nodes.member[_e78[0]];
+            let _e109 = b_nodes.member[_e78[1]];
+            if ((((((_e106.member[0] <= _e109.member_2[0]) && (_e109.member[0] <= _e106.member_2[0])) && (_e106.member[1] <= _e109.member_2[1])) && (_e109.member[1] <= _e106.member_2[1])) && (_e106.member[2] <= _e109.member_2[2])) && (_e109.member[2] <= _e106.member_2[2])) {
+                phi_301_ = true;
             } else {
-                phi_305_ = true;
+                phi_301_ = false;
             }
-            let _e150 = phi_305_;
-            if _e150 {
-                let _e153 = params.member.member_2.member_4;
-                if (_e153 > 0u) {
-                    let _e156 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e156 + 1u) < _e156) {
-                        let _e160 = atomicAdd((&control.member[1538u]), 1u);
+            let _e138 = phi_301_;
+            if _e138 {
+                let _e165 = atomicAdd((&control.member[0u]), 1u);
+                let _e168 = atomicMax((&output.member[0u]), (_e165 + 1u));
+                if ((_e165 + 1u) < _e165) {
+                    let _e172 = atomicAdd((&output.member[2u]), 1u);
+                }
+                let _e175 = params.member.member_2.member_3;
+                if (_e165 < _e175) {
+                    let _e179 = (2u * _e165);
+                    atomicStore((&output.member[(4u + _e179)]), _e78[0]);
+                    atomicStore((&output.member[(_e179 + 5u)]), _e78[1]);
+                }
+            } else {
+                let _e141 = params.member.member_2.member_4;
+                if (_e141 > 0u) {
+                    let _e144 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e144 + 1u) < _e144) {
+                        let _e148 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e162 = params.member.member_2.member_4;
-                    if (_e156 < _e162) {
-                        let _e165 = params.member.member_2.member_5;
-                        let _e167 = params.member.member_2.member_4;
-                        let _e170 = (2u * ((_e165 * _e167) + _e156));
-                        front.member[_e170] = _e77[0];
-                        front.member[(_e170 + 1u)] = _e77[1];
+                    let _e150 = params.member.member_2.member_4;
+                    if (_e144 < _e150) {
+                        let _e153 = params.member.member_2.member_5;
+                        let _e155 = params.member.member_2.member_4;
+                        let _e158 = (2u * ((_e153 * _e155) + _e144));
+                        front.member[_e158] = _e78[0];
+                        front.member[(_e158 + 1u)] = _e78[1];
                     }
                 }
             }

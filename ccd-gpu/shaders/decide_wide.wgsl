@@ -159,9 +159,9 @@ struct type_51 {
 var<storage> params: type_11;
 @group(0) @binding(1) 
 var<storage> paths: type_23;
-var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(4) 
 var<storage> input: type_13;
+var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> positions: type_30;
 @group(0) @binding(3) 

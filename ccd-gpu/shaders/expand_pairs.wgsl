@@ -94,12 +94,12 @@ var<storage> params: type_20;
 var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
-@group(0) @binding(4) 
-var<storage, read_write> levels: type_25;
 @group(0) @binding(5) 
 var<storage, read_write> output: type_25;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_25;
+@group(0) @binding(4) 
+var<storage, read_write> levels: type_25;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {

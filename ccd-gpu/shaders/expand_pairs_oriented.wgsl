@@ -108,7 +108,7 @@ struct type_29 {
     member_2: array<f32, 3>,
 }
 
-struct type_33 {
+struct type_32 {
     member: array<atomic<u32>>,
 }
 
@@ -118,17 +118,17 @@ var<storage> params: type_20;
 var<storage> a_nodes: type_17;
 @group(0) @binding(2) 
 var<storage> b_nodes: type_17;
-var<workgroup> counters: array<atomic<u32>, 4>;
-@group(0) @binding(6) 
-var<storage, read_write> output: type_33;
 @group(0) @binding(3) 
 var<storage> oriented: type_28;
 @group(0) @binding(4) 
 var<storage> input: type_11;
-@group(0) @binding(5) 
-var<storage, read_write> levels: type_33;
+@group(0) @binding(6) 
+var<storage, read_write> output: type_32;
 @group(0) @binding(7) 
-var<storage, read_write> pairs: type_33;
+var<storage, read_write> pairs: type_32;
+var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(5) 
+var<storage, read_write> levels: type_32;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_24;

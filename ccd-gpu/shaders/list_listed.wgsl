@@ -73,15 +73,15 @@ struct type_25 {
     member_1: array<u32, 4>,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_11;
-var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_29;
+var<storage, read_write> output: type_28;
+var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(1) 
 var<storage> boxes: type_21;
 @group(0) @binding(3) 

@@ -121,10 +121,10 @@ struct type_35 {
 var<storage> params: type_22;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_35;
-@group(0) @binding(7) 
-var<storage, read_write> front: type_11;
 @group(0) @binding(3) 
 var<storage> oriented: type_30;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_35;
 @group(0) @binding(1) 

@@ -111,10 +111,10 @@ struct type_29 {
 var<storage> params: type_19;
 @group(0) @binding(6) 
 var<storage, read_write> pairs: type_29;
-@group(0) @binding(7) 
-var<storage, read_write> front: type_11;
 @group(0) @binding(3) 
 var<storage> oriented: type_25;
+@group(0) @binding(7) 
+var<storage, read_write> front: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> control: type_29;
 @group(0) @binding(1) 

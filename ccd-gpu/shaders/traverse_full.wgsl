@@ -91,33 +91,35 @@ var<storage, read_write> pairs: type_28;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_25;
     var phi_112_: array<u32, 2>;
-    var phi_145_: u32;
-    var phi_244_: array<u32, 2>;
-    var phi_277_: bool;
-    var phi_347_: type_9;
-    var phi_348_: type_9;
-    var phi_371_: type_9;
-    var phi_491_: u32;
-    var phi_492_: bool;
-    var phi_493_: u32;
-    var phi_494_: bool;
-    var phi_498_: u32;
-    var phi_506_: u32;
-    var phi_507_: bool;
-    var phi_508_: u32;
-    var phi_509_: bool;
-    var phi_513_: u32;
-    var phi_518_: bool;
-    var phi_523_: bool;
-    var phi_535_: u32;
-    var phi_551_: u32;
-    var phi_553_: bool;
-    var phi_554_: bool;
-    var phi_600_: array<u32, 2>;
-    var phi_633_: bool;
-    var phi_676_: array<u32, 2>;
-    var phi_709_: bool;
-    var phi_760_: bool;
+    var phi_144_: u32;
+    var phi_171_: array<u32, 2>;
+    var phi_202_: array<u32, 2>;
+    var phi_265_: array<u32, 2>;
+    var phi_298_: bool;
+    var phi_368_: type_9;
+    var phi_369_: type_9;
+    var phi_392_: type_9;
+    var phi_512_: u32;
+    var phi_513_: bool;
+    var phi_514_: u32;
+    var phi_515_: bool;
+    var phi_519_: u32;
+    var phi_527_: u32;
+    var phi_528_: bool;
+    var phi_529_: u32;
+    var phi_530_: bool;
+    var phi_534_: u32;
+    var phi_539_: bool;
+    var phi_544_: bool;
+    var phi_556_: u32;
+    var phi_572_: u32;
+    var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_621_: array<u32, 2>;
+    var phi_654_: bool;
+    var phi_697_: array<u32, 2>;
+    var phi_730_: bool;
+    var phi_781_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -138,262 +140,275 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_112_ = array<u32, 2>(1u, 1u);
         }
         let _e50 = phi_112_;
-        let _e56 = params.member.member.member_2[_e50[0]];
-        let _e59 = params.member.member_1.member_1;
-        let _e61 = ((_e56 + _e59) + _e40);
-        let _e64 = params.member.member_2.member_1;
-        if (_e64 == 0u) {
-            phi_145_ = _e61;
+        let _e55 = params.member.member.member_2[_e50[0]];
+        let _e58 = params.member.member_1.member_1;
+        let _e60 = ((_e55 + _e58) + _e40);
+        let _e63 = params.member.member_2.member_1;
+        if (_e63 == 0u) {
+            phi_144_ = _e60;
         } else {
-            let _e67 = order.member[_e61];
-            phi_145_ = _e67;
+            let _e66 = order.member[_e60];
+            phi_144_ = _e66;
         }
-        let _e69 = phi_145_;
-        let _e71 = boxes.member[_e69];
-        let _e87 = params.member.member.member_2[_e50[0]];
-        let _e88 = (_e69 - _e87);
-        let _e92 = params.member.member.member_2[_e50[1]];
-        let _e96 = params.member.member.member[_e50[1]];
-        let _e97 = (_e96 - 1u);
-        if (_e97 == 0u) {
-            let _e100 = order.member[_e92];
-            let _e102 = boxes.member[_e100];
-            if ((((((_e102.member.x <= _e71.member_1.y) && (_e71.member.x <= _e102.member_1.y)) && (_e102.member.y <= _e71.member_2.x)) && (_e71.member.y <= _e102.member_2.x)) && (_e102.member_1.x <= _e71.member_2.y)) && (_e71.member_1.x <= _e102.member_2.y)) {
-                let _e128 = params.member.member_2.member;
-                if (_e128 == 0u) {
-                    phi_244_ = array<u32, 2>(0u, 2u);
+        let _e68 = phi_144_;
+        let _e69 = (_e68 - _e55);
+        let _e71 = boxes.member[_e68];
+        let _e86 = params.member.member_2.member;
+        if (_e86 == 0u) {
+            phi_171_ = array<u32, 2>(0u, 2u);
+        } else {
+            phi_171_ = array<u32, 2>(1u, 1u);
+        }
+        let _e89 = phi_171_;
+        let _e94 = params.member.member.member[_e89[1]];
+        let _e95 = (_e94 - 1u);
+        if (_e95 == 0u) {
+            let _e99 = params.member.member_2.member;
+            if (_e99 == 0u) {
+                phi_202_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_202_ = array<u32, 2>(1u, 1u);
+            }
+            let _e102 = phi_202_;
+            let _e107 = params.member.member.member_2[_e102[1]];
+            let _e109 = order.member[_e107];
+            let _e111 = boxes.member[_e109];
+            if ((((((_e111.member.x <= _e71.member_1.y) && (_e71.member.x <= _e111.member_1.y)) && (_e111.member.y <= _e71.member_2.x)) && (_e71.member.y <= _e111.member_2.x)) && (_e111.member_1.x <= _e71.member_2.y)) && (_e71.member_1.x <= _e111.member_2.y)) {
+                let _e137 = params.member.member_2.member;
+                if (_e137 == 0u) {
+                    phi_265_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_244_ = array<u32, 2>(1u, 1u);
+                    phi_265_ = array<u32, 2>(1u, 1u);
                 }
-                let _e131 = phi_244_;
-                let _e136 = params.member.member.member_2[_e131[1]];
-                let _e138 = order.member[_e136];
-                let _e139 = (_e138 - _e136);
-                let _e142 = params.member.member_2.member;
-                if (_e142 == 0u) {
-                    phi_277_ = true;
+                let _e140 = phi_265_;
+                let _e145 = params.member.member.member_2[_e140[1]];
+                let _e147 = order.member[_e145];
+                let _e148 = (_e147 - _e145);
+                let _e151 = params.member.member_2.member;
+                if (_e151 == 0u) {
+                    phi_298_ = true;
                 } else {
-                    phi_277_ = (_e139 > _e88);
+                    phi_298_ = (_e148 > _e69);
                 }
-                let _e146 = phi_277_;
-                if _e146 {
-                    let _e149 = params.member.member_1.member_3;
-                    let _e151 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e151 + 1u) < _e151) {
-                        let _e155 = atomicAdd((&pairs.member[2u]), 1u);
+                let _e155 = phi_298_;
+                if _e155 {
+                    let _e158 = params.member.member_1.member_3;
+                    let _e160 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e160 + 1u) < _e160) {
+                        let _e164 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e151 < _e149) {
-                        let _e157 = (2u * _e151);
-                        atomicStore((&pairs.member[(4u + _e157)]), _e88);
-                        atomicStore((&pairs.member[(_e157 + 5u)]), _e139);
+                    if (_e160 < _e158) {
+                        let _e166 = (2u * _e160);
+                        atomicStore((&pairs.member[(4u + _e166)]), _e69);
+                        atomicStore((&pairs.member[(_e166 + 5u)]), _e148);
                     }
                 }
             }
         }
         local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_347_ = type_9(0u, _e97);
+        phi_368_ = type_9(0u, _e95);
         loop {
-            let _e164 = phi_347_;
-            if (_e164.member < _e164.member_1) {
-                phi_348_ = type_9((_e164.member + 1u), _e164.member_1);
-                phi_371_ = type_9(1u, _e164.member);
+            let _e173 = phi_368_;
+            if (_e173.member < _e173.member_1) {
+                phi_369_ = type_9((_e173.member + 1u), _e173.member_1);
+                phi_392_ = type_9(1u, _e173.member);
             } else {
-                phi_348_ = _e164;
-                phi_371_ = type_9(0u, type_9().member_1);
+                phi_369_ = _e173;
+                phi_392_ = type_9(0u, type_9().member_1);
             }
-            let _e176 = phi_348_;
-            let _e178 = phi_371_;
-            if (bitcast<i32>(_e178.member) != 0i) {
-                let _e183 = local.member_3;
-                if _e183 {
-                    let _e185 = local.member_2;
-                    let _e187 = nodes.member[_e185];
-                    let _e232 = ((((((bitcast<f32>(_e187.member.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e187.member_1.x))) && (bitcast<f32>(_e187.member.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e187.member_1.y))) && (bitcast<f32>(_e187.member.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e187.member_1.z)));
-                    let _e243 = ((((((bitcast<f32>(_e187.member_2.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e187.member_3.x))) && (bitcast<f32>(_e187.member_2.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e187.member_3.y))) && (bitcast<f32>(_e187.member_2.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e187.member_3.z)));
-                    let _e245 = ((_e187.member.w & 2147483648u) != 0u);
-                    let _e247 = ((_e187.member_1.w & 2147483648u) != 0u);
-                    if _e232 {
-                        if _e245 {
-                            phi_491_ = (_e187.member.w & 2147483647u);
-                            phi_492_ = false;
+            let _e185 = phi_369_;
+            let _e187 = phi_392_;
+            if (bitcast<i32>(_e187.member) != 0i) {
+                let _e192 = local.member_3;
+                if _e192 {
+                    let _e194 = local.member_2;
+                    let _e196 = nodes.member[_e194];
+                    let _e241 = ((((((bitcast<f32>(_e196.member.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e196.member_1.x))) && (bitcast<f32>(_e196.member.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e196.member_1.y))) && (bitcast<f32>(_e196.member.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e196.member_1.z)));
+                    let _e252 = ((((((bitcast<f32>(_e196.member_2.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e196.member_3.x))) && (bitcast<f32>(_e196.member_2.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e196.member_3.y))) && (bitcast<f32>(_e196.member_2.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e196.member_3.z)));
+                    let _e254 = ((_e196.member.w & 2147483648u) != 0u);
+                    let _e256 = ((_e196.member_1.w & 2147483648u) != 0u);
+                    if _e241 {
+                        if _e254 {
+                            phi_512_ = (_e196.member.w & 2147483647u);
+                            phi_513_ = false;
                         } else {
-                            phi_491_ = u32();
-                            phi_492_ = true;
+                            phi_512_ = u32();
+                            phi_513_ = true;
                         }
-                        let _e250 = phi_491_;
-                        let _e252 = phi_492_;
-                        phi_493_ = _e250;
-                        phi_494_ = _e252;
+                        let _e259 = phi_512_;
+                        let _e261 = phi_513_;
+                        phi_514_ = _e259;
+                        phi_515_ = _e261;
                     } else {
-                        phi_493_ = u32();
-                        phi_494_ = true;
+                        phi_514_ = u32();
+                        phi_515_ = true;
                     }
-                    let _e254 = phi_493_;
-                    let _e256 = phi_494_;
-                    if _e256 {
-                        phi_498_ = 4294967295u;
+                    let _e263 = phi_514_;
+                    let _e265 = phi_515_;
+                    if _e265 {
+                        phi_519_ = 4294967295u;
                     } else {
-                        phi_498_ = _e254;
+                        phi_519_ = _e263;
                     }
-                    let _e258 = phi_498_;
-                    if _e243 {
-                        if _e247 {
-                            phi_506_ = (_e187.member_1.w & 2147483647u);
-                            phi_507_ = false;
+                    let _e267 = phi_519_;
+                    if _e252 {
+                        if _e256 {
+                            phi_527_ = (_e196.member_1.w & 2147483647u);
+                            phi_528_ = false;
                         } else {
-                            phi_506_ = u32();
-                            phi_507_ = true;
+                            phi_527_ = u32();
+                            phi_528_ = true;
                         }
-                        let _e261 = phi_506_;
-                        let _e263 = phi_507_;
-                        phi_508_ = _e261;
-                        phi_509_ = _e263;
+                        let _e270 = phi_527_;
+                        let _e272 = phi_528_;
+                        phi_529_ = _e270;
+                        phi_530_ = _e272;
                     } else {
-                        phi_508_ = u32();
-                        phi_509_ = true;
+                        phi_529_ = u32();
+                        phi_530_ = true;
                     }
-                    let _e265 = phi_508_;
-                    let _e267 = phi_509_;
-                    if _e267 {
-                        phi_513_ = 4294967295u;
+                    let _e274 = phi_529_;
+                    let _e276 = phi_530_;
+                    if _e276 {
+                        phi_534_ = 4294967295u;
                     } else {
-                        phi_513_ = _e265;
+                        phi_534_ = _e274;
                     }
-                    let _e269 = phi_513_;
-                    if _e232 {
-                        phi_518_ = !(_e245);
+                    let _e278 = phi_534_;
+                    if _e241 {
+                        phi_539_ = !(_e254);
                     } else {
-                        phi_518_ = false;
+                        phi_539_ = false;
                     }
-                    let _e272 = phi_518_;
-                    if _e243 {
-                        phi_523_ = !(_e247);
+                    let _e281 = phi_539_;
+                    if _e252 {
+                        phi_544_ = !(_e256);
                     } else {
-                        phi_523_ = false;
+                        phi_544_ = false;
                     }
-                    let _e275 = phi_523_;
-                    if _e272 {
-                        if _e275 {
-                            let _e277 = ((_e187.member_3.w & 2147483648u) != 0u);
-                            if _e277 {
-                                phi_535_ = _e187.member_1.w;
+                    let _e284 = phi_544_;
+                    if _e281 {
+                        if _e284 {
+                            let _e286 = ((_e196.member_3.w & 2147483648u) != 0u);
+                            if _e286 {
+                                phi_556_ = _e196.member_1.w;
                             } else {
-                                phi_535_ = _e187.member.w;
+                                phi_556_ = _e196.member.w;
                             }
-                            let _e279 = phi_535_;
-                            let _e281 = local.member_1;
-                            local.member[_e281] = _e279;
-                            let _e286 = local.member_1;
-                            local.member_1 = (_e286 + 1u);
-                            if _e277 {
-                                phi_551_ = _e187.member.w;
+                            let _e288 = phi_556_;
+                            let _e290 = local.member_1;
+                            local.member[_e290] = _e288;
+                            let _e295 = local.member_1;
+                            local.member_1 = (_e295 + 1u);
+                            if _e286 {
+                                phi_572_ = _e196.member.w;
                             } else {
-                                phi_551_ = _e187.member_1.w;
+                                phi_572_ = _e196.member_1.w;
                             }
-                            let _e289 = phi_551_;
-                            local.member_2 = _e289;
-                            phi_553_ = false;
+                            let _e298 = phi_572_;
+                            local.member_2 = _e298;
+                            phi_574_ = false;
                         } else {
-                            phi_553_ = true;
+                            phi_574_ = true;
                         }
-                        let _e292 = phi_553_;
-                        phi_554_ = _e292;
+                        let _e301 = phi_574_;
+                        phi_575_ = _e301;
                     } else {
-                        phi_554_ = true;
+                        phi_575_ = true;
                     }
-                    let _e294 = phi_554_;
-                    if _e294 {
-                        if _e272 {
-                            local.member_2 = _e187.member.w;
+                    let _e303 = phi_575_;
+                    if _e303 {
+                        if _e281 {
+                            local.member_2 = _e196.member.w;
                         } else {
-                            if _e275 {
-                                local.member_2 = _e187.member_1.w;
+                            if _e284 {
+                                local.member_2 = _e196.member_1.w;
                             } else {
-                                let _e296 = local.member_1;
-                                if (_e296 > 0u) {
-                                    let _e301 = local.member_1;
-                                    local.member_1 = (_e301 - 1u);
-                                    let _e304 = local.member_1;
-                                    let _e307 = local.member[_e304];
-                                    local.member_2 = _e307;
+                                let _e305 = local.member_1;
+                                if (_e305 > 0u) {
+                                    let _e310 = local.member_1;
+                                    local.member_1 = (_e310 - 1u);
+                                    let _e313 = local.member_1;
+                                    let _e316 = local.member[_e313];
+                                    local.member_2 = _e316;
                                 } else {
                                     local.member_3 = false;
                                 }
                             }
                         }
                     }
-                    if (_e258 != 4294967295u) {
-                        let _e314 = params.member.member_2.member;
-                        if (_e314 == 0u) {
-                            phi_600_ = array<u32, 2>(0u, 2u);
+                    if (_e267 != 4294967295u) {
+                        let _e323 = params.member.member_2.member;
+                        if (_e323 == 0u) {
+                            phi_621_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_600_ = array<u32, 2>(1u, 1u);
+                            phi_621_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e317 = phi_600_;
-                        let _e322 = params.member.member.member_2[_e317[1]];
-                        let _e325 = order.member[(_e322 + _e258)];
-                        let _e326 = (_e325 - _e322);
-                        let _e329 = params.member.member_2.member;
-                        if (_e329 == 0u) {
-                            phi_633_ = true;
+                        let _e326 = phi_621_;
+                        let _e331 = params.member.member.member_2[_e326[1]];
+                        let _e334 = order.member[(_e331 + _e267)];
+                        let _e335 = (_e334 - _e331);
+                        let _e338 = params.member.member_2.member;
+                        if (_e338 == 0u) {
+                            phi_654_ = true;
                         } else {
-                            phi_633_ = (_e326 > _e88);
+                            phi_654_ = (_e335 > _e69);
                         }
-                        let _e333 = phi_633_;
-                        if _e333 {
-                            let _e336 = params.member.member_1.member_3;
-                            let _e338 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e338 + 1u) < _e338) {
-                                let _e342 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e342 = phi_654_;
+                        if _e342 {
+                            let _e345 = params.member.member_1.member_3;
+                            let _e347 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e347 + 1u) < _e347) {
+                                let _e351 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e338 < _e336) {
-                                let _e344 = (2u * _e338);
-                                atomicStore((&pairs.member[(4u + _e344)]), _e88);
-                                atomicStore((&pairs.member[(_e344 + 5u)]), _e326);
+                            if (_e347 < _e345) {
+                                let _e353 = (2u * _e347);
+                                atomicStore((&pairs.member[(4u + _e353)]), _e69);
+                                atomicStore((&pairs.member[(_e353 + 5u)]), _e335);
                             }
                         }
                     }
-                    if (_e269 != 4294967295u) {
-                        let _e352 = params.member.member_2.member;
-                        if (_e352 == 0u) {
-                            phi_676_ = array<u32, 2>(0u, 2u);
+                    if (_e278 != 4294967295u) {
+                        let _e361 = params.member.member_2.member;
+                        if (_e361 == 0u) {
+                            phi_697_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_676_ = array<u32, 2>(1u, 1u);
+                            phi_697_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e355 = phi_676_;
-                        let _e360 = params.member.member.member_2[_e355[1]];
-                        let _e363 = order.member[(_e360 + _e269)];
-                        let _e364 = (_e363 - _e360);
-                        let _e367 = params.member.member_2.member;
-                        if (_e367 == 0u) {
-                            phi_709_ = true;
+                        let _e364 = phi_697_;
+                        let _e369 = params.member.member.member_2[_e364[1]];
+                        let _e372 = order.member[(_e369 + _e278)];
+                        let _e373 = (_e372 - _e369);
+                        let _e376 = params.member.member_2.member;
+                        if (_e376 == 0u) {
+                            phi_730_ = true;
                         } else {
-                            phi_709_ = (_e364 > _e88);
+                            phi_730_ = (_e373 > _e69);
                         }
-                        let _e371 = phi_709_;
-                        if _e371 {
-                            let _e374 = params.member.member_1.member_3;
-                            let _e376 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e376 + 1u) < _e376) {
-                                let _e380 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e380 = phi_730_;
+                        if _e380 {
+                            let _e383 = params.member.member_1.member_3;
+                            let _e385 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e385 + 1u) < _e385) {
+                                let _e389 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e376 < _e374) {
-                                let _e382 = (2u * _e376);
-                                atomicStore((&pairs.member[(4u + _e382)]), _e88);
-                                atomicStore((&pairs.member[(_e382 + 5u)]), _e364);
+                            if (_e385 < _e383) {
+                                let _e391 = (2u * _e385);
+                                atomicStore((&pairs.member[(4u + _e391)]), _e69);
+                                atomicStore((&pairs.member[(_e391 + 5u)]), _e373);
                             }
                         }
                     }
                 }
-                phi_760_ = _e183;
+                phi_781_ = _e192;
             } else {
-                phi_760_ = false;
+                phi_781_ = false;
             }
-            let _e388 = phi_760_;
+            let _e397 = phi_781_;
             continue;
             continuing {
-                phi_347_ = _e176;
-                break if !(_e388);
+                phi_368_ = _e185;
+                break if !(_e397);
             }
         }
     }

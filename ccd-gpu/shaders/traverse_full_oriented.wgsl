@@ -114,134 +114,136 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_26;
     var local_1: type_32;
     var phi_144_: array<u32, 2>;
-    var phi_177_: u32;
-    var phi_276_: array<u32, 2>;
-    var phi_309_: bool;
-    var phi_379_: type_9;
-    var phi_380_: type_9;
-    var phi_403_: type_9;
-    var phi_457_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_472_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
+    var phi_176_: u32;
+    var phi_203_: array<u32, 2>;
+    var phi_234_: array<u32, 2>;
+    var phi_297_: array<u32, 2>;
+    var phi_330_: bool;
+    var phi_400_: type_9;
+    var phi_401_: type_9;
+    var phi_424_: type_9;
+    var phi_478_: f32;
+    var phi_483_: f32;
+    var phi_488_: f32;
     var phi_493_: f32;
     var phi_498_: f32;
     var phi_503_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_556_: f32;
-    var phi_563_: f32;
-    var phi_569_: f32;
-    var phi_576_: f32;
-    var phi_583_: f32;
-    var phi_589_: f32;
-    var phi_596_: f32;
-    var phi_689_: f32;
-    var phi_696_: f32;
-    var phi_702_: f32;
-    var phi_708_: f32;
-    var phi_727_: f32;
-    var phi_734_: f32;
-    var phi_740_: f32;
-    var phi_746_: f32;
-    var phi_765_: f32;
-    var phi_772_: f32;
-    var phi_778_: f32;
-    var phi_784_: f32;
-    var phi_803_: f32;
-    var phi_810_: f32;
-    var phi_816_: f32;
-    var phi_822_: f32;
-    var phi_841_: f32;
-    var phi_848_: f32;
-    var phi_854_: f32;
-    var phi_860_: f32;
-    var phi_879_: f32;
-    var phi_886_: f32;
-    var phi_892_: f32;
-    var phi_898_: f32;
+    var phi_514_: f32;
+    var phi_519_: f32;
+    var phi_524_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_577_: f32;
+    var phi_584_: f32;
+    var phi_590_: f32;
+    var phi_597_: f32;
+    var phi_604_: f32;
+    var phi_610_: f32;
+    var phi_617_: f32;
+    var phi_710_: f32;
+    var phi_717_: f32;
+    var phi_723_: f32;
+    var phi_729_: f32;
+    var phi_748_: f32;
+    var phi_755_: f32;
+    var phi_761_: f32;
+    var phi_767_: f32;
+    var phi_786_: f32;
+    var phi_793_: f32;
+    var phi_799_: f32;
+    var phi_805_: f32;
+    var phi_824_: f32;
+    var phi_831_: f32;
+    var phi_837_: f32;
+    var phi_843_: f32;
+    var phi_862_: f32;
+    var phi_869_: f32;
+    var phi_875_: f32;
+    var phi_881_: f32;
+    var phi_900_: f32;
+    var phi_907_: f32;
     var phi_913_: f32;
-    var phi_918_: f32;
-    var phi_923_: f32;
-    var phi_928_: f32;
-    var phi_933_: f32;
-    var phi_992_: f32;
-    var phi_1015_: f32;
-    var phi_1038_: f32;
-    var phi_1060_: f32;
-    var phi_1076_: f32;
-    var phi_1131_: f32;
-    var phi_1154_: f32;
-    var phi_1177_: f32;
-    var phi_1199_: f32;
-    var phi_1215_: f32;
-    var phi_1270_: f32;
-    var phi_1293_: f32;
-    var phi_1316_: f32;
-    var phi_1338_: f32;
-    var phi_1354_: f32;
-    var phi_1409_: f32;
-    var phi_1432_: f32;
-    var phi_1456_: f32;
-    var phi_1479_: f32;
-    var phi_1495_: f32;
-    var phi_1550_: f32;
-    var phi_1573_: f32;
-    var phi_1597_: f32;
-    var phi_1620_: f32;
-    var phi_1636_: f32;
-    var phi_1691_: f32;
-    var phi_1714_: f32;
-    var phi_1738_: f32;
-    var phi_1761_: f32;
-    var phi_1777_: f32;
-    var phi_1832_: f32;
-    var phi_1855_: f32;
-    var phi_1879_: f32;
-    var phi_1902_: f32;
-    var phi_1918_: f32;
-    var phi_1973_: f32;
-    var phi_1996_: f32;
-    var phi_2020_: f32;
-    var phi_2043_: f32;
-    var phi_2059_: f32;
-    var phi_2114_: f32;
-    var phi_2137_: f32;
-    var phi_2161_: f32;
-    var phi_2184_: f32;
-    var phi_2200_: f32;
-    var phi_2207_: f32;
-    var phi_2212_: f32;
-    var phi_2217_: f32;
-    var phi_2222_: f32;
-    var phi_2227_: f32;
-    var phi_2232_: f32;
-    var phi_2237_: f32;
-    var phi_2242_: f32;
-    var phi_2246_: bool;
-    var phi_2354_: u32;
-    var phi_2355_: bool;
-    var phi_2356_: u32;
-    var phi_2357_: bool;
-    var phi_2361_: u32;
-    var phi_2369_: u32;
-    var phi_2370_: bool;
-    var phi_2371_: u32;
-    var phi_2372_: bool;
-    var phi_2376_: u32;
-    var phi_2381_: bool;
-    var phi_2386_: bool;
-    var phi_2398_: u32;
-    var phi_2414_: u32;
-    var phi_2416_: bool;
-    var phi_2417_: bool;
-    var phi_2463_: array<u32, 2>;
-    var phi_2496_: bool;
-    var phi_2539_: array<u32, 2>;
-    var phi_2572_: bool;
-    var phi_2623_: bool;
+    var phi_919_: f32;
+    var phi_934_: f32;
+    var phi_939_: f32;
+    var phi_944_: f32;
+    var phi_949_: f32;
+    var phi_954_: f32;
+    var phi_1013_: f32;
+    var phi_1036_: f32;
+    var phi_1059_: f32;
+    var phi_1081_: f32;
+    var phi_1097_: f32;
+    var phi_1152_: f32;
+    var phi_1175_: f32;
+    var phi_1198_: f32;
+    var phi_1220_: f32;
+    var phi_1236_: f32;
+    var phi_1291_: f32;
+    var phi_1314_: f32;
+    var phi_1337_: f32;
+    var phi_1359_: f32;
+    var phi_1375_: f32;
+    var phi_1430_: f32;
+    var phi_1453_: f32;
+    var phi_1477_: f32;
+    var phi_1500_: f32;
+    var phi_1516_: f32;
+    var phi_1571_: f32;
+    var phi_1594_: f32;
+    var phi_1618_: f32;
+    var phi_1641_: f32;
+    var phi_1657_: f32;
+    var phi_1712_: f32;
+    var phi_1735_: f32;
+    var phi_1759_: f32;
+    var phi_1782_: f32;
+    var phi_1798_: f32;
+    var phi_1853_: f32;
+    var phi_1876_: f32;
+    var phi_1900_: f32;
+    var phi_1923_: f32;
+    var phi_1939_: f32;
+    var phi_1994_: f32;
+    var phi_2017_: f32;
+    var phi_2041_: f32;
+    var phi_2064_: f32;
+    var phi_2080_: f32;
+    var phi_2135_: f32;
+    var phi_2158_: f32;
+    var phi_2182_: f32;
+    var phi_2205_: f32;
+    var phi_2221_: f32;
+    var phi_2228_: f32;
+    var phi_2233_: f32;
+    var phi_2238_: f32;
+    var phi_2243_: f32;
+    var phi_2248_: f32;
+    var phi_2253_: f32;
+    var phi_2258_: f32;
+    var phi_2263_: f32;
+    var phi_2267_: bool;
+    var phi_2375_: u32;
+    var phi_2376_: bool;
+    var phi_2377_: u32;
+    var phi_2378_: bool;
+    var phi_2382_: u32;
+    var phi_2390_: u32;
+    var phi_2391_: bool;
+    var phi_2392_: u32;
+    var phi_2393_: bool;
+    var phi_2397_: u32;
+    var phi_2402_: bool;
+    var phi_2407_: bool;
+    var phi_2419_: u32;
+    var phi_2435_: u32;
+    var phi_2437_: bool;
+    var phi_2438_: bool;
+    var phi_2484_: array<u32, 2>;
+    var phi_2517_: bool;
+    var phi_2560_: array<u32, 2>;
+    var phi_2593_: bool;
+    var phi_2644_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -262,1052 +264,1066 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_144_ = array<u32, 2>(1u, 1u);
         }
         let _e62 = phi_144_;
-        let _e68 = params.member.member.member_2[_e62[0]];
-        let _e71 = params.member.member_1.member_1;
-        let _e73 = ((_e68 + _e71) + _e52);
-        let _e76 = params.member.member_2.member_1;
-        if (_e76 == 0u) {
-            phi_177_ = _e73;
+        let _e67 = params.member.member.member_2[_e62[0]];
+        let _e70 = params.member.member_1.member_1;
+        let _e72 = ((_e67 + _e70) + _e52);
+        let _e75 = params.member.member_2.member_1;
+        if (_e75 == 0u) {
+            phi_176_ = _e72;
         } else {
-            let _e79 = order.member[_e73];
-            phi_177_ = _e79;
+            let _e78 = order.member[_e72];
+            phi_176_ = _e78;
         }
-        let _e81 = phi_177_;
-        let _e83 = boxes.member[_e81];
-        let _e99 = params.member.member.member_2[_e62[0]];
-        let _e100 = (_e81 - _e99);
-        let _e104 = params.member.member.member_2[_e62[1]];
-        let _e108 = params.member.member.member[_e62[1]];
-        let _e109 = (_e108 - 1u);
-        if (_e109 == 0u) {
-            let _e112 = order.member[_e104];
-            let _e114 = boxes.member[_e112];
-            if ((((((_e114.member.x <= _e83.member_1.y) && (_e83.member.x <= _e114.member_1.y)) && (_e114.member.y <= _e83.member_2.x)) && (_e83.member.y <= _e114.member_2.x)) && (_e114.member_1.x <= _e83.member_2.y)) && (_e83.member_1.x <= _e114.member_2.y)) {
-                let _e140 = params.member.member_2.member;
-                if (_e140 == 0u) {
-                    phi_276_ = array<u32, 2>(0u, 2u);
+        let _e80 = phi_176_;
+        let _e81 = (_e80 - _e67);
+        let _e83 = boxes.member[_e80];
+        let _e98 = params.member.member_2.member;
+        if (_e98 == 0u) {
+            phi_203_ = array<u32, 2>(0u, 2u);
+        } else {
+            phi_203_ = array<u32, 2>(1u, 1u);
+        }
+        let _e101 = phi_203_;
+        let _e106 = params.member.member.member_2[_e101[1]];
+        let _e110 = params.member.member.member[_e101[1]];
+        let _e111 = (_e110 - 1u);
+        if (_e111 == 0u) {
+            let _e115 = params.member.member_2.member;
+            if (_e115 == 0u) {
+                phi_234_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_234_ = array<u32, 2>(1u, 1u);
+            }
+            let _e118 = phi_234_;
+            let _e123 = params.member.member.member_2[_e118[1]];
+            let _e125 = order.member[_e123];
+            let _e127 = boxes.member[_e125];
+            if ((((((_e127.member.x <= _e83.member_1.y) && (_e83.member.x <= _e127.member_1.y)) && (_e127.member.y <= _e83.member_2.x)) && (_e83.member.y <= _e127.member_2.x)) && (_e127.member_1.x <= _e83.member_2.y)) && (_e83.member_1.x <= _e127.member_2.y)) {
+                let _e153 = params.member.member_2.member;
+                if (_e153 == 0u) {
+                    phi_297_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_276_ = array<u32, 2>(1u, 1u);
+                    phi_297_ = array<u32, 2>(1u, 1u);
                 }
-                let _e143 = phi_276_;
-                let _e148 = params.member.member.member_2[_e143[1]];
-                let _e150 = order.member[_e148];
-                let _e151 = (_e150 - _e148);
-                let _e154 = params.member.member_2.member;
-                if (_e154 == 0u) {
-                    phi_309_ = true;
+                let _e156 = phi_297_;
+                let _e161 = params.member.member.member_2[_e156[1]];
+                let _e163 = order.member[_e161];
+                let _e164 = (_e163 - _e161);
+                let _e167 = params.member.member_2.member;
+                if (_e167 == 0u) {
+                    phi_330_ = true;
                 } else {
-                    phi_309_ = (_e151 > _e100);
+                    phi_330_ = (_e164 > _e81);
                 }
-                let _e158 = phi_309_;
-                if _e158 {
-                    let _e161 = params.member.member_1.member_3;
-                    let _e163 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e163 + 1u) < _e163) {
-                        let _e167 = atomicAdd((&pairs.member[2u]), 1u);
+                let _e171 = phi_330_;
+                if _e171 {
+                    let _e174 = params.member.member_1.member_3;
+                    let _e176 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e176 + 1u) < _e176) {
+                        let _e180 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e163 < _e161) {
-                        let _e169 = (2u * _e163);
-                        atomicStore((&pairs.member[(4u + _e169)]), _e100);
-                        atomicStore((&pairs.member[(_e169 + 5u)]), _e151);
+                    if (_e176 < _e174) {
+                        let _e182 = (2u * _e176);
+                        atomicStore((&pairs.member[(4u + _e182)]), _e81);
+                        atomicStore((&pairs.member[(_e182 + 5u)]), _e164);
                     }
                 }
             }
         }
         local_1 = type_32(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_379_ = type_9(0u, _e109);
+        phi_400_ = type_9(0u, _e111);
         loop {
-            let _e176 = phi_379_;
-            if (_e176.member < _e176.member_1) {
-                phi_380_ = type_9((_e176.member + 1u), _e176.member_1);
-                phi_403_ = type_9(1u, _e176.member);
+            let _e189 = phi_400_;
+            if (_e189.member < _e189.member_1) {
+                phi_401_ = type_9((_e189.member + 1u), _e189.member_1);
+                phi_424_ = type_9(1u, _e189.member);
             } else {
-                phi_380_ = _e176;
-                phi_403_ = type_9(0u, type_9().member_1);
+                phi_401_ = _e189;
+                phi_424_ = type_9(0u, type_9().member_1);
             }
-            let _e188 = phi_380_;
-            let _e190 = phi_403_;
-            if (bitcast<i32>(_e190.member) != 0i) {
-                let _e195 = local_1.member_3;
-                if _e195 {
-                    let _e197 = local_1.member_2;
-                    let _e200 = oriented.member[(_e104 + _e197)];
-                    let _e237 = ((_e83.member.x * 0.5f) + (_e83.member_1.y * 0.5f));
-                    let _e238 = ((_e83.member.y * 0.5f) + (_e83.member_2.x * 0.5f));
-                    let _e239 = ((_e83.member_1.x * 0.5f) + (_e83.member_2.y * 0.5f));
-                    if (_e237 < _e83.member_1.y) {
-                        phi_457_ = _e237;
+            let _e201 = phi_401_;
+            let _e203 = phi_424_;
+            if (bitcast<i32>(_e203.member) != 0i) {
+                let _e208 = local_1.member_3;
+                if _e208 {
+                    let _e210 = local_1.member_2;
+                    let _e213 = oriented.member[(_e106 + _e210)];
+                    let _e250 = ((_e83.member.x * 0.5f) + (_e83.member_1.y * 0.5f));
+                    let _e251 = ((_e83.member.y * 0.5f) + (_e83.member_2.x * 0.5f));
+                    let _e252 = ((_e83.member_1.x * 0.5f) + (_e83.member_2.y * 0.5f));
+                    if (_e250 < _e83.member_1.y) {
+                        phi_478_ = _e250;
                     } else {
-                        phi_457_ = _e83.member_1.y;
+                        phi_478_ = _e83.member_1.y;
                     }
-                    let _e242 = phi_457_;
-                    if (_e238 < _e83.member_2.x) {
-                        phi_462_ = _e238;
+                    let _e255 = phi_478_;
+                    if (_e251 < _e83.member_2.x) {
+                        phi_483_ = _e251;
                     } else {
-                        phi_462_ = _e83.member_2.x;
+                        phi_483_ = _e83.member_2.x;
                     }
-                    let _e245 = phi_462_;
-                    if (_e239 < _e83.member_2.y) {
-                        phi_467_ = _e239;
+                    let _e258 = phi_483_;
+                    if (_e252 < _e83.member_2.y) {
+                        phi_488_ = _e252;
                     } else {
-                        phi_467_ = _e83.member_2.y;
+                        phi_488_ = _e83.member_2.y;
                     }
-                    let _e248 = phi_467_;
-                    if (_e242 > _e83.member.x) {
-                        phi_472_ = _e242;
+                    let _e261 = phi_488_;
+                    if (_e255 > _e83.member.x) {
+                        phi_493_ = _e255;
                     } else {
-                        phi_472_ = _e83.member.x;
+                        phi_493_ = _e83.member.x;
                     }
-                    let _e251 = phi_472_;
-                    if (_e245 > _e83.member.y) {
-                        phi_477_ = _e245;
+                    let _e264 = phi_493_;
+                    if (_e258 > _e83.member.y) {
+                        phi_498_ = _e258;
                     } else {
-                        phi_477_ = _e83.member.y;
+                        phi_498_ = _e83.member.y;
                     }
-                    let _e254 = phi_477_;
-                    if (_e248 > _e83.member_1.x) {
-                        phi_482_ = _e248;
+                    let _e267 = phi_498_;
+                    if (_e261 > _e83.member_1.x) {
+                        phi_503_ = _e261;
                     } else {
-                        phi_482_ = _e83.member_1.x;
+                        phi_503_ = _e83.member_1.x;
                     }
-                    let _e257 = phi_482_;
-                    let _e258 = (_e83.member_1.y - _e251);
-                    let _e259 = (_e83.member_2.x - _e254);
-                    let _e260 = (_e83.member_2.y - _e257);
-                    let _e261 = (_e251 - _e83.member.x);
-                    let _e262 = (_e254 - _e83.member.y);
-                    let _e263 = (_e257 - _e83.member_1.x);
-                    if (_e258 > _e261) {
-                        phi_493_ = _e258;
+                    let _e270 = phi_503_;
+                    let _e271 = (_e83.member_1.y - _e264);
+                    let _e272 = (_e83.member_2.x - _e267);
+                    let _e273 = (_e83.member_2.y - _e270);
+                    let _e274 = (_e264 - _e83.member.x);
+                    let _e275 = (_e267 - _e83.member.y);
+                    let _e276 = (_e270 - _e83.member_1.x);
+                    if (_e271 > _e274) {
+                        phi_514_ = _e271;
                     } else {
-                        phi_493_ = _e261;
+                        phi_514_ = _e274;
                     }
-                    let _e266 = phi_493_;
-                    if (_e259 > _e262) {
-                        phi_498_ = _e259;
+                    let _e279 = phi_514_;
+                    if (_e272 > _e275) {
+                        phi_519_ = _e272;
                     } else {
-                        phi_498_ = _e262;
+                        phi_519_ = _e275;
                     }
-                    let _e269 = phi_498_;
-                    if (_e260 > _e263) {
-                        phi_503_ = _e260;
+                    let _e282 = phi_519_;
+                    if (_e273 > _e276) {
+                        phi_524_ = _e273;
                     } else {
-                        phi_503_ = _e263;
+                        phi_524_ = _e276;
                     }
-                    let _e272 = phi_503_;
-                    let _e274 = (1f + (0.000000059604645f * 4f));
-                    let _e278 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    let _e279 = ((_e266 * _e274) + _e278);
-                    let _e280 = ((_e269 * _e274) + _e278);
-                    let _e281 = ((_e272 * _e274) + _e278);
-                    let _e282 = (_e200.member.x - _e251);
-                    let _e283 = (_e200.member.y - _e254);
-                    let _e284 = (_e200.member.z - _e257);
-                    if (_e282 < 0f) {
-                        phi_543_ = -(_e282);
+                    let _e285 = phi_524_;
+                    let _e287 = (1f + (0.000000059604645f * 4f));
+                    let _e291 = (0.000000000000000000000000000000000000011754944f * 8f);
+                    let _e292 = ((_e279 * _e287) + _e291);
+                    let _e293 = ((_e282 * _e287) + _e291);
+                    let _e294 = ((_e285 * _e287) + _e291);
+                    let _e295 = (_e213.member.x - _e264);
+                    let _e296 = (_e213.member.y - _e267);
+                    let _e297 = (_e213.member.z - _e270);
+                    if (_e295 < 0f) {
+                        phi_564_ = -(_e295);
                     } else {
-                        phi_543_ = _e282;
+                        phi_564_ = _e295;
                     }
-                    let _e303 = phi_543_;
-                    if (_e283 < 0f) {
-                        phi_549_ = -(_e283);
+                    let _e316 = phi_564_;
+                    if (_e296 < 0f) {
+                        phi_570_ = -(_e296);
                     } else {
-                        phi_549_ = _e283;
+                        phi_570_ = _e296;
                     }
-                    let _e307 = phi_549_;
-                    if (_e284 < 0f) {
-                        phi_556_ = -(_e284);
+                    let _e320 = phi_570_;
+                    if (_e297 < 0f) {
+                        phi_577_ = -(_e297);
                     } else {
-                        phi_556_ = _e284;
+                        phi_577_ = _e297;
                     }
-                    let _e312 = phi_556_;
-                    if (_e279 < 0f) {
-                        phi_563_ = -(_e279);
+                    let _e325 = phi_577_;
+                    if (_e292 < 0f) {
+                        phi_584_ = -(_e292);
                     } else {
-                        phi_563_ = _e279;
+                        phi_584_ = _e292;
                     }
-                    let _e317 = phi_563_;
-                    if (_e280 < 0f) {
-                        phi_569_ = -(_e280);
+                    let _e330 = phi_584_;
+                    if (_e293 < 0f) {
+                        phi_590_ = -(_e293);
                     } else {
-                        phi_569_ = _e280;
+                        phi_590_ = _e293;
                     }
-                    let _e321 = phi_569_;
-                    if (_e281 < 0f) {
-                        phi_576_ = -(_e281);
+                    let _e334 = phi_590_;
+                    if (_e294 < 0f) {
+                        phi_597_ = -(_e294);
                     } else {
-                        phi_576_ = _e281;
+                        phi_597_ = _e294;
                     }
-                    let _e326 = phi_576_;
-                    if (_e200.member_3.x < 0f) {
-                        phi_583_ = -(_e200.member_3.x);
+                    let _e339 = phi_597_;
+                    if (_e213.member_3.x < 0f) {
+                        phi_604_ = -(_e213.member_3.x);
                     } else {
-                        phi_583_ = _e200.member_3.x;
+                        phi_604_ = _e213.member_3.x;
                     }
-                    let _e331 = phi_583_;
-                    if (_e200.member_3.y < 0f) {
-                        phi_589_ = -(_e200.member_3.y);
+                    let _e344 = phi_604_;
+                    if (_e213.member_3.y < 0f) {
+                        phi_610_ = -(_e213.member_3.y);
                     } else {
-                        phi_589_ = _e200.member_3.y;
+                        phi_610_ = _e213.member_3.y;
                     }
-                    let _e335 = phi_589_;
-                    if (_e200.member_3.z < 0f) {
-                        phi_596_ = -(_e200.member_3.z);
+                    let _e348 = phi_610_;
+                    if (_e213.member_3.z < 0f) {
+                        phi_617_ = -(_e213.member_3.z);
                     } else {
-                        phi_596_ = _e200.member_3.z;
+                        phi_617_ = _e213.member_3.z;
                     }
-                    let _e340 = phi_596_;
-                    local = type_26(array<array<f32, 3>, 3>(array<f32, 3>(_e200.member.w, _e200.member_1.z, _e200.member_2.y), array<f32, 3>(_e200.member_1.x, _e200.member_1.w, _e200.member_2.z), array<f32, 3>(_e200.member_1.y, _e200.member_2.x, _e200.member_2.w)), array<f32, 3>(_e282, _e283, _e284), array<f32, 3>((((_e200.member.w * _e282) + (_e200.member_1.x * _e283)) + (_e200.member_1.y * _e284)), (((_e200.member_1.z * _e282) + (_e200.member_1.w * _e283)) + (_e200.member_2.x * _e284)), (((_e200.member_2.y * _e282) + (_e200.member_2.z * _e283)) + (_e200.member_2.w * _e284))), array<f32, 3>(_e279, _e280, _e281), array<f32, 3>(_e200.member_3.x, _e200.member_3.y, _e200.member_3.z), ((((((_e303 + _e307) + _e312) + (((_e317 + _e321) + _e326) + ((_e331 + _e335) + _e340))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                    let _e361 = local.member[0u][0u];
-                    let _e365 = local.member[0u][1u];
-                    let _e369 = local.member[0u][2u];
-                    let _e373 = local.member[1u][0u];
-                    let _e377 = local.member[1u][1u];
-                    let _e381 = local.member[1u][2u];
-                    let _e385 = local.member[2u][0u];
-                    let _e389 = local.member[2u][1u];
-                    let _e393 = local.member[2u][2u];
-                    let _e395 = local.member_3;
-                    let _e400 = local.member_4;
-                    let _e406 = local.member_1[0u];
+                    let _e353 = phi_617_;
+                    local = type_26(array<array<f32, 3>, 3>(array<f32, 3>(_e213.member.w, _e213.member_1.z, _e213.member_2.y), array<f32, 3>(_e213.member_1.x, _e213.member_1.w, _e213.member_2.z), array<f32, 3>(_e213.member_1.y, _e213.member_2.x, _e213.member_2.w)), array<f32, 3>(_e295, _e296, _e297), array<f32, 3>((((_e213.member.w * _e295) + (_e213.member_1.x * _e296)) + (_e213.member_1.y * _e297)), (((_e213.member_1.z * _e295) + (_e213.member_1.w * _e296)) + (_e213.member_2.x * _e297)), (((_e213.member_2.y * _e295) + (_e213.member_2.z * _e296)) + (_e213.member_2.w * _e297))), array<f32, 3>(_e292, _e293, _e294), array<f32, 3>(_e213.member_3.x, _e213.member_3.y, _e213.member_3.z), ((((((_e316 + _e320) + _e325) + (((_e330 + _e334) + _e339) + ((_e344 + _e348) + _e353))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                    let _e374 = local.member[0u][0u];
+                    let _e378 = local.member[0u][1u];
+                    let _e382 = local.member[0u][2u];
+                    let _e386 = local.member[1u][0u];
+                    let _e390 = local.member[1u][1u];
+                    let _e394 = local.member[1u][2u];
+                    let _e398 = local.member[2u][0u];
+                    let _e402 = local.member[2u][1u];
+                    let _e406 = local.member[2u][2u];
+                    let _e408 = local.member_3;
+                    let _e413 = local.member_4;
+                    let _e419 = local.member_1[0u];
+                    if (_e419 < 0f) {
+                        phi_710_ = -(_e419);
+                    } else {
+                        phi_710_ = _e419;
+                    }
+                    let _e423 = phi_710_;
+                    if (_e374 < 0f) {
+                        phi_717_ = -(_e374);
+                    } else {
+                        phi_717_ = _e374;
+                    }
+                    let _e427 = phi_717_;
+                    if (_e378 < 0f) {
+                        phi_723_ = -(_e378);
+                    } else {
+                        phi_723_ = _e378;
+                    }
+                    let _e431 = phi_723_;
+                    if (_e382 < 0f) {
+                        phi_729_ = -(_e382);
+                    } else {
+                        phi_729_ = _e382;
+                    }
+                    let _e435 = phi_729_;
+                    let _e442 = (_e423 - (_e408[0] + (((_e427 * _e413[0]) + (_e431 * _e413[1])) + (_e435 * _e413[2]))));
+                    let _e445 = local.member_1[1u];
+                    if (_e445 < 0f) {
+                        phi_748_ = -(_e445);
+                    } else {
+                        phi_748_ = _e445;
+                    }
+                    let _e449 = phi_748_;
+                    if (_e386 < 0f) {
+                        phi_755_ = -(_e386);
+                    } else {
+                        phi_755_ = _e386;
+                    }
+                    let _e453 = phi_755_;
+                    if (_e390 < 0f) {
+                        phi_761_ = -(_e390);
+                    } else {
+                        phi_761_ = _e390;
+                    }
+                    let _e457 = phi_761_;
+                    if (_e394 < 0f) {
+                        phi_767_ = -(_e394);
+                    } else {
+                        phi_767_ = _e394;
+                    }
+                    let _e461 = phi_767_;
+                    let _e468 = (_e449 - (_e408[1] + (((_e453 * _e413[0]) + (_e457 * _e413[1])) + (_e461 * _e413[2]))));
+                    let _e471 = local.member_1[2u];
+                    if (_e471 < 0f) {
+                        phi_786_ = -(_e471);
+                    } else {
+                        phi_786_ = _e471;
+                    }
+                    let _e475 = phi_786_;
+                    if (_e398 < 0f) {
+                        phi_793_ = -(_e398);
+                    } else {
+                        phi_793_ = _e398;
+                    }
+                    let _e479 = phi_793_;
+                    if (_e402 < 0f) {
+                        phi_799_ = -(_e402);
+                    } else {
+                        phi_799_ = _e402;
+                    }
+                    let _e483 = phi_799_;
                     if (_e406 < 0f) {
-                        phi_689_ = -(_e406);
+                        phi_805_ = -(_e406);
                     } else {
-                        phi_689_ = _e406;
+                        phi_805_ = _e406;
                     }
-                    let _e410 = phi_689_;
-                    if (_e361 < 0f) {
-                        phi_696_ = -(_e361);
+                    let _e487 = phi_805_;
+                    let _e494 = (_e475 - (_e408[2] + (((_e479 * _e413[0]) + (_e483 * _e413[1])) + (_e487 * _e413[2]))));
+                    let _e497 = local.member_2[0u];
+                    if (_e497 < 0f) {
+                        phi_824_ = -(_e497);
                     } else {
-                        phi_696_ = _e361;
+                        phi_824_ = _e497;
                     }
-                    let _e414 = phi_696_;
-                    if (_e365 < 0f) {
-                        phi_702_ = -(_e365);
+                    let _e501 = phi_824_;
+                    if (_e374 < 0f) {
+                        phi_831_ = -(_e374);
                     } else {
-                        phi_702_ = _e365;
+                        phi_831_ = _e374;
                     }
-                    let _e418 = phi_702_;
-                    if (_e369 < 0f) {
-                        phi_708_ = -(_e369);
+                    let _e505 = phi_831_;
+                    if (_e386 < 0f) {
+                        phi_837_ = -(_e386);
                     } else {
-                        phi_708_ = _e369;
+                        phi_837_ = _e386;
                     }
-                    let _e422 = phi_708_;
-                    let _e429 = (_e410 - (_e395[0] + (((_e414 * _e400[0]) + (_e418 * _e400[1])) + (_e422 * _e400[2]))));
-                    let _e432 = local.member_1[1u];
-                    if (_e432 < 0f) {
-                        phi_727_ = -(_e432);
+                    let _e509 = phi_837_;
+                    if (_e398 < 0f) {
+                        phi_843_ = -(_e398);
                     } else {
-                        phi_727_ = _e432;
+                        phi_843_ = _e398;
                     }
-                    let _e436 = phi_727_;
-                    if (_e373 < 0f) {
-                        phi_734_ = -(_e373);
+                    let _e513 = phi_843_;
+                    let _e520 = (_e501 - (_e413[0] + (((_e505 * _e408[0]) + (_e509 * _e408[1])) + (_e513 * _e408[2]))));
+                    let _e523 = local.member_2[1u];
+                    if (_e523 < 0f) {
+                        phi_862_ = -(_e523);
                     } else {
-                        phi_734_ = _e373;
+                        phi_862_ = _e523;
                     }
-                    let _e440 = phi_734_;
-                    if (_e377 < 0f) {
-                        phi_740_ = -(_e377);
+                    let _e527 = phi_862_;
+                    if (_e378 < 0f) {
+                        phi_869_ = -(_e378);
                     } else {
-                        phi_740_ = _e377;
+                        phi_869_ = _e378;
                     }
-                    let _e444 = phi_740_;
-                    if (_e381 < 0f) {
-                        phi_746_ = -(_e381);
+                    let _e531 = phi_869_;
+                    if (_e390 < 0f) {
+                        phi_875_ = -(_e390);
                     } else {
-                        phi_746_ = _e381;
+                        phi_875_ = _e390;
                     }
-                    let _e448 = phi_746_;
-                    let _e455 = (_e436 - (_e395[1] + (((_e440 * _e400[0]) + (_e444 * _e400[1])) + (_e448 * _e400[2]))));
-                    let _e458 = local.member_1[2u];
-                    if (_e458 < 0f) {
-                        phi_765_ = -(_e458);
+                    let _e535 = phi_875_;
+                    if (_e402 < 0f) {
+                        phi_881_ = -(_e402);
                     } else {
-                        phi_765_ = _e458;
+                        phi_881_ = _e402;
                     }
-                    let _e462 = phi_765_;
-                    if (_e385 < 0f) {
-                        phi_772_ = -(_e385);
+                    let _e539 = phi_881_;
+                    let _e546 = (_e527 - (_e413[1] + (((_e531 * _e408[0]) + (_e535 * _e408[1])) + (_e539 * _e408[2]))));
+                    let _e549 = local.member_2[2u];
+                    if (_e549 < 0f) {
+                        phi_900_ = -(_e549);
                     } else {
-                        phi_772_ = _e385;
+                        phi_900_ = _e549;
                     }
-                    let _e466 = phi_772_;
-                    if (_e389 < 0f) {
-                        phi_778_ = -(_e389);
+                    let _e553 = phi_900_;
+                    if (_e382 < 0f) {
+                        phi_907_ = -(_e382);
                     } else {
-                        phi_778_ = _e389;
+                        phi_907_ = _e382;
                     }
-                    let _e470 = phi_778_;
-                    if (_e393 < 0f) {
-                        phi_784_ = -(_e393);
+                    let _e557 = phi_907_;
+                    if (_e394 < 0f) {
+                        phi_913_ = -(_e394);
                     } else {
-                        phi_784_ = _e393;
+                        phi_913_ = _e394;
                     }
-                    let _e474 = phi_784_;
-                    let _e481 = (_e462 - (_e395[2] + (((_e466 * _e400[0]) + (_e470 * _e400[1])) + (_e474 * _e400[2]))));
-                    let _e484 = local.member_2[0u];
-                    if (_e484 < 0f) {
-                        phi_803_ = -(_e484);
+                    let _e561 = phi_913_;
+                    if (_e406 < 0f) {
+                        phi_919_ = -(_e406);
                     } else {
-                        phi_803_ = _e484;
+                        phi_919_ = _e406;
                     }
-                    let _e488 = phi_803_;
-                    if (_e361 < 0f) {
-                        phi_810_ = -(_e361);
+                    let _e565 = phi_919_;
+                    let _e572 = (_e553 - (_e413[2] + (((_e557 * _e408[0]) + (_e561 * _e408[1])) + (_e565 * _e408[2]))));
+                    if (_e442 > _e468) {
+                        phi_934_ = _e442;
                     } else {
-                        phi_810_ = _e361;
+                        phi_934_ = _e468;
                     }
-                    let _e492 = phi_810_;
-                    if (_e373 < 0f) {
-                        phi_816_ = -(_e373);
+                    let _e575 = phi_934_;
+                    if (_e575 > _e494) {
+                        phi_939_ = _e575;
                     } else {
-                        phi_816_ = _e373;
+                        phi_939_ = _e494;
                     }
-                    let _e496 = phi_816_;
-                    if (_e385 < 0f) {
-                        phi_822_ = -(_e385);
+                    let _e578 = phi_939_;
+                    if (_e520 > _e546) {
+                        phi_944_ = _e520;
                     } else {
-                        phi_822_ = _e385;
+                        phi_944_ = _e546;
                     }
-                    let _e500 = phi_822_;
-                    let _e507 = (_e488 - (_e400[0] + (((_e492 * _e395[0]) + (_e496 * _e395[1])) + (_e500 * _e395[2]))));
-                    let _e510 = local.member_2[1u];
-                    if (_e510 < 0f) {
-                        phi_841_ = -(_e510);
+                    let _e581 = phi_944_;
+                    if (_e581 > _e572) {
+                        phi_949_ = _e581;
                     } else {
-                        phi_841_ = _e510;
+                        phi_949_ = _e572;
                     }
-                    let _e514 = phi_841_;
-                    if (_e365 < 0f) {
-                        phi_848_ = -(_e365);
+                    let _e584 = phi_949_;
+                    if (_e578 > _e584) {
+                        phi_954_ = _e578;
                     } else {
-                        phi_848_ = _e365;
+                        phi_954_ = _e584;
                     }
-                    let _e518 = phi_848_;
-                    if (_e377 < 0f) {
-                        phi_854_ = -(_e377);
+                    let _e587 = phi_954_;
+                    let _e589 = local.member_5;
+                    if (_e587 > _e589) {
+                        phi_2267_ = true;
                     } else {
-                        phi_854_ = _e377;
-                    }
-                    let _e522 = phi_854_;
-                    if (_e389 < 0f) {
-                        phi_860_ = -(_e389);
-                    } else {
-                        phi_860_ = _e389;
-                    }
-                    let _e526 = phi_860_;
-                    let _e533 = (_e514 - (_e400[1] + (((_e518 * _e395[0]) + (_e522 * _e395[1])) + (_e526 * _e395[2]))));
-                    let _e536 = local.member_2[2u];
-                    if (_e536 < 0f) {
-                        phi_879_ = -(_e536);
-                    } else {
-                        phi_879_ = _e536;
-                    }
-                    let _e540 = phi_879_;
-                    if (_e369 < 0f) {
-                        phi_886_ = -(_e369);
-                    } else {
-                        phi_886_ = _e369;
-                    }
-                    let _e544 = phi_886_;
-                    if (_e381 < 0f) {
-                        phi_892_ = -(_e381);
-                    } else {
-                        phi_892_ = _e381;
-                    }
-                    let _e548 = phi_892_;
-                    if (_e393 < 0f) {
-                        phi_898_ = -(_e393);
-                    } else {
-                        phi_898_ = _e393;
-                    }
-                    let _e552 = phi_898_;
-                    let _e559 = (_e540 - (_e400[2] + (((_e544 * _e395[0]) + (_e548 * _e395[1])) + (_e552 * _e395[2]))));
-                    if (_e429 > _e455) {
-                        phi_913_ = _e429;
-                    } else {
-                        phi_913_ = _e455;
-                    }
-                    let _e562 = phi_913_;
-                    if (_e562 > _e481) {
-                        phi_918_ = _e562;
-                    } else {
-                        phi_918_ = _e481;
-                    }
-                    let _e565 = phi_918_;
-                    if (_e507 > _e533) {
-                        phi_923_ = _e507;
-                    } else {
-                        phi_923_ = _e533;
-                    }
-                    let _e568 = phi_923_;
-                    if (_e568 > _e559) {
-                        phi_928_ = _e568;
-                    } else {
-                        phi_928_ = _e559;
-                    }
-                    let _e571 = phi_928_;
-                    if (_e565 > _e571) {
-                        phi_933_ = _e565;
-                    } else {
-                        phi_933_ = _e571;
-                    }
-                    let _e574 = phi_933_;
-                    let _e576 = local.member_5;
-                    if (_e574 > _e576) {
-                        phi_2246_ = true;
-                    } else {
-                        let _e581 = local.member[1u][0u];
-                        let _e584 = local.member_1[2u];
-                        let _e589 = local.member[2u][0u];
-                        let _e592 = local.member_1[1u];
-                        let _e594 = ((_e581 * _e584) - (_e589 * _e592));
-                        let _e598 = local.member[2u][0u];
-                        if (_e598 < 0f) {
-                            phi_992_ = -(_e598);
+                        let _e594 = local.member[1u][0u];
+                        let _e597 = local.member_1[2u];
+                        let _e602 = local.member[2u][0u];
+                        let _e605 = local.member_1[1u];
+                        let _e607 = ((_e594 * _e597) - (_e602 * _e605));
+                        let _e611 = local.member[2u][0u];
+                        if (_e611 < 0f) {
+                            phi_1013_ = -(_e611);
                         } else {
-                            phi_992_ = _e598;
+                            phi_1013_ = _e611;
                         }
-                        let _e602 = phi_992_;
-                        let _e605 = local.member_3[1u];
-                        let _e610 = local.member[1u][0u];
-                        if (_e610 < 0f) {
-                            phi_1015_ = -(_e610);
-                        } else {
-                            phi_1015_ = _e610;
-                        }
-                        let _e614 = phi_1015_;
-                        let _e617 = local.member_3[2u];
-                        let _e623 = local.member[0u][2u];
+                        let _e615 = phi_1013_;
+                        let _e618 = local.member_3[1u];
+                        let _e623 = local.member[1u][0u];
                         if (_e623 < 0f) {
-                            phi_1038_ = -(_e623);
+                            phi_1036_ = -(_e623);
                         } else {
-                            phi_1038_ = _e623;
+                            phi_1036_ = _e623;
                         }
-                        let _e627 = phi_1038_;
-                        let _e630 = local.member_4[1u];
-                        let _e635 = local.member[0u][1u];
-                        if (_e635 < 0f) {
-                            phi_1060_ = -(_e635);
+                        let _e627 = phi_1036_;
+                        let _e630 = local.member_3[2u];
+                        let _e636 = local.member[0u][2u];
+                        if (_e636 < 0f) {
+                            phi_1059_ = -(_e636);
                         } else {
-                            phi_1060_ = _e635;
+                            phi_1059_ = _e636;
                         }
-                        let _e639 = phi_1060_;
-                        let _e642 = local.member_4[2u];
-                        if (_e594 < 0f) {
-                            phi_1076_ = -(_e594);
+                        let _e640 = phi_1059_;
+                        let _e643 = local.member_4[1u];
+                        let _e648 = local.member[0u][1u];
+                        if (_e648 < 0f) {
+                            phi_1081_ = -(_e648);
                         } else {
-                            phi_1076_ = _e594;
+                            phi_1081_ = _e648;
                         }
-                        let _e648 = phi_1076_;
-                        let _e650 = (_e648 - (((_e602 * _e605) + (_e614 * _e617)) + ((_e627 * _e630) + (_e639 * _e642))));
-                        let _e654 = local.member[1u][1u];
-                        let _e657 = local.member_1[2u];
-                        let _e662 = local.member[2u][1u];
-                        let _e665 = local.member_1[1u];
-                        let _e667 = ((_e654 * _e657) - (_e662 * _e665));
-                        let _e671 = local.member[2u][1u];
-                        if (_e671 < 0f) {
-                            phi_1131_ = -(_e671);
+                        let _e652 = phi_1081_;
+                        let _e655 = local.member_4[2u];
+                        if (_e607 < 0f) {
+                            phi_1097_ = -(_e607);
                         } else {
-                            phi_1131_ = _e671;
+                            phi_1097_ = _e607;
                         }
-                        let _e675 = phi_1131_;
-                        let _e678 = local.member_3[1u];
-                        let _e683 = local.member[1u][1u];
-                        if (_e683 < 0f) {
-                            phi_1154_ = -(_e683);
+                        let _e661 = phi_1097_;
+                        let _e663 = (_e661 - (((_e615 * _e618) + (_e627 * _e630)) + ((_e640 * _e643) + (_e652 * _e655))));
+                        let _e667 = local.member[1u][1u];
+                        let _e670 = local.member_1[2u];
+                        let _e675 = local.member[2u][1u];
+                        let _e678 = local.member_1[1u];
+                        let _e680 = ((_e667 * _e670) - (_e675 * _e678));
+                        let _e684 = local.member[2u][1u];
+                        if (_e684 < 0f) {
+                            phi_1152_ = -(_e684);
                         } else {
-                            phi_1154_ = _e683;
+                            phi_1152_ = _e684;
                         }
-                        let _e687 = phi_1154_;
-                        let _e690 = local.member_3[2u];
-                        let _e696 = local.member[0u][0u];
+                        let _e688 = phi_1152_;
+                        let _e691 = local.member_3[1u];
+                        let _e696 = local.member[1u][1u];
                         if (_e696 < 0f) {
-                            phi_1177_ = -(_e696);
+                            phi_1175_ = -(_e696);
                         } else {
-                            phi_1177_ = _e696;
+                            phi_1175_ = _e696;
                         }
-                        let _e700 = phi_1177_;
-                        let _e703 = local.member_4[2u];
-                        let _e708 = local.member[0u][2u];
-                        if (_e708 < 0f) {
-                            phi_1199_ = -(_e708);
+                        let _e700 = phi_1175_;
+                        let _e703 = local.member_3[2u];
+                        let _e709 = local.member[0u][0u];
+                        if (_e709 < 0f) {
+                            phi_1198_ = -(_e709);
                         } else {
-                            phi_1199_ = _e708;
+                            phi_1198_ = _e709;
                         }
-                        let _e712 = phi_1199_;
-                        let _e715 = local.member_4[0u];
-                        if (_e667 < 0f) {
-                            phi_1215_ = -(_e667);
+                        let _e713 = phi_1198_;
+                        let _e716 = local.member_4[2u];
+                        let _e721 = local.member[0u][2u];
+                        if (_e721 < 0f) {
+                            phi_1220_ = -(_e721);
                         } else {
-                            phi_1215_ = _e667;
+                            phi_1220_ = _e721;
                         }
-                        let _e721 = phi_1215_;
-                        let _e723 = (_e721 - (((_e675 * _e678) + (_e687 * _e690)) + ((_e700 * _e703) + (_e712 * _e715))));
-                        let _e727 = local.member[1u][2u];
-                        let _e730 = local.member_1[2u];
-                        let _e735 = local.member[2u][2u];
-                        let _e738 = local.member_1[1u];
-                        let _e740 = ((_e727 * _e730) - (_e735 * _e738));
-                        let _e744 = local.member[2u][2u];
-                        if (_e744 < 0f) {
-                            phi_1270_ = -(_e744);
+                        let _e725 = phi_1220_;
+                        let _e728 = local.member_4[0u];
+                        if (_e680 < 0f) {
+                            phi_1236_ = -(_e680);
                         } else {
-                            phi_1270_ = _e744;
+                            phi_1236_ = _e680;
                         }
-                        let _e748 = phi_1270_;
-                        let _e751 = local.member_3[1u];
-                        let _e756 = local.member[1u][2u];
-                        if (_e756 < 0f) {
-                            phi_1293_ = -(_e756);
+                        let _e734 = phi_1236_;
+                        let _e736 = (_e734 - (((_e688 * _e691) + (_e700 * _e703)) + ((_e713 * _e716) + (_e725 * _e728))));
+                        let _e740 = local.member[1u][2u];
+                        let _e743 = local.member_1[2u];
+                        let _e748 = local.member[2u][2u];
+                        let _e751 = local.member_1[1u];
+                        let _e753 = ((_e740 * _e743) - (_e748 * _e751));
+                        let _e757 = local.member[2u][2u];
+                        if (_e757 < 0f) {
+                            phi_1291_ = -(_e757);
                         } else {
-                            phi_1293_ = _e756;
+                            phi_1291_ = _e757;
                         }
-                        let _e760 = phi_1293_;
-                        let _e763 = local.member_3[2u];
-                        let _e769 = local.member[0u][1u];
+                        let _e761 = phi_1291_;
+                        let _e764 = local.member_3[1u];
+                        let _e769 = local.member[1u][2u];
                         if (_e769 < 0f) {
-                            phi_1316_ = -(_e769);
+                            phi_1314_ = -(_e769);
                         } else {
-                            phi_1316_ = _e769;
+                            phi_1314_ = _e769;
                         }
-                        let _e773 = phi_1316_;
-                        let _e776 = local.member_4[0u];
-                        let _e781 = local.member[0u][0u];
-                        if (_e781 < 0f) {
-                            phi_1338_ = -(_e781);
+                        let _e773 = phi_1314_;
+                        let _e776 = local.member_3[2u];
+                        let _e782 = local.member[0u][1u];
+                        if (_e782 < 0f) {
+                            phi_1337_ = -(_e782);
                         } else {
-                            phi_1338_ = _e781;
+                            phi_1337_ = _e782;
                         }
-                        let _e785 = phi_1338_;
-                        let _e788 = local.member_4[1u];
-                        if (_e740 < 0f) {
-                            phi_1354_ = -(_e740);
+                        let _e786 = phi_1337_;
+                        let _e789 = local.member_4[0u];
+                        let _e794 = local.member[0u][0u];
+                        if (_e794 < 0f) {
+                            phi_1359_ = -(_e794);
                         } else {
-                            phi_1354_ = _e740;
+                            phi_1359_ = _e794;
                         }
-                        let _e794 = phi_1354_;
-                        let _e796 = (_e794 - (((_e748 * _e751) + (_e760 * _e763)) + ((_e773 * _e776) + (_e785 * _e788))));
-                        let _e800 = local.member[2u][0u];
-                        let _e803 = local.member_1[0u];
-                        let _e808 = local.member[0u][0u];
-                        let _e811 = local.member_1[2u];
-                        let _e813 = ((_e800 * _e803) - (_e808 * _e811));
-                        let _e817 = local.member[0u][0u];
-                        if (_e817 < 0f) {
-                            phi_1409_ = -(_e817);
+                        let _e798 = phi_1359_;
+                        let _e801 = local.member_4[1u];
+                        if (_e753 < 0f) {
+                            phi_1375_ = -(_e753);
                         } else {
-                            phi_1409_ = _e817;
+                            phi_1375_ = _e753;
                         }
-                        let _e821 = phi_1409_;
-                        let _e824 = local.member_3[2u];
-                        let _e829 = local.member[2u][0u];
-                        if (_e829 < 0f) {
-                            phi_1432_ = -(_e829);
+                        let _e807 = phi_1375_;
+                        let _e809 = (_e807 - (((_e761 * _e764) + (_e773 * _e776)) + ((_e786 * _e789) + (_e798 * _e801))));
+                        let _e813 = local.member[2u][0u];
+                        let _e816 = local.member_1[0u];
+                        let _e821 = local.member[0u][0u];
+                        let _e824 = local.member_1[2u];
+                        let _e826 = ((_e813 * _e816) - (_e821 * _e824));
+                        let _e830 = local.member[0u][0u];
+                        if (_e830 < 0f) {
+                            phi_1430_ = -(_e830);
                         } else {
-                            phi_1432_ = _e829;
+                            phi_1430_ = _e830;
                         }
-                        let _e833 = phi_1432_;
-                        let _e836 = local.member_3[0u];
-                        let _e842 = local.member[1u][2u];
+                        let _e834 = phi_1430_;
+                        let _e837 = local.member_3[2u];
+                        let _e842 = local.member[2u][0u];
                         if (_e842 < 0f) {
-                            phi_1456_ = -(_e842);
+                            phi_1453_ = -(_e842);
                         } else {
-                            phi_1456_ = _e842;
+                            phi_1453_ = _e842;
                         }
-                        let _e846 = phi_1456_;
-                        let _e849 = local.member_4[1u];
-                        let _e854 = local.member[1u][1u];
-                        if (_e854 < 0f) {
-                            phi_1479_ = -(_e854);
+                        let _e846 = phi_1453_;
+                        let _e849 = local.member_3[0u];
+                        let _e855 = local.member[1u][2u];
+                        if (_e855 < 0f) {
+                            phi_1477_ = -(_e855);
                         } else {
-                            phi_1479_ = _e854;
+                            phi_1477_ = _e855;
                         }
-                        let _e858 = phi_1479_;
-                        let _e861 = local.member_4[2u];
-                        if (_e813 < 0f) {
-                            phi_1495_ = -(_e813);
+                        let _e859 = phi_1477_;
+                        let _e862 = local.member_4[1u];
+                        let _e867 = local.member[1u][1u];
+                        if (_e867 < 0f) {
+                            phi_1500_ = -(_e867);
                         } else {
-                            phi_1495_ = _e813;
+                            phi_1500_ = _e867;
                         }
-                        let _e867 = phi_1495_;
-                        let _e869 = (_e867 - (((_e821 * _e824) + (_e833 * _e836)) + ((_e846 * _e849) + (_e858 * _e861))));
-                        let _e873 = local.member[2u][1u];
-                        let _e876 = local.member_1[0u];
-                        let _e881 = local.member[0u][1u];
-                        let _e884 = local.member_1[2u];
-                        let _e886 = ((_e873 * _e876) - (_e881 * _e884));
-                        let _e890 = local.member[0u][1u];
-                        if (_e890 < 0f) {
-                            phi_1550_ = -(_e890);
+                        let _e871 = phi_1500_;
+                        let _e874 = local.member_4[2u];
+                        if (_e826 < 0f) {
+                            phi_1516_ = -(_e826);
                         } else {
-                            phi_1550_ = _e890;
+                            phi_1516_ = _e826;
                         }
-                        let _e894 = phi_1550_;
-                        let _e897 = local.member_3[2u];
-                        let _e902 = local.member[2u][1u];
-                        if (_e902 < 0f) {
-                            phi_1573_ = -(_e902);
+                        let _e880 = phi_1516_;
+                        let _e882 = (_e880 - (((_e834 * _e837) + (_e846 * _e849)) + ((_e859 * _e862) + (_e871 * _e874))));
+                        let _e886 = local.member[2u][1u];
+                        let _e889 = local.member_1[0u];
+                        let _e894 = local.member[0u][1u];
+                        let _e897 = local.member_1[2u];
+                        let _e899 = ((_e886 * _e889) - (_e894 * _e897));
+                        let _e903 = local.member[0u][1u];
+                        if (_e903 < 0f) {
+                            phi_1571_ = -(_e903);
                         } else {
-                            phi_1573_ = _e902;
+                            phi_1571_ = _e903;
                         }
-                        let _e906 = phi_1573_;
-                        let _e909 = local.member_3[0u];
-                        let _e915 = local.member[1u][0u];
+                        let _e907 = phi_1571_;
+                        let _e910 = local.member_3[2u];
+                        let _e915 = local.member[2u][1u];
                         if (_e915 < 0f) {
-                            phi_1597_ = -(_e915);
+                            phi_1594_ = -(_e915);
                         } else {
-                            phi_1597_ = _e915;
+                            phi_1594_ = _e915;
                         }
-                        let _e919 = phi_1597_;
-                        let _e922 = local.member_4[2u];
-                        let _e927 = local.member[1u][2u];
-                        if (_e927 < 0f) {
-                            phi_1620_ = -(_e927);
+                        let _e919 = phi_1594_;
+                        let _e922 = local.member_3[0u];
+                        let _e928 = local.member[1u][0u];
+                        if (_e928 < 0f) {
+                            phi_1618_ = -(_e928);
                         } else {
-                            phi_1620_ = _e927;
+                            phi_1618_ = _e928;
                         }
-                        let _e931 = phi_1620_;
-                        let _e934 = local.member_4[0u];
-                        if (_e886 < 0f) {
-                            phi_1636_ = -(_e886);
+                        let _e932 = phi_1618_;
+                        let _e935 = local.member_4[2u];
+                        let _e940 = local.member[1u][2u];
+                        if (_e940 < 0f) {
+                            phi_1641_ = -(_e940);
                         } else {
-                            phi_1636_ = _e886;
+                            phi_1641_ = _e940;
                         }
-                        let _e940 = phi_1636_;
-                        let _e942 = (_e940 - (((_e894 * _e897) + (_e906 * _e909)) + ((_e919 * _e922) + (_e931 * _e934))));
-                        let _e946 = local.member[2u][2u];
-                        let _e949 = local.member_1[0u];
-                        let _e954 = local.member[0u][2u];
-                        let _e957 = local.member_1[2u];
-                        let _e959 = ((_e946 * _e949) - (_e954 * _e957));
-                        let _e963 = local.member[0u][2u];
-                        if (_e963 < 0f) {
-                            phi_1691_ = -(_e963);
+                        let _e944 = phi_1641_;
+                        let _e947 = local.member_4[0u];
+                        if (_e899 < 0f) {
+                            phi_1657_ = -(_e899);
                         } else {
-                            phi_1691_ = _e963;
+                            phi_1657_ = _e899;
                         }
-                        let _e967 = phi_1691_;
-                        let _e970 = local.member_3[2u];
-                        let _e975 = local.member[2u][2u];
-                        if (_e975 < 0f) {
-                            phi_1714_ = -(_e975);
+                        let _e953 = phi_1657_;
+                        let _e955 = (_e953 - (((_e907 * _e910) + (_e919 * _e922)) + ((_e932 * _e935) + (_e944 * _e947))));
+                        let _e959 = local.member[2u][2u];
+                        let _e962 = local.member_1[0u];
+                        let _e967 = local.member[0u][2u];
+                        let _e970 = local.member_1[2u];
+                        let _e972 = ((_e959 * _e962) - (_e967 * _e970));
+                        let _e976 = local.member[0u][2u];
+                        if (_e976 < 0f) {
+                            phi_1712_ = -(_e976);
                         } else {
-                            phi_1714_ = _e975;
+                            phi_1712_ = _e976;
                         }
-                        let _e979 = phi_1714_;
-                        let _e982 = local.member_3[0u];
-                        let _e988 = local.member[1u][1u];
+                        let _e980 = phi_1712_;
+                        let _e983 = local.member_3[2u];
+                        let _e988 = local.member[2u][2u];
                         if (_e988 < 0f) {
-                            phi_1738_ = -(_e988);
+                            phi_1735_ = -(_e988);
                         } else {
-                            phi_1738_ = _e988;
+                            phi_1735_ = _e988;
                         }
-                        let _e992 = phi_1738_;
-                        let _e995 = local.member_4[0u];
-                        let _e1000 = local.member[1u][0u];
-                        if (_e1000 < 0f) {
-                            phi_1761_ = -(_e1000);
+                        let _e992 = phi_1735_;
+                        let _e995 = local.member_3[0u];
+                        let _e1001 = local.member[1u][1u];
+                        if (_e1001 < 0f) {
+                            phi_1759_ = -(_e1001);
                         } else {
-                            phi_1761_ = _e1000;
+                            phi_1759_ = _e1001;
                         }
-                        let _e1004 = phi_1761_;
-                        let _e1007 = local.member_4[1u];
-                        if (_e959 < 0f) {
-                            phi_1777_ = -(_e959);
+                        let _e1005 = phi_1759_;
+                        let _e1008 = local.member_4[0u];
+                        let _e1013 = local.member[1u][0u];
+                        if (_e1013 < 0f) {
+                            phi_1782_ = -(_e1013);
                         } else {
-                            phi_1777_ = _e959;
+                            phi_1782_ = _e1013;
                         }
-                        let _e1013 = phi_1777_;
-                        let _e1015 = (_e1013 - (((_e967 * _e970) + (_e979 * _e982)) + ((_e992 * _e995) + (_e1004 * _e1007))));
-                        let _e1019 = local.member[0u][0u];
-                        let _e1022 = local.member_1[1u];
-                        let _e1027 = local.member[1u][0u];
-                        let _e1030 = local.member_1[0u];
-                        let _e1032 = ((_e1019 * _e1022) - (_e1027 * _e1030));
-                        let _e1036 = local.member[1u][0u];
-                        if (_e1036 < 0f) {
-                            phi_1832_ = -(_e1036);
+                        let _e1017 = phi_1782_;
+                        let _e1020 = local.member_4[1u];
+                        if (_e972 < 0f) {
+                            phi_1798_ = -(_e972);
                         } else {
-                            phi_1832_ = _e1036;
+                            phi_1798_ = _e972;
                         }
-                        let _e1040 = phi_1832_;
-                        let _e1043 = local.member_3[0u];
-                        let _e1048 = local.member[0u][0u];
-                        if (_e1048 < 0f) {
-                            phi_1855_ = -(_e1048);
+                        let _e1026 = phi_1798_;
+                        let _e1028 = (_e1026 - (((_e980 * _e983) + (_e992 * _e995)) + ((_e1005 * _e1008) + (_e1017 * _e1020))));
+                        let _e1032 = local.member[0u][0u];
+                        let _e1035 = local.member_1[1u];
+                        let _e1040 = local.member[1u][0u];
+                        let _e1043 = local.member_1[0u];
+                        let _e1045 = ((_e1032 * _e1035) - (_e1040 * _e1043));
+                        let _e1049 = local.member[1u][0u];
+                        if (_e1049 < 0f) {
+                            phi_1853_ = -(_e1049);
                         } else {
-                            phi_1855_ = _e1048;
+                            phi_1853_ = _e1049;
                         }
-                        let _e1052 = phi_1855_;
-                        let _e1055 = local.member_3[1u];
-                        let _e1061 = local.member[2u][2u];
+                        let _e1053 = phi_1853_;
+                        let _e1056 = local.member_3[0u];
+                        let _e1061 = local.member[0u][0u];
                         if (_e1061 < 0f) {
-                            phi_1879_ = -(_e1061);
+                            phi_1876_ = -(_e1061);
                         } else {
-                            phi_1879_ = _e1061;
+                            phi_1876_ = _e1061;
                         }
-                        let _e1065 = phi_1879_;
-                        let _e1068 = local.member_4[1u];
-                        let _e1073 = local.member[2u][1u];
-                        if (_e1073 < 0f) {
-                            phi_1902_ = -(_e1073);
+                        let _e1065 = phi_1876_;
+                        let _e1068 = local.member_3[1u];
+                        let _e1074 = local.member[2u][2u];
+                        if (_e1074 < 0f) {
+                            phi_1900_ = -(_e1074);
                         } else {
-                            phi_1902_ = _e1073;
+                            phi_1900_ = _e1074;
                         }
-                        let _e1077 = phi_1902_;
-                        let _e1080 = local.member_4[2u];
-                        if (_e1032 < 0f) {
-                            phi_1918_ = -(_e1032);
+                        let _e1078 = phi_1900_;
+                        let _e1081 = local.member_4[1u];
+                        let _e1086 = local.member[2u][1u];
+                        if (_e1086 < 0f) {
+                            phi_1923_ = -(_e1086);
                         } else {
-                            phi_1918_ = _e1032;
+                            phi_1923_ = _e1086;
                         }
-                        let _e1086 = phi_1918_;
-                        let _e1088 = (_e1086 - (((_e1040 * _e1043) + (_e1052 * _e1055)) + ((_e1065 * _e1068) + (_e1077 * _e1080))));
-                        let _e1092 = local.member[0u][1u];
-                        let _e1095 = local.member_1[1u];
-                        let _e1100 = local.member[1u][1u];
-                        let _e1103 = local.member_1[0u];
-                        let _e1105 = ((_e1092 * _e1095) - (_e1100 * _e1103));
-                        let _e1109 = local.member[1u][1u];
-                        if (_e1109 < 0f) {
-                            phi_1973_ = -(_e1109);
+                        let _e1090 = phi_1923_;
+                        let _e1093 = local.member_4[2u];
+                        if (_e1045 < 0f) {
+                            phi_1939_ = -(_e1045);
                         } else {
-                            phi_1973_ = _e1109;
+                            phi_1939_ = _e1045;
                         }
-                        let _e1113 = phi_1973_;
-                        let _e1116 = local.member_3[0u];
-                        let _e1121 = local.member[0u][1u];
-                        if (_e1121 < 0f) {
-                            phi_1996_ = -(_e1121);
+                        let _e1099 = phi_1939_;
+                        let _e1101 = (_e1099 - (((_e1053 * _e1056) + (_e1065 * _e1068)) + ((_e1078 * _e1081) + (_e1090 * _e1093))));
+                        let _e1105 = local.member[0u][1u];
+                        let _e1108 = local.member_1[1u];
+                        let _e1113 = local.member[1u][1u];
+                        let _e1116 = local.member_1[0u];
+                        let _e1118 = ((_e1105 * _e1108) - (_e1113 * _e1116));
+                        let _e1122 = local.member[1u][1u];
+                        if (_e1122 < 0f) {
+                            phi_1994_ = -(_e1122);
                         } else {
-                            phi_1996_ = _e1121;
+                            phi_1994_ = _e1122;
                         }
-                        let _e1125 = phi_1996_;
-                        let _e1128 = local.member_3[1u];
-                        let _e1134 = local.member[2u][0u];
+                        let _e1126 = phi_1994_;
+                        let _e1129 = local.member_3[0u];
+                        let _e1134 = local.member[0u][1u];
                         if (_e1134 < 0f) {
-                            phi_2020_ = -(_e1134);
+                            phi_2017_ = -(_e1134);
                         } else {
-                            phi_2020_ = _e1134;
+                            phi_2017_ = _e1134;
                         }
-                        let _e1138 = phi_2020_;
-                        let _e1141 = local.member_4[2u];
-                        let _e1146 = local.member[2u][2u];
-                        if (_e1146 < 0f) {
-                            phi_2043_ = -(_e1146);
+                        let _e1138 = phi_2017_;
+                        let _e1141 = local.member_3[1u];
+                        let _e1147 = local.member[2u][0u];
+                        if (_e1147 < 0f) {
+                            phi_2041_ = -(_e1147);
                         } else {
-                            phi_2043_ = _e1146;
+                            phi_2041_ = _e1147;
                         }
-                        let _e1150 = phi_2043_;
-                        let _e1153 = local.member_4[0u];
-                        if (_e1105 < 0f) {
-                            phi_2059_ = -(_e1105);
+                        let _e1151 = phi_2041_;
+                        let _e1154 = local.member_4[2u];
+                        let _e1159 = local.member[2u][2u];
+                        if (_e1159 < 0f) {
+                            phi_2064_ = -(_e1159);
                         } else {
-                            phi_2059_ = _e1105;
+                            phi_2064_ = _e1159;
                         }
-                        let _e1159 = phi_2059_;
-                        let _e1161 = (_e1159 - (((_e1113 * _e1116) + (_e1125 * _e1128)) + ((_e1138 * _e1141) + (_e1150 * _e1153))));
-                        let _e1165 = local.member[0u][2u];
-                        let _e1168 = local.member_1[1u];
-                        let _e1173 = local.member[1u][2u];
-                        let _e1176 = local.member_1[0u];
-                        let _e1178 = ((_e1165 * _e1168) - (_e1173 * _e1176));
-                        let _e1182 = local.member[1u][2u];
-                        if (_e1182 < 0f) {
-                            phi_2114_ = -(_e1182);
+                        let _e1163 = phi_2064_;
+                        let _e1166 = local.member_4[0u];
+                        if (_e1118 < 0f) {
+                            phi_2080_ = -(_e1118);
                         } else {
-                            phi_2114_ = _e1182;
+                            phi_2080_ = _e1118;
                         }
-                        let _e1186 = phi_2114_;
-                        let _e1189 = local.member_3[0u];
-                        let _e1194 = local.member[0u][2u];
-                        if (_e1194 < 0f) {
-                            phi_2137_ = -(_e1194);
+                        let _e1172 = phi_2080_;
+                        let _e1174 = (_e1172 - (((_e1126 * _e1129) + (_e1138 * _e1141)) + ((_e1151 * _e1154) + (_e1163 * _e1166))));
+                        let _e1178 = local.member[0u][2u];
+                        let _e1181 = local.member_1[1u];
+                        let _e1186 = local.member[1u][2u];
+                        let _e1189 = local.member_1[0u];
+                        let _e1191 = ((_e1178 * _e1181) - (_e1186 * _e1189));
+                        let _e1195 = local.member[1u][2u];
+                        if (_e1195 < 0f) {
+                            phi_2135_ = -(_e1195);
                         } else {
-                            phi_2137_ = _e1194;
+                            phi_2135_ = _e1195;
                         }
-                        let _e1198 = phi_2137_;
-                        let _e1201 = local.member_3[1u];
-                        let _e1207 = local.member[2u][1u];
+                        let _e1199 = phi_2135_;
+                        let _e1202 = local.member_3[0u];
+                        let _e1207 = local.member[0u][2u];
                         if (_e1207 < 0f) {
-                            phi_2161_ = -(_e1207);
+                            phi_2158_ = -(_e1207);
                         } else {
-                            phi_2161_ = _e1207;
+                            phi_2158_ = _e1207;
                         }
-                        let _e1211 = phi_2161_;
-                        let _e1214 = local.member_4[0u];
-                        let _e1219 = local.member[2u][0u];
-                        if (_e1219 < 0f) {
-                            phi_2184_ = -(_e1219);
+                        let _e1211 = phi_2158_;
+                        let _e1214 = local.member_3[1u];
+                        let _e1220 = local.member[2u][1u];
+                        if (_e1220 < 0f) {
+                            phi_2182_ = -(_e1220);
                         } else {
-                            phi_2184_ = _e1219;
+                            phi_2182_ = _e1220;
                         }
-                        let _e1223 = phi_2184_;
-                        let _e1226 = local.member_4[1u];
-                        if (_e1178 < 0f) {
-                            phi_2200_ = -(_e1178);
+                        let _e1224 = phi_2182_;
+                        let _e1227 = local.member_4[0u];
+                        let _e1232 = local.member[2u][0u];
+                        if (_e1232 < 0f) {
+                            phi_2205_ = -(_e1232);
                         } else {
-                            phi_2200_ = _e1178;
+                            phi_2205_ = _e1232;
                         }
-                        let _e1232 = phi_2200_;
-                        let _e1234 = (_e1232 - (((_e1186 * _e1189) + (_e1198 * _e1201)) + ((_e1211 * _e1214) + (_e1223 * _e1226))));
-                        if (_e650 > _e723) {
-                            phi_2207_ = _e650;
+                        let _e1236 = phi_2205_;
+                        let _e1239 = local.member_4[1u];
+                        if (_e1191 < 0f) {
+                            phi_2221_ = -(_e1191);
                         } else {
-                            phi_2207_ = _e723;
+                            phi_2221_ = _e1191;
                         }
-                        let _e1237 = phi_2207_;
-                        if (_e1237 > _e796) {
-                            phi_2212_ = _e1237;
+                        let _e1245 = phi_2221_;
+                        let _e1247 = (_e1245 - (((_e1199 * _e1202) + (_e1211 * _e1214)) + ((_e1224 * _e1227) + (_e1236 * _e1239))));
+                        if (_e663 > _e736) {
+                            phi_2228_ = _e663;
                         } else {
-                            phi_2212_ = _e796;
+                            phi_2228_ = _e736;
                         }
-                        let _e1240 = phi_2212_;
-                        if (_e869 > _e942) {
-                            phi_2217_ = _e869;
+                        let _e1250 = phi_2228_;
+                        if (_e1250 > _e809) {
+                            phi_2233_ = _e1250;
                         } else {
-                            phi_2217_ = _e942;
+                            phi_2233_ = _e809;
                         }
-                        let _e1243 = phi_2217_;
-                        if (_e1243 > _e1015) {
-                            phi_2222_ = _e1243;
+                        let _e1253 = phi_2233_;
+                        if (_e882 > _e955) {
+                            phi_2238_ = _e882;
                         } else {
-                            phi_2222_ = _e1015;
+                            phi_2238_ = _e955;
                         }
-                        let _e1246 = phi_2222_;
-                        if (_e1240 > _e1246) {
-                            phi_2227_ = _e1240;
+                        let _e1256 = phi_2238_;
+                        if (_e1256 > _e1028) {
+                            phi_2243_ = _e1256;
                         } else {
-                            phi_2227_ = _e1246;
+                            phi_2243_ = _e1028;
                         }
-                        let _e1249 = phi_2227_;
-                        if (_e1088 > _e1161) {
-                            phi_2232_ = _e1088;
+                        let _e1259 = phi_2243_;
+                        if (_e1253 > _e1259) {
+                            phi_2248_ = _e1253;
                         } else {
-                            phi_2232_ = _e1161;
+                            phi_2248_ = _e1259;
                         }
-                        let _e1252 = phi_2232_;
-                        if (_e1252 > _e1234) {
-                            phi_2237_ = _e1252;
+                        let _e1262 = phi_2248_;
+                        if (_e1101 > _e1174) {
+                            phi_2253_ = _e1101;
                         } else {
-                            phi_2237_ = _e1234;
+                            phi_2253_ = _e1174;
                         }
-                        let _e1255 = phi_2237_;
-                        if (_e1249 > _e1255) {
-                            phi_2242_ = _e1249;
+                        let _e1265 = phi_2253_;
+                        if (_e1265 > _e1247) {
+                            phi_2258_ = _e1265;
                         } else {
-                            phi_2242_ = _e1255;
+                            phi_2258_ = _e1247;
                         }
-                        let _e1258 = phi_2242_;
-                        let _e1260 = local.member_5;
-                        phi_2246_ = (_e1258 > _e1260);
+                        let _e1268 = phi_2258_;
+                        if (_e1262 > _e1268) {
+                            phi_2263_ = _e1262;
+                        } else {
+                            phi_2263_ = _e1268;
+                        }
+                        let _e1271 = phi_2263_;
+                        let _e1273 = local.member_5;
+                        phi_2267_ = (_e1271 > _e1273);
                     }
-                    let _e1263 = phi_2246_;
-                    if !(_e1263) {
-                        let _e1280 = local_1.member_2;
-                        let _e1282 = nodes.member[_e1280];
-                        let _e1327 = ((((((bitcast<f32>(_e1282.member.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1282.member_1.x))) && (bitcast<f32>(_e1282.member.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1282.member_1.y))) && (bitcast<f32>(_e1282.member.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1282.member_1.z)));
-                        let _e1338 = ((((((bitcast<f32>(_e1282.member_2.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1282.member_3.x))) && (bitcast<f32>(_e1282.member_2.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1282.member_3.y))) && (bitcast<f32>(_e1282.member_2.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1282.member_3.z)));
-                        let _e1340 = ((_e1282.member.w & 2147483648u) != 0u);
-                        let _e1342 = ((_e1282.member_1.w & 2147483648u) != 0u);
-                        if _e1327 {
-                            if _e1340 {
-                                phi_2354_ = (_e1282.member.w & 2147483647u);
-                                phi_2355_ = false;
+                    let _e1276 = phi_2267_;
+                    if !(_e1276) {
+                        let _e1293 = local_1.member_2;
+                        let _e1295 = nodes.member[_e1293];
+                        let _e1340 = ((((((bitcast<f32>(_e1295.member.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1295.member_1.x))) && (bitcast<f32>(_e1295.member.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1295.member_1.y))) && (bitcast<f32>(_e1295.member.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1295.member_1.z)));
+                        let _e1351 = ((((((bitcast<f32>(_e1295.member_2.x) <= _e83.member_1.y) && (_e83.member.x <= bitcast<f32>(_e1295.member_3.x))) && (bitcast<f32>(_e1295.member_2.y) <= _e83.member_2.x)) && (_e83.member.y <= bitcast<f32>(_e1295.member_3.y))) && (bitcast<f32>(_e1295.member_2.z) <= _e83.member_2.y)) && (_e83.member_1.x <= bitcast<f32>(_e1295.member_3.z)));
+                        let _e1353 = ((_e1295.member.w & 2147483648u) != 0u);
+                        let _e1355 = ((_e1295.member_1.w & 2147483648u) != 0u);
+                        if _e1340 {
+                            if _e1353 {
+                                phi_2375_ = (_e1295.member.w & 2147483647u);
+                                phi_2376_ = false;
                             } else {
-                                phi_2354_ = u32();
-                                phi_2355_ = true;
+                                phi_2375_ = u32();
+                                phi_2376_ = true;
                             }
-                            let _e1345 = phi_2354_;
-                            let _e1347 = phi_2355_;
-                            phi_2356_ = _e1345;
-                            phi_2357_ = _e1347;
+                            let _e1358 = phi_2375_;
+                            let _e1360 = phi_2376_;
+                            phi_2377_ = _e1358;
+                            phi_2378_ = _e1360;
                         } else {
-                            phi_2356_ = u32();
-                            phi_2357_ = true;
+                            phi_2377_ = u32();
+                            phi_2378_ = true;
                         }
-                        let _e1349 = phi_2356_;
-                        let _e1351 = phi_2357_;
+                        let _e1362 = phi_2377_;
+                        let _e1364 = phi_2378_;
+                        if _e1364 {
+                            phi_2382_ = 4294967295u;
+                        } else {
+                            phi_2382_ = _e1362;
+                        }
+                        let _e1366 = phi_2382_;
                         if _e1351 {
-                            phi_2361_ = 4294967295u;
-                        } else {
-                            phi_2361_ = _e1349;
-                        }
-                        let _e1353 = phi_2361_;
-                        if _e1338 {
-                            if _e1342 {
-                                phi_2369_ = (_e1282.member_1.w & 2147483647u);
-                                phi_2370_ = false;
+                            if _e1355 {
+                                phi_2390_ = (_e1295.member_1.w & 2147483647u);
+                                phi_2391_ = false;
                             } else {
-                                phi_2369_ = u32();
-                                phi_2370_ = true;
+                                phi_2390_ = u32();
+                                phi_2391_ = true;
                             }
-                            let _e1356 = phi_2369_;
-                            let _e1358 = phi_2370_;
-                            phi_2371_ = _e1356;
-                            phi_2372_ = _e1358;
+                            let _e1369 = phi_2390_;
+                            let _e1371 = phi_2391_;
+                            phi_2392_ = _e1369;
+                            phi_2393_ = _e1371;
                         } else {
-                            phi_2371_ = u32();
-                            phi_2372_ = true;
+                            phi_2392_ = u32();
+                            phi_2393_ = true;
                         }
-                        let _e1360 = phi_2371_;
-                        let _e1362 = phi_2372_;
-                        if _e1362 {
-                            phi_2376_ = 4294967295u;
+                        let _e1373 = phi_2392_;
+                        let _e1375 = phi_2393_;
+                        if _e1375 {
+                            phi_2397_ = 4294967295u;
                         } else {
-                            phi_2376_ = _e1360;
+                            phi_2397_ = _e1373;
                         }
-                        let _e1364 = phi_2376_;
-                        if _e1327 {
-                            phi_2381_ = !(_e1340);
+                        let _e1377 = phi_2397_;
+                        if _e1340 {
+                            phi_2402_ = !(_e1353);
                         } else {
-                            phi_2381_ = false;
+                            phi_2402_ = false;
                         }
-                        let _e1367 = phi_2381_;
-                        if _e1338 {
-                            phi_2386_ = !(_e1342);
+                        let _e1380 = phi_2402_;
+                        if _e1351 {
+                            phi_2407_ = !(_e1355);
                         } else {
-                            phi_2386_ = false;
+                            phi_2407_ = false;
                         }
-                        let _e1370 = phi_2386_;
-                        if _e1367 {
-                            if _e1370 {
-                                let _e1372 = ((_e1282.member_3.w & 2147483648u) != 0u);
-                                if _e1372 {
-                                    phi_2398_ = _e1282.member_1.w;
+                        let _e1383 = phi_2407_;
+                        if _e1380 {
+                            if _e1383 {
+                                let _e1385 = ((_e1295.member_3.w & 2147483648u) != 0u);
+                                if _e1385 {
+                                    phi_2419_ = _e1295.member_1.w;
                                 } else {
-                                    phi_2398_ = _e1282.member.w;
+                                    phi_2419_ = _e1295.member.w;
                                 }
-                                let _e1374 = phi_2398_;
-                                let _e1376 = local_1.member_1;
-                                local_1.member[_e1376] = _e1374;
-                                let _e1381 = local_1.member_1;
-                                local_1.member_1 = (_e1381 + 1u);
-                                if _e1372 {
-                                    phi_2414_ = _e1282.member.w;
+                                let _e1387 = phi_2419_;
+                                let _e1389 = local_1.member_1;
+                                local_1.member[_e1389] = _e1387;
+                                let _e1394 = local_1.member_1;
+                                local_1.member_1 = (_e1394 + 1u);
+                                if _e1385 {
+                                    phi_2435_ = _e1295.member.w;
                                 } else {
-                                    phi_2414_ = _e1282.member_1.w;
+                                    phi_2435_ = _e1295.member_1.w;
                                 }
-                                let _e1384 = phi_2414_;
-                                local_1.member_2 = _e1384;
-                                phi_2416_ = false;
+                                let _e1397 = phi_2435_;
+                                local_1.member_2 = _e1397;
+                                phi_2437_ = false;
                             } else {
-                                phi_2416_ = true;
+                                phi_2437_ = true;
                             }
-                            let _e1387 = phi_2416_;
-                            phi_2417_ = _e1387;
+                            let _e1400 = phi_2437_;
+                            phi_2438_ = _e1400;
                         } else {
-                            phi_2417_ = true;
+                            phi_2438_ = true;
                         }
-                        let _e1389 = phi_2417_;
-                        if _e1389 {
-                            if _e1367 {
-                                local_1.member_2 = _e1282.member.w;
+                        let _e1402 = phi_2438_;
+                        if _e1402 {
+                            if _e1380 {
+                                local_1.member_2 = _e1295.member.w;
                             } else {
-                                if _e1370 {
-                                    local_1.member_2 = _e1282.member_1.w;
+                                if _e1383 {
+                                    local_1.member_2 = _e1295.member_1.w;
                                 } else {
-                                    let _e1391 = local_1.member_1;
-                                    if (_e1391 > 0u) {
-                                        let _e1396 = local_1.member_1;
-                                        local_1.member_1 = (_e1396 - 1u);
-                                        let _e1399 = local_1.member_1;
-                                        let _e1402 = local_1.member[_e1399];
-                                        local_1.member_2 = _e1402;
+                                    let _e1404 = local_1.member_1;
+                                    if (_e1404 > 0u) {
+                                        let _e1409 = local_1.member_1;
+                                        local_1.member_1 = (_e1409 - 1u);
+                                        let _e1412 = local_1.member_1;
+                                        let _e1415 = local_1.member[_e1412];
+                                        local_1.member_2 = _e1415;
                                     } else {
                                         local_1.member_3 = false;
                                     }
                                 }
                             }
                         }
-                        if (_e1353 != 4294967295u) {
-                            let _e1409 = params.member.member_2.member;
-                            if (_e1409 == 0u) {
-                                phi_2463_ = array<u32, 2>(0u, 2u);
+                        if (_e1366 != 4294967295u) {
+                            let _e1422 = params.member.member_2.member;
+                            if (_e1422 == 0u) {
+                                phi_2484_ = array<u32, 2>(0u, 2u);
                             } else {
-                                phi_2463_ = array<u32, 2>(1u, 1u);
+                                phi_2484_ = array<u32, 2>(1u, 1u);
                             }
-                            let _e1412 = phi_2463_;
-                            let _e1417 = params.member.member.member_2[_e1412[1]];
-                            let _e1420 = order.member[(_e1417 + _e1353)];
-                            let _e1421 = (_e1420 - _e1417);
-                            let _e1424 = params.member.member_2.member;
-                            if (_e1424 == 0u) {
-                                phi_2496_ = true;
+                            let _e1425 = phi_2484_;
+                            let _e1430 = params.member.member.member_2[_e1425[1]];
+                            let _e1433 = order.member[(_e1430 + _e1366)];
+                            let _e1434 = (_e1433 - _e1430);
+                            let _e1437 = params.member.member_2.member;
+                            if (_e1437 == 0u) {
+                                phi_2517_ = true;
                             } else {
-                                phi_2496_ = (_e1421 > _e100);
+                                phi_2517_ = (_e1434 > _e81);
                             }
-                            let _e1428 = phi_2496_;
-                            if _e1428 {
-                                let _e1431 = params.member.member_1.member_3;
-                                let _e1433 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1433 + 1u) < _e1433) {
-                                    let _e1437 = atomicAdd((&pairs.member[2u]), 1u);
+                            let _e1441 = phi_2517_;
+                            if _e1441 {
+                                let _e1444 = params.member.member_1.member_3;
+                                let _e1446 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1446 + 1u) < _e1446) {
+                                    let _e1450 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1433 < _e1431) {
-                                    let _e1439 = (2u * _e1433);
-                                    atomicStore((&pairs.member[(4u + _e1439)]), _e100);
-                                    atomicStore((&pairs.member[(_e1439 + 5u)]), _e1421);
+                                if (_e1446 < _e1444) {
+                                    let _e1452 = (2u * _e1446);
+                                    atomicStore((&pairs.member[(4u + _e1452)]), _e81);
+                                    atomicStore((&pairs.member[(_e1452 + 5u)]), _e1434);
                                 }
                             }
                         }
-                        if (_e1364 != 4294967295u) {
-                            let _e1447 = params.member.member_2.member;
-                            if (_e1447 == 0u) {
-                                phi_2539_ = array<u32, 2>(0u, 2u);
+                        if (_e1377 != 4294967295u) {
+                            let _e1460 = params.member.member_2.member;
+                            if (_e1460 == 0u) {
+                                phi_2560_ = array<u32, 2>(0u, 2u);
                             } else {
-                                phi_2539_ = array<u32, 2>(1u, 1u);
+                                phi_2560_ = array<u32, 2>(1u, 1u);
                             }
-                            let _e1450 = phi_2539_;
-                            let _e1455 = params.member.member.member_2[_e1450[1]];
-                            let _e1458 = order.member[(_e1455 + _e1364)];
-                            let _e1459 = (_e1458 - _e1455);
-                            let _e1462 = params.member.member_2.member;
-                            if (_e1462 == 0u) {
-                                phi_2572_ = true;
+                            let _e1463 = phi_2560_;
+                            let _e1468 = params.member.member.member_2[_e1463[1]];
+                            let _e1471 = order.member[(_e1468 + _e1377)];
+                            let _e1472 = (_e1471 - _e1468);
+                            let _e1475 = params.member.member_2.member;
+                            if (_e1475 == 0u) {
+                                phi_2593_ = true;
                             } else {
-                                phi_2572_ = (_e1459 > _e100);
+                                phi_2593_ = (_e1472 > _e81);
                             }
-                            let _e1466 = phi_2572_;
-                            if _e1466 {
-                                let _e1469 = params.member.member_1.member_3;
-                                let _e1471 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e1471 + 1u) < _e1471) {
-                                    let _e1475 = atomicAdd((&pairs.member[2u]), 1u);
+                            let _e1479 = phi_2593_;
+                            if _e1479 {
+                                let _e1482 = params.member.member_1.member_3;
+                                let _e1484 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e1484 + 1u) < _e1484) {
+                                    let _e1488 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                if (_e1471 < _e1469) {
-                                    let _e1477 = (2u * _e1471);
-                                    atomicStore((&pairs.member[(4u + _e1477)]), _e100);
-                                    atomicStore((&pairs.member[(_e1477 + 5u)]), _e1459);
+                                if (_e1484 < _e1482) {
+                                    let _e1490 = (2u * _e1484);
+                                    atomicStore((&pairs.member[(4u + _e1490)]), _e81);
+                                    atomicStore((&pairs.member[(_e1490 + 5u)]), _e1472);
                                 }
                             }
                         }
                     } else {
-                        let _e1266 = local_1.member_1;
-                        if (_e1266 > 0u) {
-                            let _e1271 = local_1.member_1;
-                            local_1.member_1 = (_e1271 - 1u);
-                            let _e1274 = local_1.member_1;
-                            let _e1277 = local_1.member[_e1274];
-                            local_1.member_2 = _e1277;
+                        let _e1279 = local_1.member_1;
+                        if (_e1279 > 0u) {
+                            let _e1284 = local_1.member_1;
+                            local_1.member_1 = (_e1284 - 1u);
+                            let _e1287 = local_1.member_1;
+                            let _e1290 = local_1.member[_e1287];
+                            local_1.member_2 = _e1290;
                         } else {
                             local_1.member_3 = false;
                         }
                     }
                 }
-                phi_2623_ = _e195;
+                phi_2644_ = _e208;
             } else {
-                phi_2623_ = false;
+                phi_2644_ = false;
             }
-            let _e1483 = phi_2623_;
+            let _e1496 = phi_2644_;
             continue;
             continuing {
-                phi_379_ = _e188;
-                break if !(_e1483);
+                phi_400_ = _e201;
+                break if !(_e1496);
             }
         }
     }

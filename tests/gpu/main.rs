@@ -11,6 +11,7 @@ mod changes;
 mod codimensional;
 mod descent;
 mod emulated;
+mod end_points;
 #[path = "../../examples/engine.rs"]
 mod engine;
 mod failures;
@@ -23,10 +24,12 @@ mod listed;
 #[path = "../sessions/moving_bodies.rs"]
 mod moving_bodies;
 mod oriented;
+mod pair_stacks;
 mod pairs;
 mod poison;
 mod queries;
 mod recovery;
+mod recursive;
 mod rules;
 mod scalars;
 mod scenes;
@@ -128,7 +131,10 @@ fn main() {
             rules::TESTS,
             triangles::TESTS,
             intervals::TESTS,
+            end_points::TESTS,
             descent::TESTS,
+            pair_stacks::TESTS,
+            recursive::TESTS,
             workers::TESTS,
             oriented::TESTS,
             stealing::TESTS,

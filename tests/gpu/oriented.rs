@@ -30,7 +30,7 @@ const CAPACITY: u32 = 100_000;
 
 /// Boxes in a sheet across the diagonal of space, each of which overlaps those beside it: flat for
 /// oriented boxes, thick for boxes along the axes.
-fn slanted(n: usize, height: f32) -> Vec<Aabb> {
+pub fn slanted(n: usize, height: f32) -> Vec<Aabb> {
     let boxed = |i: usize| {
         let (x, y) = ((i % 37) as f32 / 37.0, (i / 37) as f32 / 37.0);
         let min = [x, y, height - x - y];
@@ -84,10 +84,10 @@ fn scenes() -> Vec<(&'static str, Vec<Aabb>)> {
 }
 
 /// A tree over set 1 and its oriented boxes.
-struct Oriented {
-    twin: Twin,
+pub struct Oriented {
+    pub twin: Twin,
     branches: Vec<u8>,
-    boxes: Vec<u8>,
+    pub boxes: Vec<u8>,
 }
 
 fn orient(device: &Device, twin: Twin, set: usize, boxes: Vec<u8>) -> Oriented {
@@ -137,7 +137,7 @@ fn capacity_for(twin: &Twin) -> Vec<u8> {
 }
 
 impl Oriented {
-    fn over(device: &Device, boxes: &[Aabb]) -> Self {
+    pub fn over(device: &Device, boxes: &[Aabb]) -> Self {
         let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
         let capacity = capacity_for(&twin);
         orient(device, twin, 1, capacity)

@@ -168,6 +168,9 @@ fn check_sessions(device: &Device) {
             check(&small, options.with_pipeline(triangles), &of_triangles, i % 2 + 1);
         }
     }
+    let stacks = Traversal::CutStacks { nodes: 8, descent: Descent::Larger };
+    let stacks = BroadPhaseMethod::Tree(tree.traversal(stacks));
+    check(&small, Options::default().with_broad_phase(stacks), &of_small, 0);
     assert!(n_failed > n / 2, "{n_failed} calls failed in {n} sessions");
 }
 

@@ -2,7 +2,7 @@
 //! conformance table has those that are read.
 
 use ccd::gpu::{Device, Path as ShaderPath, Session};
-use ccd::{Contact, Kind, Options, Pair, Report, State};
+use ccd::{BroadPhaseMethod, Contact, Kind, Options, Pair, Report, State};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
 
@@ -29,7 +29,7 @@ pub fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
 
 /// The candidates of a session are those of one on the CPU.
 pub fn check_candidates(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]]) {
-    let options = session.options().clone();
+    let options = on_cpu(session.options());
     let mut cpu = ccd::Session::new(session.mesh().clone(), options).unwrap();
     let (want, found) = (cpu.candidates(x0, x1).unwrap(), session.candidates(x0, x1).unwrap());
     check_pairs("vertices and faces", want.vf.to_vec(), found.vf);
@@ -54,15 +54,24 @@ pub fn check_pairs(what: &str, mut want: Vec<Pair>, mut got: Vec<Pair>) {
 }
 
 pub fn check_step(device: &Device, step: &generate::Step, options: Options) {
-    let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
+    let for_cpu = on_cpu(&options);
+    let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &for_cpu).unwrap();
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let gpu = session.step(&step.x0, &step.x1).unwrap();
     assert!(!cpu.contacts.is_empty(), "a scene without contact shows nothing");
     check_reports(&cpu, gpu, false);
     check_earliest(&mut session, &step.x0, &step.x1, cpu.toi);
     let [x0, x1] = step.rounded();
-    let cpu = ccd::step(&step.mesh, &x0, &x1, &options).unwrap();
+    let cpu = ccd::step(&step.mesh, &x0, &x1, &for_cpu).unwrap();
     check_reports(&cpu, session.step(&x0, &x1).unwrap(), false);
+}
+
+/// The same options for the CPU: with its default where it does not have the broad phase.
+pub fn on_cpu(options: &Options) -> Options {
+    match options.broad_phase.lacking("cpu") {
+        Some(_) => options.clone().with_broad_phase(BroadPhaseMethod::default()),
+        None => options.clone(),
+    }
 }
 
 /// Triangles with corners on a coarse grid: most pairs touch in corners, move in planes, or are

@@ -56,6 +56,7 @@ pub trait Catalogued: Copy + PartialEq + 'static {
 }
 
 const CPU: &[&str] = &["cpu"];
+const GPU: &[&str] = &["gpu"];
 
 impl<T: Copy> Row<T> {
     /// A choice of this project, on both backends.
@@ -94,6 +95,10 @@ impl Catalogued for BroadPhaseMethod {
             .about("Sweep and prune in strips along the axis; for many boxes, of any sizes")
             .source("Liu 2010")
             .on(CPU),
+        Row::new(Self::SweepByEndPoints, "sweep-by-end-points")
+            .about("A device thread an end point, from start to end; a CPU has rows of boxes")
+            .source("Karras 2012a")
+            .on(GPU),
         Row::new(Self::UniformGrid, "uniform-grid")
             .about("Boxes in the cells of a grid; for boxes of about the same size")
             .source("Karras 2012a"),
@@ -127,9 +132,8 @@ impl Catalogued for Traversal {
     const ALWAYS: &'static [&'static str] = &["leaf-order", "half"];
     const ROWS: &'static [Row<Self>] = &[
         Row::new(Self::Recursive, "recursive")
-            .about("A query per box in the order of input, by recursion")
-            .source("Karras 2012b")
-            .on(CPU),
+            .about("A query per box in the order of input, by recursion; on a GPU emulated")
+            .source("Karras 2012b"),
         Row::new(Self::Iterative, "iterative")
             .about("A query per box in the order of input, with a stack")
             .source("Karras 2012b"),
@@ -146,6 +150,10 @@ impl Catalogued for Traversal {
         Row::new(Self::CUT, "cut")
             .about("Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel")
             .source("Karras 2012b"),
+        Row::new(Self::CUT_STACKS, "cut-stacks")
+            .about("The same, a device thread with a stack for each; a CPU's `cut` has these")
+            .source("Karras 2012b")
+            .on(GPU),
     ];
 }
 

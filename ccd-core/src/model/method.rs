@@ -26,6 +26,9 @@ pub enum BroadPhaseMethod {
     /// Boxes in all strips along the axis that they touch, swept within each [Liu 2010]: the sweep
     /// for many boxes, of any sizes.
     SweepInStrips,
+    /// End points of boxes sorted along one axis, and a thread for each [Karras 2012a]: the sweep
+    /// as its author prints it, on a GPU alone.
+    SweepByEndPoints,
     /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
     /// cells around it [Karras 2012a].
     UniformGrid,
@@ -125,7 +128,8 @@ impl Builder {
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Traversal {
-    /// A query per box, in the order of input, by a function that calls itself.
+    /// A query per box, in the order of input, by a function that calls itself; on a GPU, which has
+    /// no calls, by a stack of the places to which they return.
     Recursive,
     /// A query per box, in the order of input, with a stack [Karras 2012b].
     Iterative,
@@ -143,6 +147,14 @@ pub enum Traversal {
         /// How a pair is expanded.
         descent: Descent,
     },
+    /// The same, each pair of the cut by one thread of a GPU with a stack of its own
+    /// [Karras 2012b].
+    CutStacks {
+        /// Nodes of the cut, 1 to [`Traversal::MAX_CUT`].
+        nodes: u32,
+        /// How a pair is expanded.
+        descent: Descent,
+    },
 }
 
 impl Traversal {
@@ -150,6 +162,8 @@ impl Traversal {
     pub const SIMULTANEOUS: Self = Self::Simultaneous(Descent::Both);
     /// [`Traversal::Cut`] of 256 nodes, which are 32,896 pairs.
     pub const CUT: Self = Self::Cut { nodes: 256, descent: Descent::Both };
+    /// [`Traversal::CutStacks`] of the same cut.
+    pub const CUT_STACKS: Self = Self::CutStacks { nodes: 256, descent: Descent::Both };
     /// Most nodes of a cut: half a million pairs a tree.
     pub const MAX_CUT: u32 = 1024;
 }
@@ -230,7 +244,7 @@ impl BroadPhaseMethod {
         if let Builder::Ploc { radius } = tree.builder {
             check_setting("radius of PLOC", radius, 1, Builder::MAX_RADIUS)?;
         }
-        if let Traversal::Cut { nodes, .. } = tree.traversal {
+        if let Traversal::Cut { nodes, .. } | Traversal::CutStacks { nodes, .. } = tree.traversal {
             check_setting("nodes of the cut", nodes, 1, Traversal::MAX_CUT)?;
         }
         Ok(())

@@ -3,7 +3,9 @@
 
 use super::block_bvh::Tree;
 use super::builder::{self, TreeBuilder};
-use crate::bind::{BranchBoxes, FarNodes, NearNodes, TraverseFull, TraverseHalf};
+use crate::bind::{
+    BranchBoxes, FarNodes, NearNodes, TraverseFull, TraverseHalf, TraverseRecursive,
+};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, List, parts};
@@ -141,6 +143,23 @@ impl BinaryTree {
         let n = frame.count[sets(args.kind)[0]];
         for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
             let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
+            let p = Params { frame: *frame, dispatch, args };
+            recorder.each_variant(&kernel, oriented, &p, dispatch.n);
+        }
+    }
+    /// As [`BinaryTree::traverse_full`], by recursion.
+    pub fn traverse_recursive(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        blocks: &Tree,
+        (args, oriented): (Queries, Option<&wgpu::Buffer>),
+        pairs: &List,
+    ) {
+        let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
+        let n = frame.count[sets(args.kind)[0]];
+        for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
+            let kernel = TraverseRecursive { boxes, order, nodes, pairs: pairs.buffer() };
             let p = Params { frame: *frame, dispatch, args };
             recorder.each_variant(&kernel, oriented, &p, dispatch.n);
         }

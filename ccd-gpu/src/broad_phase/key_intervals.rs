@@ -75,23 +75,22 @@ impl IntervalSource {
         let Self { method, boxes, survey, .. } = self;
         let frame = search.frame;
         let n = frame.start[3];
-        let params = |n: u32, first: u32| Params {
+        let params = |n: u32| Params {
             frame: *frame,
-            dispatch: Dispatch { n, first, ..Dispatch::default() },
+            dispatch: Dispatch { n, ..Dispatch::default() },
             args: Plain::default(),
         };
         match *method {
             SWEEP_AND_PRUNE => {
-                let stride = n.div_ceil(Id::SurveyAxis.threads() * SURVEY_SHARE);
-                recorder.dispatch(&SurveyAxis { boxes, survey }, &params(n, stride), 1);
+                survey_axis(recorder, frame, boxes, survey);
             }
             UNIFORM_GRID => {
                 let n_bounding = search.n_bounding;
                 let share = Id::SceneBounds.threads() * morton_key::CHUNK as u32;
                 let kernel = SceneBounds { boxes, bounds: survey };
-                recorder.dispatch(&kernel, &params(n_bounding, 0), n_bounding.div_ceil(share));
+                recorder.dispatch(&kernel, &params(n_bounding), n_bounding.div_ceil(share));
                 let share = Id::SurveySides.threads() * SURVEY_SHARE;
-                recorder.dispatch(&SurveySides { boxes, survey }, &params(n, 0), n.div_ceil(share));
+                recorder.dispatch(&SurveySides { boxes, survey }, &params(n), n.div_ceil(share));
             }
             _ => {}
         }
@@ -140,6 +139,20 @@ impl IntervalSource {
             recorder.dispatch(&kernel, &p, self.groups.min(dispatch.n));
         }
     }
+}
+
+/// Records that the axis along which boxes vary most is written to a survey.
+pub fn survey_axis(
+    recorder: &mut Recorder,
+    frame: &Frame,
+    boxes: &wgpu::Buffer,
+    survey: &wgpu::Buffer,
+) {
+    let n = frame.start[3];
+    let first = n.div_ceil(Id::SurveyAxis.threads() * SURVEY_SHARE);
+    let dispatch = Dispatch { n, first, ..Dispatch::default() };
+    let p = Params { frame: *frame, dispatch, args: Plain::default() };
+    recorder.dispatch(&SurveyAxis { boxes, survey }, &p, 1);
 }
 
 /// Groups that ask in a row.

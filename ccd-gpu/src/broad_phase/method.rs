@@ -4,6 +4,7 @@ use super::block_bvh::Tree;
 use super::key_intervals::IntervalSource;
 use super::pair_source::PairSource;
 use super::scheduler::is_by_levels;
+use super::sweep_by_end_points::EndPointSource;
 use super::tree::TreeSource;
 use crate::device::Device;
 use crate::error::Error;
@@ -69,6 +70,7 @@ pub fn source(
         BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
+        BroadPhaseMethod::SweepByEndPoints => Box::new(EndPointSource::new(device, count)?),
         BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count, None)?),
         BroadPhaseMethod::Tree(options) => {
             Box::new(TreeSource::new(device, options, scheduling, count)?)

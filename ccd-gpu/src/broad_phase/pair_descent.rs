@@ -42,13 +42,12 @@ impl PairDescent {
         scheduling: Scheduling,
         count: [u32; 3],
     ) -> Result<Self, Error> {
-        let words = 2 * (LIST_HEADER as u64 + Traversal::MAX_CUT as u64);
         // About as many as pairs that overlap; a list that is too short grows.
         let capacity = |n: u32| n.saturating_mul(4).max(4096);
         Ok(Self {
             nodes,
             rule,
-            cuts: device.buffer("nodes of cuts", 4 * words, U::STORAGE)?,
+            cuts: cut_buffer(device)?,
             scheduled: Scheduled::new(device, scheduling, THREADS, count, capacity, nodes * nodes)?,
         })
     }
@@ -64,7 +63,7 @@ impl PairDescent {
         pairs: &List,
     ) {
         let [a_nodes, b_nodes] = trees.map(|tree| &tree.nodes);
-        let n_levels = self.n_levels(trees);
+        let n_levels = n_levels(self.rule, trees);
         let larger = (self.rule == Descent::Larger) as u32;
         let both = BinaryTrees { a_nodes, b_nodes, oriented, n_levels, larger };
         let descent = Descended { frame, kind, trees: Trees::Binary(both), pairs };
@@ -86,22 +85,40 @@ impl PairDescent {
         let (a_nodes, b_nodes, front) = (both.a_nodes, both.b_nodes, written.front);
         let (cuts, capacity_nodes) = (&self.cuts, tasks.capacity());
         let args = NodeDescent { nodes: self.nodes, capacity_nodes, ..written.args };
-        // The order of a cut is that of the threads that were first: another cut through the same
-        // tree has another one, so that pairs within a tree need one cut for both sides.
-        let sides = (0..).zip(trees.into_iter().zip(sets(descent.kind)));
-        for (side, (tree, set)) in sides.take(if descent.kind == EDGE_EDGE { 1 } else { 2 }) {
-            let mut p = descent.params(args, side, 0);
-            p.args.kind = set as u32;
-            recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
-        }
+        cut_nodes(recorder, descent, args, trees, cuts);
         let (output, p, n) = (tasks.buffer(), descent.params(args, 0, 0), self.nodes * self.nodes);
         let kernel = CutPairs { a_nodes, b_nodes, cuts, control, output, front };
         recorder.each_variant(&kernel, both.oriented, &p, n);
     }
+}
 
-    /// Levels that there can be: with every step either both sides go down, or the larger one.
-    fn n_levels(&self, trees: [&BinaryTree; 2]) -> u32 {
-        let [a, b] = trees.map(BinaryTree::height);
-        1 + if self.rule == Descent::Larger { a + b } else { a.max(b) }
+/// A buffer for the nodes of two cuts.
+pub fn cut_buffer(device: &Device) -> Result<wgpu::Buffer, Error> {
+    let words = 2 * (LIST_HEADER as u64 + Traversal::MAX_CUT as u64);
+    device.buffer("nodes of cuts", 4 * words, U::STORAGE)
+}
+
+/// Records the cuts through two trees, of `args.nodes` nodes each; within one tree one cut.
+pub fn cut_nodes(
+    recorder: &mut Recorder,
+    descent: &Descended,
+    args: NodeDescent,
+    trees: [&BinaryTree; 2],
+    cuts: &wgpu::Buffer,
+) {
+    // The order of a cut is that of the threads that were first: another cut through the same tree
+    // has another one, so that pairs within a tree need one cut for both sides.
+    let sides = (0..).zip(trees.into_iter().zip(sets(descent.kind)));
+    for (side, (tree, set)) in sides.take(if descent.kind == EDGE_EDGE { 1 } else { 2 }) {
+        let mut p = descent.params(args, side, 0);
+        p.args.kind = set as u32;
+        recorder.dispatch(&CutNodes { branches: &tree.branches, cuts }, &p, 1);
     }
+}
+
+/// Levels of pairs of nodes that there can be: with every step either both sides go down, or the
+/// larger one.
+pub fn n_levels(rule: Descent, trees: [&BinaryTree; 2]) -> u32 {
+    let [a, b] = trees.map(BinaryTree::height);
+    1 + if rule == Descent::Larger { a + b } else { a.max(b) }
 }

@@ -2,8 +2,8 @@
 //! block tree over their leaves, from which they have their boxes, and a traversal: queries with a
 //! stack, a thread each, or pairs of nodes from a cut on, by any scheduler.
 //!
-//! Recursion does not exist on a device, and one thread of it is slow, so the other two traversals
-//! are a CPU's.
+//! Recursion does not exist on a device: a stack has the places to which calls return. One thread
+//! of a device is slow, so that `simultaneous` is a CPU's.
 
 use super::binary_tree::BinaryTree;
 use super::block_bvh::Tree;
@@ -11,6 +11,7 @@ use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
 use super::pair_source::{PAIRS, PairSource, Search};
+use super::pair_stacks::PairStacks;
 use super::scheduled::{Scheduled, kinds_of};
 use crate::device::Device;
 use crate::error::Error;
@@ -27,6 +28,7 @@ pub struct TreeSource {
     trees: [Option<BinaryTree>; 3],
     traversal: Traversal,
     descent: Option<PairDescent>,
+    stacks: Option<PairStacks>,
     oriented: Option<OrientedBoxes>,
 }
 
@@ -44,14 +46,21 @@ impl TreeSource {
             }
             _ => None,
         };
+        let stacks = match traversal {
+            Traversal::CutStacks { nodes, descent } => {
+                Some(PairStacks::new(device, nodes, descent)?)
+            }
+            _ => None,
+        };
+        let for_pairs = descent.is_some() || stacks.is_some();
         for n in count {
             builder::check(options.builder, n)?;
         }
         let mut trees = [None, None, None];
         for kind in kinds_of(count) {
-            for set in descended(kind, descent.is_some()) {
-                let (n, for_pairs) = (count[set], descent.is_some());
-                trees[set] = Some(BinaryTree::new(device, options.builder, set, n, for_pairs)?);
+            for set in descended(kind, for_pairs) {
+                let (n, builder) = (count[set], options.builder);
+                trees[set] = Some(BinaryTree::new(device, builder, set, n, for_pairs)?);
             }
         }
         let has_tree = trees.each_ref().map(Option::is_some);
@@ -64,6 +73,7 @@ impl TreeSource {
             trees,
             traversal,
             descent,
+            stacks,
             oriented,
         })
     }
@@ -81,8 +91,17 @@ impl TreeSource {
                     descent.run(recorder, what, [a, b], oriented, pairs);
                 }
             }
+            Traversal::CutStacks { .. } => {
+                if let Some((stacks, a)) = self.stacks.as_ref().zip(a) {
+                    stacks.run(recorder, (frame, kind), [a, b], oriented, pairs);
+                }
+            }
             Traversal::Half if kind == EDGE_EDGE => {
                 b.traverse_half(recorder, frame, blocks, oriented, pairs);
+            }
+            Traversal::Recursive => {
+                let args = Queries { kind, sorted: 0 };
+                b.traverse_recursive(recorder, frame, blocks, (args, oriented), pairs);
             }
             other => {
                 let args = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
@@ -108,6 +127,9 @@ impl PairSource for TreeSource {
         self.trees.iter().flatten().for_each(|tree| tree.clear(recorder));
         if let Some(descent) = &self.descent {
             descent.scheduled.clear(recorder);
+        }
+        if let Some(stacks) = &self.stacks {
+            stacks.clear(recorder);
         }
         if let Some(oriented) = &self.oriented {
             oriented.clear(recorder);
@@ -146,13 +168,32 @@ impl PairSource for TreeSource {
 
     fn lists(&self) -> Vec<&List> {
         let of_descent = self.descent.iter().flat_map(|descent| descent.scheduled.lists());
-        self.trees.iter().flatten().filter_map(BinaryTree::list).chain(of_descent).collect()
+        let of_stacks = self.stacks.iter().flat_map(PairStacks::lists);
+        let of_trees = self.trees.iter().flatten().filter_map(BinaryTree::list);
+        of_trees.chain(of_descent).chain(of_stacks).collect()
     }
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
-        let Self { trees, descent, .. } = self;
+        let Self { trees, descent, stacks, .. } = self;
         let of_descent = descent.iter_mut().flat_map(|descent| descent.scheduled.lists_mut());
-        trees.iter_mut().flatten().filter_map(BinaryTree::list_mut).chain(of_descent).collect()
+        let of_stacks = stacks.iter_mut().flat_map(PairStacks::lists_mut);
+        let of_trees = trees.iter_mut().flatten().filter_map(BinaryTree::list_mut);
+        of_trees.chain(of_descent).chain(of_stacks).collect()
+    }
+
+    fn settle(
+        &mut self,
+        device: &Device,
+        counted: &[Vec<u32>],
+        complete: bool,
+    ) -> Result<bool, Error> {
+        if let Some(stacks) = &mut self.stacks {
+            stacks.settle();
+        }
+        match self.scheduled_mut() {
+            Some(scheduled) => scheduled.settle(device, counted, complete),
+            None => Ok(false),
+        }
     }
 
     fn scheduled(&self) -> Option<&Scheduled> {

@@ -118,25 +118,33 @@ fn begin<V: Volume>(
     front: &mut [u32],
 ) {
     let args = &trees.params.args;
-    if pair[0] != NONE {
-        let (x, y) = trees.nodes(pair);
-        let same = trees.within() && pair[0] == pair[1];
-        // A leaf makes no pair with itself.
-        if !same || !x.is_leaf() {
-            if x.aabb().overlaps(&y.aabb()) && V::meets(trees, pair) {
-                let to = reserve(control, 0, output, 1);
-                write_pair(output, args.capacity_nodes, to, Pair { a: pair[0], b: pair[1] });
-            } else if args.capacity_front > 0 {
-                let to = count_front(control, 1);
-                write_front(args, front, to, pair);
-            }
+    if pair[0] != NONE && !is_leaf_with_itself(trees, pair) {
+        if meets(trees, pair) {
+            let to = reserve(control, 0, output, 1);
+            write_pair(output, args.capacity_nodes, to, Pair { a: pair[0], b: pair[1] });
+        } else if args.capacity_front > 0 {
+            let to = count_front(control, 1);
+            write_front(args, front, to, pair);
         }
     }
 }
 
+/// Whether both nodes are one leaf, which makes no pair with itself.
+#[inline(always)]
+pub(super) fn is_leaf_with_itself<V: Volume>(trees: BinaryTrees<V>, pair: NodePair) -> bool {
+    trees.within() && pair[0] == pair[1] && trees.nodes(pair).0.is_leaf()
+}
+
+/// Whether the volumes of two nodes overlap.
+#[inline(always)]
+pub(super) fn meets<V: Volume>(trees: BinaryTrees<V>, pair: NodePair) -> bool {
+    let (x, y) = trees.nodes(pair);
+    x.aabb().overlaps(&y.aabb()) && V::meets(trees, pair)
+}
+
 /// Pair `k` of two cuts, or of one, of which the second node does not stand before the first.
 #[inline(always)]
-fn of_cuts(args: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
+pub(super) fn of_cuts(args: &NodeDescent, k: u32, cuts: &[u32]) -> NodePair {
     let (i, j, within) = (k / args.nodes, k % args.nodes, args.kind == EDGE_EDGE);
     let (a, b) = (cut_start(0), cut_start(if within { 0 } else { 1 }));
     let mut pair = [NONE; 2];

@@ -6,7 +6,9 @@ use super::volume::{Boxes, Oriented, Volume};
 use crate::entry::kernel;
 use crate::records::{BoxWords, NodeWords, ObbWords, box_at, node_at};
 use crate::workgroup::append;
+use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{self, sets};
+use ccd_core::backend::broad_phase::recursive::Calls;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::broad_phase::wide_nodes::WideWalk;
 use ccd_core::backend::kernel::memory::at;
@@ -45,6 +47,22 @@ kernel! {
     traverse_full_oriented[128](t; params: Queries;; boxes: [BoxWords], order: [u32],
         nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
         walk_full(Oriented(oriented), t.i, params, boxes, order, nodes, pairs);
+    }
+}
+
+kernel! {
+    /// As `traverse_full`, a call of a recursion a step.
+    traverse_recursive[128](t; params: Queries;; boxes: [BoxWords], order: [u32],
+        nodes: [NodeWords], mut pairs: [u32]) {
+        call(Boxes, t.i, params, boxes, order, nodes, pairs);
+    }
+}
+
+kernel! {
+    /// As `traverse_recursive`, and leaves out what an oriented box tells apart.
+    traverse_recursive_oriented[128](t; params: Queries;; boxes: [BoxWords], order: [u32],
+        nodes: [NodeWords], oriented: [ObbWords], mut pairs: [u32]) {
+        call(Oriented(oriented), t.i, params, boxes, order, nodes, pairs);
     }
 }
 
@@ -101,20 +119,11 @@ fn walk_full<V: Volume>(
     pairs: &mut [u32],
 ) {
     if i < params.dispatch.n {
-        let [queries, tree] = sets(params.args.kind);
-        let mut a = params.frame.start[queries] + params.dispatch.first + i;
-        if params.args.sorted != 0 {
-            a = at(order, a as usize);
-        }
-        let query = box_at(boxes, a as usize);
-        let a = a - params.frame.start[queries];
+        let (a, query) = query_of(params, i, boxes, order);
+        let tree = sets(params.args.kind)[1];
         let (first, n_internal) = (params.frame.start[tree], params.frame.count[tree] - 1);
-        // A tree of one leaf has no internal node.
         if n_internal == 0 {
-            let leaf = box_at(boxes, at(order, first as usize) as usize);
-            if leaf.overlaps(&query) {
-                keep(params, a, order, 0, pairs);
-            }
+            ask_only_leaf(params, (a, &query), boxes, order, pairs);
         }
         let mut walk = WideWalk::new();
         for _ in 0..n_internal {
@@ -130,6 +139,65 @@ fn walk_full<V: Volume>(
                 walk.skip();
             }
         }
+    }
+}
+
+#[inline(always)]
+fn call<V: Volume>(
+    volume: V,
+    i: u32,
+    params: &Params<Queries>,
+    boxes: &[BoxWords],
+    order: &[u32],
+    nodes: &[NodeWords],
+    pairs: &mut [u32],
+) {
+    if i < params.dispatch.n {
+        let (a, query) = query_of(params, i, boxes, order);
+        let tree = sets(params.args.kind)[1];
+        let (first, n_internal) = (params.frame.start[tree], params.frame.count[tree] - 1);
+        if n_internal == 0 {
+            ask_only_leaf(params, (a, &query), boxes, order, pairs);
+        }
+        let mut calls = Calls::new();
+        for _ in 0..2 * n_internal {
+            if !calls.goes_on {
+                break;
+            }
+            if !calls.enters() || volume.reaches(&query, first + calls.node) {
+                let node = node_at(nodes, calls.node as usize);
+                let found = calls.step(&node, &query);
+                keep(params, a, order, found, pairs);
+            } else {
+                calls.leave();
+            }
+        }
+    }
+}
+
+/// The number in its set, and the box, of the query of thread `i`.
+#[inline(always)]
+fn query_of(params: &Params<Queries>, i: u32, boxes: &[BoxWords], order: &[u32]) -> (u32, Aabb) {
+    let first = params.frame.start[sets(params.args.kind)[0]];
+    let mut a = first + params.dispatch.first + i;
+    if params.args.sorted != 0 {
+        a = at(order, a as usize);
+    }
+    (a - first, box_at(boxes, a as usize))
+}
+
+/// Asks the leaf of a tree that has no internal node.
+#[inline(always)]
+fn ask_only_leaf(
+    params: &Params<Queries>,
+    (a, query): (u32, &Aabb),
+    boxes: &[BoxWords],
+    order: &[u32],
+    pairs: &mut [u32],
+) {
+    let first = params.frame.start[sets(params.args.kind)[1]];
+    if box_at(boxes, at(order, first as usize) as usize).overlaps(query) {
+        keep(params, a, order, 0, pairs);
     }
 }
 

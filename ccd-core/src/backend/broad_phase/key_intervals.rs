@@ -142,7 +142,7 @@ pub fn interval(
 /// the number itself, so that what is equal here need not be equal there; an overlap of boxes is
 /// one of these, too.
 #[inline(always)]
-fn place_on_axis(p: &[f32; 3], axis: u32) -> u32 {
+pub fn place_on_axis(p: &[f32; 3], axis: u32) -> u32 {
     axis_key(if axis == 0 {
         p[0]
     } else if axis == 1 {

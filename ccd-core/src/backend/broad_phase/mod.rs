@@ -12,14 +12,17 @@ pub mod oriented_nodes;
 pub mod oriented_refit;
 pub mod pair_descent;
 pub mod pair_rules;
+pub mod pair_stacks;
 pub mod pair_workers;
 pub mod placement;
 pub mod ploc;
 pub mod radix_tree;
+pub mod recursive;
 pub mod refit;
 pub mod split_lists;
 pub mod stack_traversal;
 pub mod sweep_and_prune;
+pub mod sweep_by_end_points;
 pub mod sweep_in_strips;
 pub mod swept_box;
 #[cfg(test)]

@@ -75,8 +75,10 @@ impl Id {
         match (self, oriented, steals) {
             (Id::TraverseHalf, true, _) => Id::TraverseHalfOriented,
             (Id::TraverseFull, true, _) => Id::TraverseFullOriented,
+            (Id::TraverseRecursive, true, _) => Id::TraverseRecursiveOriented,
             (Id::CutPairs, true, _) => Id::CutPairsOriented,
             (Id::ExpandPairs, true, _) => Id::ExpandPairsOriented,
+            (Id::DescendStacks, true, _) => Id::DescendStacksOriented,
             (Id::ResumeFront, true, _) => Id::ResumeFrontOriented,
             (Id::PairWorkers, true, false) => Id::PairWorkersOriented,
             (Id::PairWorkers, true, true) => Id::StealPairsOriented,

@@ -195,6 +195,13 @@ macro_rules! kernels {
             TraverseFullOriented
                 = traverse_full_oriented(128 threads, 0 barriers, f32, Params<Queries>)
                 { boxes: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
+            /// As `TraverseFull`, a call of a recursion a step.
+            TraverseRecursive = traverse_recursive(128 threads, 0 barriers, f32, Params<Queries>)
+                { boxes: Read, order: Read, nodes: Read, pairs: Write }
+            /// The same of a tree of oriented boxes.
+            TraverseRecursiveOriented
+                = traverse_recursive_oriented(128 threads, 0 barriers, f32, Params<Queries>)
+                { boxes: Read, order: Read, nodes: Read, oriented: Read, pairs: Write }
             /// Nodes of a cut through a binary tree.
             CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
                 { branches: Read, cuts: Write }
@@ -215,6 +222,15 @@ macro_rules! kernels {
                 = expand_pairs_oriented(128 threads, 3 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read, input: Read,
                   levels: Write, output: Write, pairs: Write }
+            /// Pairs of nodes of two cuts, each by one thread with a stack, to pairs of leaves.
+            DescendStacks = descend_stacks(128 threads, 0 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, input: Read,
+                  rounds: Write, output: Write, pairs: Write }
+            /// The same of trees of oriented boxes.
+            DescendStacksOriented
+                = descend_stacks_oriented(128 threads, 0 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, oriented: Read, input: Read,
+                  rounds: Write, output: Write, pairs: Write }
             /// Pairs of a front to those that still end there, pairs of leaves, and tasks.
             ResumeFront = resume_front(128 threads, 3 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read,
@@ -280,6 +296,12 @@ macro_rules! kernels {
             IntervalPairs = interval_pairs(128 threads, 4 barriers, f32, Params<Intervals>)
                 { sorted: Read, keys: Read, order: Read, survey: Read, work: Read,
                   pairs: Write }
+            /// Where boxes begin and end on an axis: keys, and what begins or ends there.
+            EndPointKeys = end_point_keys(256 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, survey: Read, keys: Write, points: Write }
+            /// From each start of a box to its end: overlapping boxes.
+            SweepEndPoints = sweep_end_points(128 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, points: Read, pairs: Write }
         }
         tests {
             /// Items that are counted whenever a worker takes them.

@@ -13,7 +13,7 @@
 //! are within each other, in any tree, however deep.
 //!
 //! Cost: the nodes that a loop with a stack visits ([`super::queries`]), with a call for many of
-//! them. A GPU has no recursion. It is here for comparison.
+//! them. A GPU has no calls, and keeps a stack in their place. It is here for comparison.
 
 use crate::broad_phase::tree::binary_tree::BinaryTree;
 use ccd_core::Aabb;
