@@ -186,6 +186,11 @@ enum Command {
         buffers: Vec<wgpu::Buffer>,
         groups: u32,
     },
+    /// The last `n` kernels again, with the same parameters, until each ran so many times.
+    Repeat {
+        n: usize,
+        times: u32,
+    },
 }
 
 impl Recorder<'_> {
@@ -280,6 +285,19 @@ impl Recorder<'_> {
             buffers.insert(place, oriented);
         }
         self.run(id, params.parts(), &buffers, groups);
+    }
+
+    /// Runs the kernels that `work` records so many times, one after the other and from the first
+    /// again, with the same parameters: what changes is in their buffers. Kernels alone.
+    pub fn repeat(&mut self, times: u32, work: impl FnOnce(&mut Self)) {
+        if times == 0 {
+            return;
+        }
+        let before = self.commands.len();
+        work(self);
+        let n = self.commands.len() - before;
+        debug_assert!(self.commands[before..].iter().all(|c| matches!(c, Command::Run { .. })));
+        self.commands.push(Command::Repeat { n, times });
     }
 
     /// Runs a kernel by its id. `params`: parts of [`Params`]; `buffers`: in the order of the

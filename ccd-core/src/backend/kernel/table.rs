@@ -168,7 +168,13 @@ macro_rules! kernels {
             /// Boxes in the order of input as nodes to be paired.
             PairLeaves = pair_leaves(256 threads, 0 barriers, f32, Params<Building>)
                 { boxes: Read, bounds: Read, clusters: Write, items: Write }
-            /// Nodes of a level in pairs, each with its nearest free neighbour.
+            /// The nearest of each 256 free nodes to the target.
+            PairSearch = pair_search(256 threads, 3 barriers, f32, Params<Building>)
+                { items: Read, found: Write }
+            /// The nearest of those to the place after the target, and the next target.
+            PairSwap = pair_swap(256 threads, 3 barriers, f32, Params<Building>)
+                { items: Write, found: Write }
+            /// Nodes of a level in pairs, each with its nearest free neighbour, by one workgroup.
             PairNearest = pair_nearest(256 threads, 4 barriers, f32, Params<Building>)
                 { items: Write }
             /// The level above.
