@@ -17,8 +17,8 @@ mod encoding;
 const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
 /// Dispatches of one recording, at most.
 const MAX_DISPATCHES: u64 = 2048;
-/// Stages of one recording, at most.
-const MAX_STAGES: u32 = 32;
+/// Stages of one recording, at most: two for each of 16 rounds of both kinds, and others.
+const MAX_STAGES: u32 = 128;
 
 /// What timestamps of the device measure.
 ///
@@ -199,6 +199,14 @@ impl Recorder<'_> {
         if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) {
             self.commands.push(Command::Stage(name));
         }
+    }
+
+    /// The stage that began last, if stages are timed.
+    pub fn current_stage(&self) -> Option<&'static str> {
+        self.commands.iter().rev().find_map(|command| match command {
+            Command::Stage(name) => Some(*name),
+            _ => None,
+        })
     }
 
     /// A part of a stage, which is timed by itself if kernels are.

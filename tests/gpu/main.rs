@@ -5,6 +5,7 @@
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`. On a GPU
 //! that is emulated some are left out (`emulated.rs`) but with `CCD_WHOLE=1`.
 
+mod balanced;
 mod builder_twin;
 mod builders;
 mod changes;
@@ -130,6 +131,7 @@ fn main() {
             intervals::TESTS,
             descent::TESTS,
             workers::TESTS,
+            balanced::TESTS,
             oriented::TESTS,
             stealing::TESTS,
             poison::TESTS,

@@ -248,6 +248,12 @@ macro_rules! kernels {
                 = steal_pairs_oriented(128 threads, 18 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Prefix sums of the pairs that workers leave.
+            BalanceCounts = balance_counts(256 threads, 2 barriers, f32, Params<NodeDescent>)
+                { control: Write, nodes: Write }
+            /// What workers leave, in even parts.
+            BalancePairs = balance_pairs(128 threads, 0 barriers, f32, Params<NodeDescent>)
+                { control: Read, nodes: Write }
             /// All pairs of blocks of the level where a descent begins: tasks, or the first front.
             FirstBlockPairs
                 = first_block_pairs(128 threads, 3 barriers, f32, Params<BlockDescent>)
