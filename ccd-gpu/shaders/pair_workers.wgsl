@@ -119,133 +119,139 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_287_: u32;
     var phi_288_: u32;
     var phi_289_: u32;
-    var phi_349_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_372_: u32;
-    var phi_378_: u32;
     var phi_387_: u32;
+    var phi_392_: u32;
+    var phi_397_: u32;
+    var phi_410_: u32;
+    var phi_416_: u32;
+    var phi_425_: u32;
+    var phi_354_: u32;
+    var phi_360_: u32;
+    var phi_366_: u32;
+    var phi_426_: u32;
     var phi_317_: u32;
     var phi_323_: u32;
-    var phi_388_: u32;
-    var phi_389_: u32;
-    var phi_390_: u32;
-    var phi_410_: u32;
-    var phi_411_: u32;
-    var phi_494_: array<u32, 2>;
-    var phi_495_: array<u32, 2>;
-    var phi_512_: array<u32, 2>;
-    var phi_541_: u32;
-    var phi_615_: array<u32, 2>;
-    var phi_629_: array<u32, 2>;
-    var phi_666_: array<u32, 2>;
-    var phi_668_: type_24;
-    var phi_669_: type_24;
-    var phi_670_: bool;
-    var phi_671_: type_24;
-    var phi_672_: bool;
-    var phi_688_: bool;
-    var phi_732_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_735_: bool;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_843_: array<u32, 2>;
-    var phi_872_: array<u32, 2>;
-    var phi_901_: array<u32, 2>;
-    var phi_930_: array<u32, 2>;
-    var phi_932_: type_24;
-    var phi_933_: bool;
-    var phi_934_: type_24;
-    var phi_935_: bool;
-    var phi_1108_: array<u32, 2>;
-    var phi_1140_: array<u32, 2>;
-    var phi_1008_: array<u32, 2>;
-    var phi_1040_: array<u32, 2>;
-    var phi_1142_: type_24;
-    var phi_1143_: type_24;
-    var phi_1144_: type_24;
-    var phi_1145_: bool;
-    var phi_1146_: type_24;
-    var phi_1147_: type_24;
-    var phi_1148_: bool;
-    var phi_1152_: type_24;
-    var phi_1163_: array<array<u32, 2>, 4>;
-    var phi_1181_: bool;
-    var phi_1182_: bool;
-    var phi_1186_: u32;
-    var phi_1187_: u32;
-    var phi_1199_: type_25;
-    var phi_1200_: type_25;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
-    var phi_1223_: u32;
-    var phi_1224_: u32;
-    var phi_1236_: type_25;
-    var phi_1237_: type_25;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1273_: type_25;
-    var phi_1274_: type_25;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: u32;
-    var phi_1298_: u32;
-    var phi_1310_: type_25;
-    var phi_1311_: type_25;
-    var phi_1327_: bool;
-    var phi_1328_: bool;
-    var phi_1332_: u32;
-    var phi_1333_: u32;
-    var phi_1339_: type_25;
-    var phi_1340_: type_25;
-    var phi_1341_: type_25;
-    var phi_1342_: type_25;
-    var phi_1343_: type_25;
-    var phi_1363_: array<u32, 2>;
-    var phi_1364_: array<u32, 2>;
-    var phi_1376_: array<u32, 2>;
-    var phi_1377_: array<u32, 2>;
-    var phi_1394_: array<u32, 2>;
-    var phi_1395_: array<u32, 2>;
-    var phi_1407_: array<u32, 2>;
-    var phi_1408_: array<u32, 2>;
-    var phi_1425_: array<u32, 2>;
-    var phi_1426_: array<u32, 2>;
-    var phi_1438_: array<u32, 2>;
-    var phi_1439_: array<u32, 2>;
-    var phi_1456_: array<u32, 2>;
-    var phi_1457_: array<u32, 2>;
-    var phi_1469_: array<u32, 2>;
-    var phi_1470_: array<u32, 2>;
-    var phi_1514_: u32;
-    var phi_1699_: type_9;
-    var phi_1704_: type_9;
-    var phi_1862_: type_9;
-    var phi_1867_: type_9;
-    var phi_2025_: type_9;
-    var phi_2030_: type_9;
-    var phi_2188_: type_9;
-    var phi_2193_: type_9;
-    var phi_2246_: bool;
-    var phi_2247_: bool;
-    var phi_2270_: u32;
-    var phi_2275_: u32;
-    var phi_2348_: type_9;
-    var phi_2349_: type_9;
-    var phi_2372_: type_9;
-    var phi_2432_: u32;
+    var phi_427_: u32;
+    var phi_428_: u32;
+    var phi_429_: u32;
+    var phi_449_: u32;
+    var phi_450_: u32;
+    var phi_533_: array<u32, 2>;
+    var phi_534_: array<u32, 2>;
+    var phi_551_: array<u32, 2>;
+    var phi_580_: u32;
+    var phi_654_: array<u32, 2>;
+    var phi_668_: array<u32, 2>;
+    var phi_705_: array<u32, 2>;
+    var phi_707_: type_24;
+    var phi_708_: type_24;
+    var phi_709_: bool;
+    var phi_710_: type_24;
+    var phi_711_: bool;
+    var phi_727_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_882_: array<u32, 2>;
+    var phi_911_: array<u32, 2>;
+    var phi_940_: array<u32, 2>;
+    var phi_969_: array<u32, 2>;
+    var phi_971_: type_24;
+    var phi_972_: bool;
+    var phi_973_: type_24;
+    var phi_974_: bool;
+    var phi_1147_: array<u32, 2>;
+    var phi_1179_: array<u32, 2>;
+    var phi_1047_: array<u32, 2>;
+    var phi_1079_: array<u32, 2>;
+    var phi_1181_: type_24;
+    var phi_1182_: type_24;
+    var phi_1183_: type_24;
+    var phi_1184_: bool;
+    var phi_1185_: type_24;
+    var phi_1186_: type_24;
+    var phi_1187_: bool;
+    var phi_1191_: type_24;
+    var phi_1202_: array<array<u32, 2>, 4>;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1225_: u32;
+    var phi_1226_: u32;
+    var phi_1238_: type_25;
+    var phi_1239_: type_25;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1262_: u32;
+    var phi_1263_: u32;
+    var phi_1275_: type_25;
+    var phi_1276_: type_25;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1299_: u32;
+    var phi_1300_: u32;
+    var phi_1312_: type_25;
+    var phi_1313_: type_25;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1336_: u32;
+    var phi_1337_: u32;
+    var phi_1349_: type_25;
+    var phi_1350_: type_25;
+    var phi_1366_: bool;
+    var phi_1367_: bool;
+    var phi_1371_: u32;
+    var phi_1372_: u32;
+    var phi_1378_: type_25;
+    var phi_1379_: type_25;
+    var phi_1380_: type_25;
+    var phi_1381_: type_25;
+    var phi_1382_: type_25;
+    var phi_1402_: array<u32, 2>;
+    var phi_1403_: array<u32, 2>;
+    var phi_1415_: array<u32, 2>;
+    var phi_1416_: array<u32, 2>;
+    var phi_1433_: array<u32, 2>;
+    var phi_1434_: array<u32, 2>;
+    var phi_1446_: array<u32, 2>;
+    var phi_1447_: array<u32, 2>;
+    var phi_1464_: array<u32, 2>;
+    var phi_1465_: array<u32, 2>;
+    var phi_1477_: array<u32, 2>;
+    var phi_1478_: array<u32, 2>;
+    var phi_1495_: array<u32, 2>;
+    var phi_1496_: array<u32, 2>;
+    var phi_1508_: array<u32, 2>;
+    var phi_1509_: array<u32, 2>;
+    var phi_1553_: u32;
+    var phi_1738_: type_9;
+    var phi_1743_: type_9;
+    var phi_1901_: type_9;
+    var phi_1906_: type_9;
+    var phi_2064_: type_9;
+    var phi_2069_: type_9;
+    var phi_2227_: type_9;
+    var phi_2232_: type_9;
+    var phi_2285_: bool;
+    var phi_2286_: bool;
+    var phi_2309_: u32;
+    var phi_2314_: u32;
+    var phi_2340_: u32;
+    var phi_2346_: u32;
+    var phi_2434_: type_9;
     var phi_2435_: type_9;
-    var phi_2436_: type_9;
-    var phi_2459_: type_9;
-    var phi_2540_: type_9;
-    var phi_2541_: type_9;
-    var phi_2564_: type_9;
-    var phi_2656_: bool;
-    var phi_2657_: bool;
+    var phi_2458_: type_9;
+    var phi_2549_: u32;
+    var phi_2552_: type_9;
+    var phi_2553_: type_9;
+    var phi_2576_: type_9;
+    var phi_2657_: type_9;
+    var phi_2658_: type_9;
+    var phi_2681_: type_9;
+    var phi_2773_: bool;
+    var phi_2774_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -253,1207 +259,1267 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e54 = id_2;
-    let _e55 = n_2;
-    let _e56 = lane_2;
-    let _e68 = ((_e54.y * _e55.x) + _e54.x);
-    let _e70 = params.member.member_2;
-    let _e72 = params.member.member_1;
-    let _e75 = (_e72.member_1 % 2u);
-    let _e77 = atomicLoad((&control.member[_e72.member_1]));
-    if (_e70.member_3 < _e77) {
-        phi_166_ = _e70.member_3;
+    let _e55 = id_2;
+    let _e56 = n_2;
+    let _e57 = lane_2;
+    let _e69 = ((_e55.y * _e56.x) + _e55.x);
+    let _e71 = params.member.member_2;
+    let _e73 = params.member.member_1;
+    let _e76 = (_e73.member_1 % 2u);
+    let _e78 = atomicLoad((&control.member[_e73.member_1]));
+    if (_e71.member_3 < _e78) {
+        phi_166_ = _e71.member_3;
     } else {
-        phi_166_ = _e77;
+        phi_166_ = _e78;
     }
-    let _e80 = phi_166_;
-    let _e81 = (_e75 * _e70.member_3);
-    let _e83 = ((1u - _e75) * _e70.member_3);
-    if (_e56 == 0u) {
+    let _e81 = phi_166_;
+    let _e82 = (_e76 * _e71.member_3);
+    let _e84 = ((1u - _e76) * _e71.member_3);
+    if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_204_ = type_9(0u, _e70.member_11);
+    phi_204_ = type_9(0u, _e71.member_11);
     loop {
-        let _e92 = phi_204_;
-        if (_e92.member < _e92.member_1) {
-            phi_205_ = type_9((_e92.member + 1u), _e92.member_1);
-            phi_228_ = type_9(1u, _e92.member);
+        let _e93 = phi_204_;
+        if (_e93.member < _e93.member_1) {
+            phi_205_ = type_9((_e93.member + 1u), _e93.member_1);
+            phi_228_ = type_9(1u, _e93.member);
         } else {
-            phi_205_ = _e92;
+            phi_205_ = _e93;
             phi_228_ = type_9(0u, type_9().member_1);
         }
-        let _e104 = phi_205_;
-        let _e106 = phi_228_;
-        if (bitcast<i32>(_e106.member) != 0i) {
-            if (_e56 == 0u) {
-                let _e117 = atomicLoad((&shared_[0u]));
-                if (128u < _e117) {
+        let _e105 = phi_205_;
+        let _e107 = phi_228_;
+        if (bitcast<i32>(_e107.member) != 0i) {
+            if (_e57 == 0u) {
+                let _e118 = atomicLoad((&shared_[0u]));
+                if (128u < _e118) {
                     phi_252_ = 128u;
                 } else {
-                    phi_252_ = _e117;
+                    phi_252_ = _e118;
                 }
-                let _e120 = phi_252_;
-                if (_e70.member_9 > 0u) {
-                    if (_e106.member_1 >= 16u) {
-                        let _e125 = atomicLoad((&control.member[(1024u + _e72.member_1)]));
-                        if (_e70.member_9 > 0u) {
-                            phi_283_ = ((_e125 * 100u) >= (_e70.member_9 << bitcast<u32>((_e70.member_7 & 31u))));
+                let _e121 = phi_252_;
+                if (_e71.member_9 > 0u) {
+                    if (_e107.member_1 >= 16u) {
+                        let _e126 = atomicLoad((&control.member[(1024u + _e73.member_1)]));
+                        if (_e71.member_9 > 0u) {
+                            phi_283_ = ((_e126 * 100u) >= (_e71.member_9 << bitcast<u32>((_e71.member_7 & 31u))));
                         } else {
                             phi_283_ = false;
                         }
-                        let _e133 = phi_283_;
-                        if _e133 {
+                        let _e134 = phi_283_;
+                        if _e134 {
                             phi_287_ = 2u;
                         } else {
                             phi_287_ = 0u;
                         }
-                        let _e135 = phi_287_;
-                        phi_288_ = _e135;
+                        let _e136 = phi_287_;
+                        phi_288_ = _e136;
                     } else {
                         phi_288_ = 0u;
                     }
-                    let _e137 = phi_288_;
-                    phi_289_ = _e137;
+                    let _e138 = phi_288_;
+                    phi_289_ = _e138;
                 } else {
                     phi_289_ = 0u;
                 }
-                let _e139 = phi_289_;
-                let _e140 = (128u - _e120);
-                if (_e139 == 0u) {
-                    if (_e140 > 0u) {
-                        let _e144 = atomicLoad((&shared_[5u]));
-                        if (_e70.member_6 == 0u) {
-                            if (_e68 < _e80) {
-                                phi_317_ = ((((_e80 - 1u) - _e68) >> bitcast<u32>((_e70.member_7 & 31u))) + 1u);
+                let _e140 = phi_289_;
+                let _e141 = (128u - _e121);
+                if (_e140 == 0u) {
+                    if (_e141 > 0u) {
+                        let _e145 = atomicLoad((&shared_[5u]));
+                        if (_e71.member_6 == 0u) {
+                            if (_e69 < _e81) {
+                                phi_317_ = ((((_e81 - 1u) - _e69) >> bitcast<u32>((_e71.member_7 & 31u))) + 1u);
                             } else {
                                 phi_317_ = 0u;
                             }
-                            let _e185 = phi_317_;
-                            let _e186 = (_e185 - _e144);
-                            if (_e140 < _e186) {
-                                phi_323_ = _e140;
+                            let _e214 = phi_317_;
+                            let _e215 = (_e214 - _e145);
+                            if (_e141 < _e215) {
+                                phi_323_ = _e141;
                             } else {
-                                phi_323_ = _e186;
+                                phi_323_ = _e215;
                             }
-                            let _e189 = phi_323_;
-                            atomicStore((&shared_[3u]), (_e68 + (_e144 << bitcast<u32>((_e70.member_7 & 31u)))));
-                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e70.member_7 & 31u))));
-                            atomicStore((&shared_[5u]), (_e144 + _e189));
-                            phi_388_ = _e189;
+                            let _e218 = phi_323_;
+                            atomicStore((&shared_[3u]), (_e69 + (_e145 << bitcast<u32>((_e71.member_7 & 31u)))));
+                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e71.member_7 & 31u))));
+                            atomicStore((&shared_[5u]), (_e145 + _e218));
+                            phi_427_ = _e218;
                         } else {
-                            if (_e144 == 0u) {
-                                let _e150 = (_e80 >> bitcast<u32>(((_e70.member_7 + 2u) & 31u)));
-                                if (_e70.member_8 < _e150) {
-                                    phi_349_ = _e150;
+                            if (_e71.member_6 == 2u) {
+                                let _e186 = (((_e81 + (1u << bitcast<u32>((_e71.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e71.member_7 & 31u)));
+                                let _e187 = (_e69 * _e186);
+                                if (_e81 < _e187) {
+                                    phi_354_ = _e81;
                                 } else {
-                                    phi_349_ = _e70.member_8;
+                                    phi_354_ = _e187;
                                 }
-                                let _e153 = phi_349_;
-                                if (128u < _e153) {
-                                    phi_354_ = 128u;
+                                let _e190 = phi_354_;
+                                let _e191 = (_e81 - _e190);
+                                if (_e191 < _e186) {
+                                    phi_360_ = _e191;
                                 } else {
-                                    phi_354_ = _e153;
+                                    phi_360_ = _e186;
                                 }
-                                let _e156 = phi_354_;
-                                if (_e140 < _e156) {
-                                    phi_359_ = _e140;
+                                let _e194 = phi_360_;
+                                let _e195 = (_e194 - _e145);
+                                if (_e141 < _e195) {
+                                    phi_366_ = _e141;
                                 } else {
-                                    phi_359_ = _e156;
+                                    phi_366_ = _e195;
                                 }
-                                let _e159 = phi_359_;
-                                let _e162 = atomicAdd((&control.member[(512u + _e72.member_1)]), _e159);
-                                if (_e80 < _e162) {
-                                    phi_372_ = _e80;
-                                } else {
-                                    phi_372_ = _e162;
-                                }
-                                let _e165 = phi_372_;
-                                let _e166 = (_e80 - _e165);
-                                if (_e159 < _e166) {
-                                    phi_378_ = _e159;
-                                } else {
-                                    phi_378_ = _e166;
-                                }
-                                let _e169 = phi_378_;
-                                atomicStore((&shared_[3u]), _e162);
+                                let _e198 = phi_366_;
+                                atomicStore((&shared_[3u]), (_e190 + _e145));
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), select(0u, 1u, (_e169 < _e159)));
-                                phi_387_ = _e169;
+                                atomicStore((&shared_[5u]), (_e145 + _e198));
+                                phi_426_ = _e198;
                             } else {
-                                phi_387_ = 0u;
+                                if (_e145 == 0u) {
+                                    let _e152 = (_e81 >> bitcast<u32>(((_e71.member_7 + 2u) & 31u)));
+                                    if (_e71.member_8 < _e152) {
+                                        phi_387_ = _e152;
+                                    } else {
+                                        phi_387_ = _e71.member_8;
+                                    }
+                                    let _e155 = phi_387_;
+                                    if (128u < _e155) {
+                                        phi_392_ = 128u;
+                                    } else {
+                                        phi_392_ = _e155;
+                                    }
+                                    let _e158 = phi_392_;
+                                    if (_e141 < _e158) {
+                                        phi_397_ = _e141;
+                                    } else {
+                                        phi_397_ = _e158;
+                                    }
+                                    let _e161 = phi_397_;
+                                    let _e164 = atomicAdd((&control.member[(512u + _e73.member_1)]), _e161);
+                                    if (_e81 < _e164) {
+                                        phi_410_ = _e81;
+                                    } else {
+                                        phi_410_ = _e164;
+                                    }
+                                    let _e167 = phi_410_;
+                                    let _e168 = (_e81 - _e167);
+                                    if (_e161 < _e168) {
+                                        phi_416_ = _e161;
+                                    } else {
+                                        phi_416_ = _e168;
+                                    }
+                                    let _e171 = phi_416_;
+                                    atomicStore((&shared_[3u]), _e164);
+                                    atomicStore((&shared_[4u]), 1u);
+                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e171 < _e161)));
+                                    phi_425_ = _e171;
+                                } else {
+                                    phi_425_ = 0u;
+                                }
+                                let _e178 = phi_425_;
+                                phi_426_ = _e178;
                             }
-                            let _e176 = phi_387_;
-                            phi_388_ = _e176;
+                            let _e205 = phi_426_;
+                            phi_427_ = _e205;
                         }
-                        let _e202 = phi_388_;
-                        phi_389_ = _e202;
+                        let _e231 = phi_427_;
+                        phi_428_ = _e231;
                     } else {
-                        phi_389_ = 0u;
+                        phi_428_ = 0u;
                     }
-                    let _e204 = phi_389_;
-                    phi_390_ = _e204;
+                    let _e233 = phi_428_;
+                    phi_429_ = _e233;
                 } else {
-                    phi_390_ = 0u;
+                    phi_429_ = 0u;
                 }
-                let _e206 = phi_390_;
-                if (_e139 == 0u) {
-                    if ((_e120 + _e206) == 0u) {
-                        if (_e70.member_9 > 0u) {
-                            let _e213 = atomicAdd((&control.member[(1024u + _e72.member_1)]), 1u);
+                let _e235 = phi_429_;
+                if (_e140 == 0u) {
+                    if ((_e121 + _e235) == 0u) {
+                        if (_e71.member_9 > 0u) {
+                            let _e242 = atomicAdd((&control.member[(1024u + _e73.member_1)]), 1u);
                         }
-                        phi_410_ = 1u;
+                        phi_449_ = 1u;
                     } else {
-                        phi_410_ = _e139;
+                        phi_449_ = _e140;
                     }
-                    let _e215 = phi_410_;
-                    phi_411_ = _e215;
+                    let _e244 = phi_449_;
+                    phi_450_ = _e244;
                 } else {
-                    phi_411_ = _e139;
+                    phi_450_ = _e140;
                 }
-                let _e217 = phi_411_;
-                atomicStore((&shared_[1u]), _e120);
-                atomicStore((&shared_[2u]), _e206);
+                let _e246 = phi_450_;
+                atomicStore((&shared_[1u]), _e121);
+                atomicStore((&shared_[2u]), _e235);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                state[0u] = _e217;
+                state[0u] = _e246;
             }
-            let _e225 = workgroupUniformLoad((&state[0u]));
-            if (_e225 != 0u) {
-                phi_2246_ = false;
+            let _e254 = workgroupUniformLoad((&state[0u]));
+            if (_e254 != 0u) {
+                phi_2285_ = false;
             } else {
-                let _e228 = atomicLoad((&shared_[1u]));
-                let _e230 = atomicLoad((&shared_[2u]));
-                if (_e56 < _e228) {
-                    let _e253 = atomicLoad((&shared_[0u]));
-                    let _e256 = (2u * ((_e253 - 1u) - _e56));
-                    let _e258 = stack[_e256];
-                    let _e261 = stack[(_e256 + 1u)];
-                    phi_495_ = array<u32, 2>(_e258, _e261);
+                let _e257 = atomicLoad((&shared_[1u]));
+                let _e259 = atomicLoad((&shared_[2u]));
+                if (_e57 < _e257) {
+                    let _e282 = atomicLoad((&shared_[0u]));
+                    let _e285 = (2u * ((_e282 - 1u) - _e57));
+                    let _e287 = stack[_e285];
+                    let _e290 = stack[(_e285 + 1u)];
+                    phi_534_ = array<u32, 2>(_e287, _e290);
                 } else {
-                    if (_e56 < (_e228 + _e230)) {
-                        let _e235 = atomicLoad((&shared_[3u]));
-                        let _e238 = atomicLoad((&shared_[4u]));
-                        let _e242 = (2u * (_e81 + (_e235 + ((_e56 - _e228) * _e238))));
-                        let _e245 = atomicLoad((&nodes.member[(4u + _e242)]));
-                        let _e248 = atomicLoad((&nodes.member[(_e242 + 5u)]));
-                        phi_494_ = array<u32, 2>(_e245, _e248);
+                    if (_e57 < (_e257 + _e259)) {
+                        let _e264 = atomicLoad((&shared_[3u]));
+                        let _e267 = atomicLoad((&shared_[4u]));
+                        let _e271 = (2u * (_e82 + (_e264 + ((_e57 - _e257) * _e267))));
+                        let _e274 = atomicLoad((&nodes.member[(4u + _e271)]));
+                        let _e277 = atomicLoad((&nodes.member[(_e271 + 5u)]));
+                        phi_533_ = array<u32, 2>(_e274, _e277);
                     } else {
-                        phi_494_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_533_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e251 = phi_494_;
-                    phi_495_ = _e251;
+                    let _e280 = phi_533_;
+                    phi_534_ = _e280;
                 }
-                let _e264 = phi_495_;
-                let _e267 = params.member.member_2.member;
-                let _e271 = params.member.member_2.member;
-                if (_e271 == 0u) {
-                    phi_512_ = array<u32, 2>(0u, 2u);
+                let _e293 = phi_534_;
+                let _e296 = params.member.member_2.member;
+                let _e300 = params.member.member_2.member;
+                if (_e300 == 0u) {
+                    phi_551_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_512_ = array<u32, 2>(1u, 1u);
+                    phi_551_ = array<u32, 2>(1u, 1u);
                 }
-                let _e274 = phi_512_;
-                let _e280 = params.member.member.member[_e274[0]];
-                let _e281 = (_e280 - 1u);
-                let _e285 = params.member.member.member[_e274[1]];
-                let _e286 = (_e285 - 1u);
-                let _e289 = params.member.member_2.member_1;
-                if (_e289 == 0u) {
-                    phi_541_ = 1u;
+                let _e303 = phi_551_;
+                let _e309 = params.member.member.member[_e303[0]];
+                let _e310 = (_e309 - 1u);
+                let _e314 = params.member.member.member[_e303[1]];
+                let _e315 = (_e314 - 1u);
+                let _e318 = params.member.member_2.member_1;
+                if (_e318 == 0u) {
+                    phi_580_ = 1u;
                 } else {
-                    phi_541_ = 0u;
+                    phi_580_ = 0u;
                 }
-                let _e292 = phi_541_;
-                if (_e264[0] != 4294967295u) {
-                    let _e298 = a.member[_e264[0]];
-                    let _e300 = b.member[_e264[1]];
-                    if (_e267 == 1u) {
-                        if (_e264[0] == _e264[1]) {
-                            if (_e298.member_3 == 4294967295u) {
-                                phi_668_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                let _e321 = phi_580_;
+                if (_e293[0] != 4294967295u) {
+                    let _e327 = a.member[_e293[0]];
+                    let _e329 = b.member[_e293[1]];
+                    if (_e296 == 1u) {
+                        if (_e293[0] == _e293[1]) {
+                            if (_e327.member_3 == 4294967295u) {
+                                phi_707_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
-                                let _e306 = a.member[_e298.member_1];
-                                let _e309 = a.member[_e298.member_3];
-                                if !((_e306.member_3 == 4294967295u)) {
-                                    phi_615_ = array<u32, 2>(_e298.member_1, _e298.member_1);
+                                let _e335 = a.member[_e327.member_1];
+                                let _e338 = a.member[_e327.member_3];
+                                if !((_e335.member_3 == 4294967295u)) {
+                                    phi_654_ = array<u32, 2>(_e327.member_1, _e327.member_1);
                                 } else {
-                                    phi_615_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_654_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e316 = phi_615_;
-                                let _e323 = type_24(array<array<u32, 2>, 4>(_e316, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e335 = type_24(array<array<u32, 2>, 4>(_e323.member[0], array<u32, 2>(_e298.member_1, _e323.member[1][1]), _e323.member[2], _e323.member[3]), _e323.member_1);
-                                let _e336 = array<u32, 2>(_e298.member_1, _e298.member_3);
-                                let _e343 = type_24(array<array<u32, 2>, 4>(_e335.member[0], _e336, _e335.member[2], _e335.member[3]), _e335.member_1);
-                                if !((_e309.member_3 == 4294967295u)) {
-                                    phi_629_ = array<u32, 2>(_e298.member_3, _e298.member_3);
+                                let _e345 = phi_654_;
+                                let _e352 = type_24(array<array<u32, 2>, 4>(_e345, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e364 = type_24(array<array<u32, 2>, 4>(_e352.member[0], array<u32, 2>(_e327.member_1, _e352.member[1][1]), _e352.member[2], _e352.member[3]), _e352.member_1);
+                                let _e365 = array<u32, 2>(_e327.member_1, _e327.member_3);
+                                let _e372 = type_24(array<array<u32, 2>, 4>(_e364.member[0], _e365, _e364.member[2], _e364.member[3]), _e364.member_1);
+                                if !((_e338.member_3 == 4294967295u)) {
+                                    phi_668_ = array<u32, 2>(_e327.member_3, _e327.member_3);
                                 } else {
-                                    phi_629_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_668_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e350 = phi_629_;
-                                let _e357 = type_24(array<array<u32, 2>, 4>(_e343.member[0], _e343.member[1], _e350, _e343.member[3]), _e343.member_1);
-                                let _e360 = type_24(_e357.member, _e357.member);
-                                if ((((((_e306.member[0] <= _e309.member_2[0]) && (_e309.member[0] <= _e306.member_2[0])) && (_e306.member[1] <= _e309.member_2[1])) && (_e309.member[1] <= _e306.member_2[1])) && (_e306.member[2] <= _e309.member_2[2])) && (_e309.member[2] <= _e306.member_2[2])) {
-                                    phi_666_ = _e336;
+                                let _e379 = phi_668_;
+                                let _e386 = type_24(array<array<u32, 2>, 4>(_e372.member[0], _e372.member[1], _e379, _e372.member[3]), _e372.member_1);
+                                let _e389 = type_24(_e386.member, _e386.member);
+                                if ((((((_e335.member[0] <= _e338.member_2[0]) && (_e338.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e338.member_2[1])) && (_e338.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e338.member_2[2])) && (_e338.member[2] <= _e335.member_2[2])) {
+                                    phi_705_ = _e365;
                                 } else {
-                                    phi_666_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_705_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e389 = phi_666_;
-                                phi_668_ = type_24(_e360.member, array<array<u32, 2>, 4>(_e360.member_1[0], _e389, _e360.member_1[2], _e360.member_1[3]));
+                                let _e418 = phi_705_;
+                                phi_707_ = type_24(_e389.member, array<array<u32, 2>, 4>(_e389.member_1[0], _e418, _e389.member_1[2], _e389.member_1[3]));
                             }
-                            let _e398 = phi_668_;
-                            phi_669_ = _e398;
-                            phi_670_ = false;
+                            let _e427 = phi_707_;
+                            phi_708_ = _e427;
+                            phi_709_ = false;
                         } else {
-                            phi_669_ = type_24();
-                            phi_670_ = true;
+                            phi_708_ = type_24();
+                            phi_709_ = true;
                         }
-                        let _e400 = phi_669_;
-                        let _e402 = phi_670_;
-                        phi_671_ = _e400;
-                        phi_672_ = _e402;
+                        let _e429 = phi_708_;
+                        let _e431 = phi_709_;
+                        phi_710_ = _e429;
+                        phi_711_ = _e431;
                     } else {
-                        phi_671_ = type_24();
-                        phi_672_ = true;
+                        phi_710_ = type_24();
+                        phi_711_ = true;
                     }
-                    let _e404 = phi_671_;
-                    let _e406 = phi_672_;
-                    if _e406 {
-                        let _e409 = !((_e298.member_3 == 4294967295u));
-                        let _e412 = !((_e300.member_3 == 4294967295u));
-                        if _e409 {
-                            phi_688_ = true;
+                    let _e433 = phi_710_;
+                    let _e435 = phi_711_;
+                    if _e435 {
+                        let _e438 = !((_e327.member_3 == 4294967295u));
+                        let _e441 = !((_e329.member_3 == 4294967295u));
+                        if _e438 {
+                            phi_727_ = true;
                         } else {
-                            phi_688_ = _e412;
+                            phi_727_ = _e441;
                         }
-                        let _e414 = phi_688_;
-                        if _e414 {
-                            if _e409 {
-                                if _e412 {
-                                    if (_e292 == 0u) {
-                                        let _e442 = ((((_e300.member_2[0] - _e300.member[0]) * (_e300.member_2[1] - _e300.member[1])) * (_e300.member_2[2] - _e300.member[2])) > (((_e298.member_2[0] - _e298.member[0]) * (_e298.member_2[1] - _e298.member[1])) * (_e298.member_2[2] - _e298.member[2])));
-                                        phi_732_ = _e442;
-                                        phi_733_ = !(_e442);
+                        let _e443 = phi_727_;
+                        if _e443 {
+                            if _e438 {
+                                if _e441 {
+                                    if (_e321 == 0u) {
+                                        let _e471 = ((((_e329.member_2[0] - _e329.member[0]) * (_e329.member_2[1] - _e329.member[1])) * (_e329.member_2[2] - _e329.member[2])) > (((_e327.member_2[0] - _e327.member[0]) * (_e327.member_2[1] - _e327.member[1])) * (_e327.member_2[2] - _e327.member[2])));
+                                        phi_771_ = _e471;
+                                        phi_772_ = !(_e471);
                                     } else {
-                                        phi_732_ = _e412;
-                                        phi_733_ = _e409;
+                                        phi_771_ = _e441;
+                                        phi_772_ = _e438;
                                     }
-                                    let _e445 = phi_732_;
-                                    let _e447 = phi_733_;
-                                    phi_734_ = _e445;
-                                    phi_735_ = _e447;
+                                    let _e474 = phi_771_;
+                                    let _e476 = phi_772_;
+                                    phi_773_ = _e474;
+                                    phi_774_ = _e476;
                                 } else {
-                                    phi_734_ = _e412;
-                                    phi_735_ = _e409;
+                                    phi_773_ = _e441;
+                                    phi_774_ = _e438;
                                 }
-                                let _e449 = phi_734_;
-                                let _e451 = phi_735_;
-                                phi_736_ = _e449;
-                                phi_737_ = _e451;
+                                let _e478 = phi_773_;
+                                let _e480 = phi_774_;
+                                phi_775_ = _e478;
+                                phi_776_ = _e480;
                             } else {
-                                phi_736_ = _e412;
-                                phi_737_ = _e409;
+                                phi_775_ = _e441;
+                                phi_776_ = _e438;
                             }
-                            let _e453 = phi_736_;
-                            let _e455 = phi_737_;
-                            if _e455 {
-                                if _e453 {
-                                    let _e458 = a.member[_e298.member_1];
-                                    let _e463 = a.member[_e298.member_3];
-                                    let _e468 = b.member[_e300.member_1];
-                                    let _e473 = b.member[_e300.member_3];
-                                    let _e478 = array<u32, 2>(_e298.member_1, _e300.member_1);
-                                    let _e481 = array<u32, 2>(_e298.member_1, _e300.member_3);
-                                    let _e484 = array<u32, 2>(_e298.member_3, _e300.member_1);
-                                    let _e487 = array<u32, 2>(_e298.member_3, _e300.member_3);
-                                    if ((((((_e458.member[0] <= _e468.member_2[0]) && (_e468.member[0] <= _e458.member_2[0])) && (_e458.member[1] <= _e468.member_2[1])) && (_e468.member[1] <= _e458.member_2[1])) && (_e458.member[2] <= _e468.member_2[2])) && (_e468.member[2] <= _e458.member_2[2])) {
-                                        phi_843_ = _e478;
+                            let _e482 = phi_775_;
+                            let _e484 = phi_776_;
+                            if _e484 {
+                                if _e482 {
+                                    let _e487 = a.member[_e327.member_1];
+                                    let _e492 = a.member[_e327.member_3];
+                                    let _e497 = b.member[_e329.member_1];
+                                    let _e502 = b.member[_e329.member_3];
+                                    let _e507 = array<u32, 2>(_e327.member_1, _e329.member_1);
+                                    let _e510 = array<u32, 2>(_e327.member_1, _e329.member_3);
+                                    let _e513 = array<u32, 2>(_e327.member_3, _e329.member_1);
+                                    let _e516 = array<u32, 2>(_e327.member_3, _e329.member_3);
+                                    if ((((((_e487.member[0] <= _e497.member_2[0]) && (_e497.member[0] <= _e487.member_2[0])) && (_e487.member[1] <= _e497.member_2[1])) && (_e497.member[1] <= _e487.member_2[1])) && (_e487.member[2] <= _e497.member_2[2])) && (_e497.member[2] <= _e487.member_2[2])) {
+                                        phi_882_ = _e507;
                                     } else {
-                                        phi_843_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_882_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e513 = phi_843_;
-                                    if ((((((_e458.member[0] <= _e473.member_2[0]) && (_e473.member[0] <= _e458.member_2[0])) && (_e458.member[1] <= _e473.member_2[1])) && (_e473.member[1] <= _e458.member_2[1])) && (_e458.member[2] <= _e473.member_2[2])) && (_e473.member[2] <= _e458.member_2[2])) {
-                                        phi_872_ = _e481;
+                                    let _e542 = phi_882_;
+                                    if ((((((_e487.member[0] <= _e502.member_2[0]) && (_e502.member[0] <= _e487.member_2[0])) && (_e487.member[1] <= _e502.member_2[1])) && (_e502.member[1] <= _e487.member_2[1])) && (_e487.member[2] <= _e502.member_2[2])) && (_e502.member[2] <= _e487.member_2[2])) {
+                                        phi_911_ = _e510;
                                     } else {
-                                        phi_872_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_911_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e538 = phi_872_;
-                                    if ((((((_e463.member[0] <= _e468.member_2[0]) && (_e468.member[0] <= _e463.member_2[0])) && (_e463.member[1] <= _e468.member_2[1])) && (_e468.member[1] <= _e463.member_2[1])) && (_e463.member[2] <= _e468.member_2[2])) && (_e468.member[2] <= _e463.member_2[2])) {
-                                        phi_901_ = _e484;
+                                    let _e567 = phi_911_;
+                                    if ((((((_e492.member[0] <= _e497.member_2[0]) && (_e497.member[0] <= _e492.member_2[0])) && (_e492.member[1] <= _e497.member_2[1])) && (_e497.member[1] <= _e492.member_2[1])) && (_e492.member[2] <= _e497.member_2[2])) && (_e497.member[2] <= _e492.member_2[2])) {
+                                        phi_940_ = _e513;
                                     } else {
-                                        phi_901_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_940_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e563 = phi_901_;
-                                    if ((((((_e463.member[0] <= _e473.member_2[0]) && (_e473.member[0] <= _e463.member_2[0])) && (_e463.member[1] <= _e473.member_2[1])) && (_e473.member[1] <= _e463.member_2[1])) && (_e463.member[2] <= _e473.member_2[2])) && (_e473.member[2] <= _e463.member_2[2])) {
-                                        phi_930_ = _e487;
+                                    let _e592 = phi_940_;
+                                    if ((((((_e492.member[0] <= _e502.member_2[0]) && (_e502.member[0] <= _e492.member_2[0])) && (_e492.member[1] <= _e502.member_2[1])) && (_e502.member[1] <= _e492.member_2[1])) && (_e492.member[2] <= _e502.member_2[2])) && (_e502.member[2] <= _e492.member_2[2])) {
+                                        phi_969_ = _e516;
                                     } else {
-                                        phi_930_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_969_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e588 = phi_930_;
-                                    phi_932_ = type_24(array<array<u32, 2>, 4>(_e478, _e481, _e484, _e487), array<array<u32, 2>, 4>(_e513, _e538, _e563, _e588));
-                                    phi_933_ = false;
+                                    let _e617 = phi_969_;
+                                    phi_971_ = type_24(array<array<u32, 2>, 4>(_e507, _e510, _e513, _e516), array<array<u32, 2>, 4>(_e542, _e567, _e592, _e617));
+                                    phi_972_ = false;
                                 } else {
-                                    phi_932_ = type_24();
-                                    phi_933_ = true;
+                                    phi_971_ = type_24();
+                                    phi_972_ = true;
                                 }
-                                let _e592 = phi_932_;
-                                let _e594 = phi_933_;
-                                phi_934_ = _e592;
-                                phi_935_ = _e594;
+                                let _e621 = phi_971_;
+                                let _e623 = phi_972_;
+                                phi_973_ = _e621;
+                                phi_974_ = _e623;
                             } else {
-                                phi_934_ = type_24();
-                                phi_935_ = true;
+                                phi_973_ = type_24();
+                                phi_974_ = true;
                             }
-                            let _e596 = phi_934_;
-                            let _e598 = phi_935_;
-                            if _e598 {
-                                if _e455 {
-                                    let _e686 = a.member[_e298.member_1];
-                                    let _e691 = a.member[_e298.member_3];
-                                    let _e695 = array<u32, 2>(_e298.member_1, _e264[1]);
-                                    let _e697 = array<u32, 2>(_e298.member_3, _e264[1]);
-                                    let _e700 = type_24(array<array<u32, 2>, 4>(_e695, _e697, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e686.member[0] <= _e300.member_2[0]) && (_e300.member[0] <= _e686.member_2[0])) && (_e686.member[1] <= _e300.member_2[1])) && (_e300.member[1] <= _e686.member_2[1])) && (_e686.member[2] <= _e300.member_2[2])) && (_e300.member[2] <= _e686.member_2[2])) {
-                                        phi_1008_ = _e695;
+                            let _e625 = phi_973_;
+                            let _e627 = phi_974_;
+                            if _e627 {
+                                if _e484 {
+                                    let _e715 = a.member[_e327.member_1];
+                                    let _e720 = a.member[_e327.member_3];
+                                    let _e724 = array<u32, 2>(_e327.member_1, _e293[1]);
+                                    let _e726 = array<u32, 2>(_e327.member_3, _e293[1]);
+                                    let _e729 = type_24(array<array<u32, 2>, 4>(_e724, _e726, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    if ((((((_e715.member[0] <= _e329.member_2[0]) && (_e329.member[0] <= _e715.member_2[0])) && (_e715.member[1] <= _e329.member_2[1])) && (_e329.member[1] <= _e715.member_2[1])) && (_e715.member[2] <= _e329.member_2[2])) && (_e329.member[2] <= _e715.member_2[2])) {
+                                        phi_1047_ = _e724;
                                     } else {
-                                        phi_1008_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1047_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e727 = phi_1008_;
-                                    let _e734 = type_24(_e700.member, array<array<u32, 2>, 4>(_e727, _e700.member_1[1], _e700.member_1[2], _e700.member_1[3]));
-                                    if ((((((_e691.member[0] <= _e300.member_2[0]) && (_e300.member[0] <= _e691.member_2[0])) && (_e691.member[1] <= _e300.member_2[1])) && (_e300.member[1] <= _e691.member_2[1])) && (_e691.member[2] <= _e300.member_2[2])) && (_e300.member[2] <= _e691.member_2[2])) {
-                                        phi_1040_ = _e697;
+                                    let _e756 = phi_1047_;
+                                    let _e763 = type_24(_e729.member, array<array<u32, 2>, 4>(_e756, _e729.member_1[1], _e729.member_1[2], _e729.member_1[3]));
+                                    if ((((((_e720.member[0] <= _e329.member_2[0]) && (_e329.member[0] <= _e720.member_2[0])) && (_e720.member[1] <= _e329.member_2[1])) && (_e329.member[1] <= _e720.member_2[1])) && (_e720.member[2] <= _e329.member_2[2])) && (_e329.member[2] <= _e720.member_2[2])) {
+                                        phi_1079_ = _e726;
                                     } else {
-                                        phi_1040_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1079_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e761 = phi_1040_;
-                                    phi_1142_ = type_24(_e734.member, array<array<u32, 2>, 4>(_e734.member_1[0], _e761, _e734.member_1[2], _e734.member_1[3]));
+                                    let _e790 = phi_1079_;
+                                    phi_1181_ = type_24(_e763.member, array<array<u32, 2>, 4>(_e763.member_1[0], _e790, _e763.member_1[2], _e763.member_1[3]));
                                 } else {
-                                    let _e601 = b.member[_e300.member_1];
-                                    let _e606 = b.member[_e300.member_3];
-                                    let _e610 = array<u32, 2>(_e264[0], _e300.member_1);
-                                    let _e612 = array<u32, 2>(_e264[0], _e300.member_3);
-                                    let _e615 = type_24(array<array<u32, 2>, 4>(_e610, _e612, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e298.member[0] <= _e601.member_2[0]) && (_e601.member[0] <= _e298.member_2[0])) && (_e298.member[1] <= _e601.member_2[1])) && (_e601.member[1] <= _e298.member_2[1])) && (_e298.member[2] <= _e601.member_2[2])) && (_e601.member[2] <= _e298.member_2[2])) {
-                                        phi_1108_ = _e610;
+                                    let _e630 = b.member[_e329.member_1];
+                                    let _e635 = b.member[_e329.member_3];
+                                    let _e639 = array<u32, 2>(_e293[0], _e329.member_1);
+                                    let _e641 = array<u32, 2>(_e293[0], _e329.member_3);
+                                    let _e644 = type_24(array<array<u32, 2>, 4>(_e639, _e641, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    if ((((((_e327.member[0] <= _e630.member_2[0]) && (_e630.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e630.member_2[1])) && (_e630.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e630.member_2[2])) && (_e630.member[2] <= _e327.member_2[2])) {
+                                        phi_1147_ = _e639;
                                     } else {
-                                        phi_1108_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1147_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e642 = phi_1108_;
-                                    let _e649 = type_24(_e615.member, array<array<u32, 2>, 4>(_e642, _e615.member_1[1], _e615.member_1[2], _e615.member_1[3]));
-                                    if ((((((_e298.member[0] <= _e606.member_2[0]) && (_e606.member[0] <= _e298.member_2[0])) && (_e298.member[1] <= _e606.member_2[1])) && (_e606.member[1] <= _e298.member_2[1])) && (_e298.member[2] <= _e606.member_2[2])) && (_e606.member[2] <= _e298.member_2[2])) {
-                                        phi_1140_ = _e612;
+                                    let _e671 = phi_1147_;
+                                    let _e678 = type_24(_e644.member, array<array<u32, 2>, 4>(_e671, _e644.member_1[1], _e644.member_1[2], _e644.member_1[3]));
+                                    if ((((((_e327.member[0] <= _e635.member_2[0]) && (_e635.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e635.member_2[1])) && (_e635.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e635.member_2[2])) && (_e635.member[2] <= _e327.member_2[2])) {
+                                        phi_1179_ = _e641;
                                     } else {
-                                        phi_1140_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1179_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e676 = phi_1140_;
-                                    phi_1142_ = type_24(_e649.member, array<array<u32, 2>, 4>(_e649.member_1[0], _e676, _e649.member_1[2], _e649.member_1[3]));
+                                    let _e705 = phi_1179_;
+                                    phi_1181_ = type_24(_e678.member, array<array<u32, 2>, 4>(_e678.member_1[0], _e705, _e678.member_1[2], _e678.member_1[3]));
                                 }
-                                let _e770 = phi_1142_;
-                                phi_1143_ = _e770;
+                                let _e799 = phi_1181_;
+                                phi_1182_ = _e799;
                             } else {
-                                phi_1143_ = _e596;
+                                phi_1182_ = _e625;
                             }
-                            let _e772 = phi_1143_;
-                            phi_1144_ = _e772;
-                            phi_1145_ = false;
+                            let _e801 = phi_1182_;
+                            phi_1183_ = _e801;
+                            phi_1184_ = false;
                         } else {
-                            phi_1144_ = type_24();
-                            phi_1145_ = true;
+                            phi_1183_ = type_24();
+                            phi_1184_ = true;
                         }
-                        let _e774 = phi_1144_;
-                        let _e776 = phi_1145_;
-                        phi_1146_ = _e774;
-                        phi_1147_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                        phi_1148_ = _e776;
+                        let _e803 = phi_1183_;
+                        let _e805 = phi_1184_;
+                        phi_1185_ = _e803;
+                        phi_1186_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1187_ = _e805;
                     } else {
-                        phi_1146_ = type_24();
-                        phi_1147_ = _e404;
-                        phi_1148_ = true;
+                        phi_1185_ = type_24();
+                        phi_1186_ = _e433;
+                        phi_1187_ = true;
                     }
-                    let _e778 = phi_1146_;
-                    let _e780 = phi_1147_;
-                    let _e782 = phi_1148_;
-                    if _e782 {
-                        phi_1152_ = _e780;
+                    let _e807 = phi_1185_;
+                    let _e809 = phi_1186_;
+                    let _e811 = phi_1187_;
+                    if _e811 {
+                        phi_1191_ = _e809;
                     } else {
-                        phi_1152_ = _e778;
+                        phi_1191_ = _e807;
                     }
-                    let _e784 = phi_1152_;
-                    let _e788 = params.member.member_2.member_4;
-                    if (_e788 > 0u) {
-                        phi_1163_ = _e784.member;
+                    let _e813 = phi_1191_;
+                    let _e817 = params.member.member_2.member_4;
+                    if (_e817 > 0u) {
+                        phi_1202_ = _e813.member;
                     } else {
-                        phi_1163_ = _e784.member_1;
+                        phi_1202_ = _e813.member_1;
                     }
-                    let _e792 = phi_1163_;
-                    if (_e784.member_1[0][0] == 4294967295u) {
-                        phi_1187_ = 0u;
+                    let _e821 = phi_1202_;
+                    if (_e813.member_1[0][0] == 4294967295u) {
+                        phi_1226_ = 0u;
                     } else {
-                        if (_e784.member_1[0][0] >= _e281) {
-                            if (_e784.member_1[0][1] >= _e286) {
-                                phi_1181_ = false;
+                        if (_e813.member_1[0][0] >= _e310) {
+                            if (_e813.member_1[0][1] >= _e315) {
+                                phi_1220_ = false;
                             } else {
-                                phi_1181_ = true;
+                                phi_1220_ = true;
                             }
-                            let _e802 = phi_1181_;
-                            phi_1182_ = _e802;
+                            let _e831 = phi_1220_;
+                            phi_1221_ = _e831;
                         } else {
-                            phi_1182_ = true;
+                            phi_1221_ = true;
                         }
-                        let _e804 = phi_1182_;
-                        if _e804 {
-                            phi_1186_ = 1u;
+                        let _e833 = phi_1221_;
+                        if _e833 {
+                            phi_1225_ = 1u;
                         } else {
-                            phi_1186_ = 2u;
+                            phi_1225_ = 2u;
                         }
-                        let _e806 = phi_1186_;
-                        phi_1187_ = _e806;
+                        let _e835 = phi_1225_;
+                        phi_1226_ = _e835;
                     }
-                    let _e808 = phi_1187_;
-                    let _e809 = type_25(_e784.member_1[0], _e808);
-                    if (_e808 == 0u) {
-                        if (_e792[0][0] != 4294967295u) {
-                            phi_1199_ = type_25(_e792[0], 3u);
+                    let _e837 = phi_1226_;
+                    let _e838 = type_25(_e813.member_1[0], _e837);
+                    if (_e837 == 0u) {
+                        if (_e821[0][0] != 4294967295u) {
+                            phi_1238_ = type_25(_e821[0], 3u);
                         } else {
-                            phi_1199_ = _e809;
+                            phi_1238_ = _e838;
                         }
-                        let _e815 = phi_1199_;
-                        phi_1200_ = _e815;
+                        let _e844 = phi_1238_;
+                        phi_1239_ = _e844;
                     } else {
-                        phi_1200_ = _e809;
+                        phi_1239_ = _e838;
                     }
-                    let _e817 = phi_1200_;
-                    if (_e784.member_1[1][0] == 4294967295u) {
-                        phi_1224_ = 0u;
+                    let _e846 = phi_1239_;
+                    if (_e813.member_1[1][0] == 4294967295u) {
+                        phi_1263_ = 0u;
                     } else {
-                        if (_e784.member_1[1][0] >= _e281) {
-                            if (_e784.member_1[1][1] >= _e286) {
-                                phi_1218_ = false;
+                        if (_e813.member_1[1][0] >= _e310) {
+                            if (_e813.member_1[1][1] >= _e315) {
+                                phi_1257_ = false;
                             } else {
-                                phi_1218_ = true;
+                                phi_1257_ = true;
                             }
-                            let _e827 = phi_1218_;
-                            phi_1219_ = _e827;
+                            let _e856 = phi_1257_;
+                            phi_1258_ = _e856;
                         } else {
-                            phi_1219_ = true;
+                            phi_1258_ = true;
                         }
-                        let _e829 = phi_1219_;
-                        if _e829 {
-                            phi_1223_ = 1u;
+                        let _e858 = phi_1258_;
+                        if _e858 {
+                            phi_1262_ = 1u;
                         } else {
-                            phi_1223_ = 2u;
+                            phi_1262_ = 2u;
                         }
-                        let _e831 = phi_1223_;
-                        phi_1224_ = _e831;
+                        let _e860 = phi_1262_;
+                        phi_1263_ = _e860;
                     }
-                    let _e833 = phi_1224_;
-                    let _e834 = type_25(_e784.member_1[1], _e833);
-                    if (_e833 == 0u) {
-                        if (_e792[1][0] != 4294967295u) {
-                            phi_1236_ = type_25(_e792[1], 3u);
+                    let _e862 = phi_1263_;
+                    let _e863 = type_25(_e813.member_1[1], _e862);
+                    if (_e862 == 0u) {
+                        if (_e821[1][0] != 4294967295u) {
+                            phi_1275_ = type_25(_e821[1], 3u);
                         } else {
-                            phi_1236_ = _e834;
+                            phi_1275_ = _e863;
                         }
-                        let _e840 = phi_1236_;
-                        phi_1237_ = _e840;
+                        let _e869 = phi_1275_;
+                        phi_1276_ = _e869;
                     } else {
-                        phi_1237_ = _e834;
+                        phi_1276_ = _e863;
                     }
-                    let _e842 = phi_1237_;
-                    if (_e784.member_1[2][0] == 4294967295u) {
-                        phi_1261_ = 0u;
+                    let _e871 = phi_1276_;
+                    if (_e813.member_1[2][0] == 4294967295u) {
+                        phi_1300_ = 0u;
                     } else {
-                        if (_e784.member_1[2][0] >= _e281) {
-                            if (_e784.member_1[2][1] >= _e286) {
-                                phi_1255_ = false;
+                        if (_e813.member_1[2][0] >= _e310) {
+                            if (_e813.member_1[2][1] >= _e315) {
+                                phi_1294_ = false;
                             } else {
-                                phi_1255_ = true;
+                                phi_1294_ = true;
                             }
-                            let _e852 = phi_1255_;
-                            phi_1256_ = _e852;
+                            let _e881 = phi_1294_;
+                            phi_1295_ = _e881;
                         } else {
-                            phi_1256_ = true;
+                            phi_1295_ = true;
                         }
-                        let _e854 = phi_1256_;
-                        if _e854 {
-                            phi_1260_ = 1u;
+                        let _e883 = phi_1295_;
+                        if _e883 {
+                            phi_1299_ = 1u;
                         } else {
-                            phi_1260_ = 2u;
+                            phi_1299_ = 2u;
                         }
-                        let _e856 = phi_1260_;
-                        phi_1261_ = _e856;
+                        let _e885 = phi_1299_;
+                        phi_1300_ = _e885;
                     }
-                    let _e858 = phi_1261_;
-                    let _e859 = type_25(_e784.member_1[2], _e858);
-                    if (_e858 == 0u) {
-                        if (_e792[2][0] != 4294967295u) {
-                            phi_1273_ = type_25(_e792[2], 3u);
+                    let _e887 = phi_1300_;
+                    let _e888 = type_25(_e813.member_1[2], _e887);
+                    if (_e887 == 0u) {
+                        if (_e821[2][0] != 4294967295u) {
+                            phi_1312_ = type_25(_e821[2], 3u);
                         } else {
-                            phi_1273_ = _e859;
+                            phi_1312_ = _e888;
                         }
-                        let _e865 = phi_1273_;
-                        phi_1274_ = _e865;
+                        let _e894 = phi_1312_;
+                        phi_1313_ = _e894;
                     } else {
-                        phi_1274_ = _e859;
+                        phi_1313_ = _e888;
                     }
-                    let _e867 = phi_1274_;
-                    if (_e784.member_1[3][0] == 4294967295u) {
-                        phi_1298_ = 0u;
+                    let _e896 = phi_1313_;
+                    if (_e813.member_1[3][0] == 4294967295u) {
+                        phi_1337_ = 0u;
                     } else {
-                        if (_e784.member_1[3][0] >= _e281) {
-                            if (_e784.member_1[3][1] >= _e286) {
-                                phi_1292_ = false;
+                        if (_e813.member_1[3][0] >= _e310) {
+                            if (_e813.member_1[3][1] >= _e315) {
+                                phi_1331_ = false;
                             } else {
-                                phi_1292_ = true;
+                                phi_1331_ = true;
                             }
-                            let _e877 = phi_1292_;
-                            phi_1293_ = _e877;
+                            let _e906 = phi_1331_;
+                            phi_1332_ = _e906;
                         } else {
-                            phi_1293_ = true;
+                            phi_1332_ = true;
                         }
-                        let _e879 = phi_1293_;
-                        if _e879 {
-                            phi_1297_ = 1u;
+                        let _e908 = phi_1332_;
+                        if _e908 {
+                            phi_1336_ = 1u;
                         } else {
-                            phi_1297_ = 2u;
+                            phi_1336_ = 2u;
                         }
-                        let _e881 = phi_1297_;
-                        phi_1298_ = _e881;
+                        let _e910 = phi_1336_;
+                        phi_1337_ = _e910;
                     }
-                    let _e883 = phi_1298_;
-                    let _e884 = type_25(_e784.member_1[3], _e883);
-                    if (_e883 == 0u) {
-                        if (_e792[3][0] != 4294967295u) {
-                            phi_1310_ = type_25(_e792[3], 3u);
+                    let _e912 = phi_1337_;
+                    let _e913 = type_25(_e813.member_1[3], _e912);
+                    if (_e912 == 0u) {
+                        if (_e821[3][0] != 4294967295u) {
+                            phi_1349_ = type_25(_e821[3], 3u);
                         } else {
-                            phi_1310_ = _e884;
+                            phi_1349_ = _e913;
                         }
-                        let _e890 = phi_1310_;
-                        phi_1311_ = _e890;
+                        let _e919 = phi_1349_;
+                        phi_1350_ = _e919;
                     } else {
-                        phi_1311_ = _e884;
+                        phi_1350_ = _e913;
                     }
-                    let _e892 = phi_1311_;
-                    if (_e264[0] == 4294967295u) {
-                        phi_1333_ = 0u;
+                    let _e921 = phi_1350_;
+                    if (_e293[0] == 4294967295u) {
+                        phi_1372_ = 0u;
                     } else {
-                        if (_e264[0] >= _e281) {
-                            if (_e264[1] >= _e286) {
-                                phi_1327_ = false;
+                        if (_e293[0] >= _e310) {
+                            if (_e293[1] >= _e315) {
+                                phi_1366_ = false;
                             } else {
-                                phi_1327_ = true;
+                                phi_1366_ = true;
                             }
-                            let _e900 = phi_1327_;
-                            phi_1328_ = _e900;
+                            let _e929 = phi_1366_;
+                            phi_1367_ = _e929;
                         } else {
-                            phi_1328_ = true;
+                            phi_1367_ = true;
                         }
-                        let _e902 = phi_1328_;
-                        if _e902 {
-                            phi_1332_ = 1u;
+                        let _e931 = phi_1367_;
+                        if _e931 {
+                            phi_1371_ = 1u;
                         } else {
-                            phi_1332_ = 2u;
+                            phi_1371_ = 2u;
                         }
-                        let _e904 = phi_1332_;
-                        phi_1333_ = _e904;
+                        let _e933 = phi_1371_;
+                        phi_1372_ = _e933;
                     }
-                    let _e906 = phi_1333_;
-                    if (_e906 == 2u) {
-                        phi_1339_ = type_25(_e264, 2u);
+                    let _e935 = phi_1372_;
+                    if (_e935 == 2u) {
+                        phi_1378_ = type_25(_e293, 2u);
                     } else {
-                        phi_1339_ = _e817;
+                        phi_1378_ = _e846;
                     }
-                    let _e910 = phi_1339_;
-                    phi_1340_ = _e910;
-                    phi_1341_ = _e892;
-                    phi_1342_ = _e867;
-                    phi_1343_ = _e842;
+                    let _e939 = phi_1378_;
+                    phi_1379_ = _e939;
+                    phi_1380_ = _e921;
+                    phi_1381_ = _e896;
+                    phi_1382_ = _e871;
                 } else {
-                    phi_1340_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1341_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1342_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1343_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1379_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1380_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1381_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1382_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
                 }
-                let _e912 = phi_1340_;
-                let _e914 = phi_1341_;
-                let _e916 = phi_1342_;
-                let _e918 = phi_1343_;
-                if (_e912.member_1 == 1u) {
-                    let _e929 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1364_ = array<u32, 2>(_e929, 0u);
+                let _e941 = phi_1379_;
+                let _e943 = phi_1380_;
+                let _e945 = phi_1381_;
+                let _e947 = phi_1382_;
+                if (_e941.member_1 == 1u) {
+                    let _e958 = atomicAdd((&shared_[6u]), 1u);
+                    phi_1403_ = array<u32, 2>(_e958, 0u);
                 } else {
-                    if (_e912.member_1 == 2u) {
-                        let _e924 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1363_ = array<u32, 2>(_e924, 0u);
+                    if (_e941.member_1 == 2u) {
+                        let _e953 = atomicAdd((&shared_[7u]), 1u);
+                        phi_1402_ = array<u32, 2>(_e953, 0u);
                     } else {
-                        phi_1363_ = array<u32, 2>(0u, 0u);
+                        phi_1402_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e927 = phi_1363_;
-                    phi_1364_ = _e927;
+                    let _e956 = phi_1402_;
+                    phi_1403_ = _e956;
                 }
-                let _e932 = phi_1364_;
-                if (_e912.member_1 >= 2u) {
-                    if (_e70.member_4 > 0u) {
-                        let _e936 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1376_ = array<u32, 2>(_e932[0], _e936);
+                let _e961 = phi_1403_;
+                if (_e941.member_1 >= 2u) {
+                    if (_e71.member_4 > 0u) {
+                        let _e965 = atomicAdd((&shared_[8u]), 1u);
+                        phi_1415_ = array<u32, 2>(_e961[0], _e965);
                     } else {
-                        phi_1376_ = _e932;
+                        phi_1415_ = _e961;
                     }
-                    let _e940 = phi_1376_;
-                    phi_1377_ = _e940;
+                    let _e969 = phi_1415_;
+                    phi_1416_ = _e969;
                 } else {
-                    phi_1377_ = _e932;
+                    phi_1416_ = _e961;
                 }
-                let _e942 = phi_1377_;
-                if (_e918.member_1 == 1u) {
-                    let _e952 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1395_ = array<u32, 2>(_e952, 0u);
+                let _e971 = phi_1416_;
+                if (_e947.member_1 == 1u) {
+                    let _e981 = atomicAdd((&shared_[6u]), 1u);
+                    phi_1434_ = array<u32, 2>(_e981, 0u);
                 } else {
-                    if (_e918.member_1 == 2u) {
-                        let _e947 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1394_ = array<u32, 2>(_e947, 0u);
+                    if (_e947.member_1 == 2u) {
+                        let _e976 = atomicAdd((&shared_[7u]), 1u);
+                        phi_1433_ = array<u32, 2>(_e976, 0u);
                     } else {
-                        phi_1394_ = array<u32, 2>(0u, 0u);
+                        phi_1433_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e950 = phi_1394_;
-                    phi_1395_ = _e950;
+                    let _e979 = phi_1433_;
+                    phi_1434_ = _e979;
                 }
-                let _e955 = phi_1395_;
-                if (_e918.member_1 >= 2u) {
-                    if (_e70.member_4 > 0u) {
-                        let _e959 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1407_ = array<u32, 2>(_e955[0], _e959);
+                let _e984 = phi_1434_;
+                if (_e947.member_1 >= 2u) {
+                    if (_e71.member_4 > 0u) {
+                        let _e988 = atomicAdd((&shared_[8u]), 1u);
+                        phi_1446_ = array<u32, 2>(_e984[0], _e988);
                     } else {
-                        phi_1407_ = _e955;
+                        phi_1446_ = _e984;
                     }
-                    let _e963 = phi_1407_;
-                    phi_1408_ = _e963;
+                    let _e992 = phi_1446_;
+                    phi_1447_ = _e992;
                 } else {
-                    phi_1408_ = _e955;
+                    phi_1447_ = _e984;
                 }
-                let _e965 = phi_1408_;
-                if (_e916.member_1 == 1u) {
-                    let _e975 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1426_ = array<u32, 2>(_e975, 0u);
+                let _e994 = phi_1447_;
+                if (_e945.member_1 == 1u) {
+                    let _e1004 = atomicAdd((&shared_[6u]), 1u);
+                    phi_1465_ = array<u32, 2>(_e1004, 0u);
                 } else {
-                    if (_e916.member_1 == 2u) {
-                        let _e970 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1425_ = array<u32, 2>(_e970, 0u);
+                    if (_e945.member_1 == 2u) {
+                        let _e999 = atomicAdd((&shared_[7u]), 1u);
+                        phi_1464_ = array<u32, 2>(_e999, 0u);
                     } else {
-                        phi_1425_ = array<u32, 2>(0u, 0u);
+                        phi_1464_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e973 = phi_1425_;
-                    phi_1426_ = _e973;
+                    let _e1002 = phi_1464_;
+                    phi_1465_ = _e1002;
                 }
-                let _e978 = phi_1426_;
-                if (_e916.member_1 >= 2u) {
-                    if (_e70.member_4 > 0u) {
-                        let _e982 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1438_ = array<u32, 2>(_e978[0], _e982);
+                let _e1007 = phi_1465_;
+                if (_e945.member_1 >= 2u) {
+                    if (_e71.member_4 > 0u) {
+                        let _e1011 = atomicAdd((&shared_[8u]), 1u);
+                        phi_1477_ = array<u32, 2>(_e1007[0], _e1011);
                     } else {
-                        phi_1438_ = _e978;
+                        phi_1477_ = _e1007;
                     }
-                    let _e986 = phi_1438_;
-                    phi_1439_ = _e986;
+                    let _e1015 = phi_1477_;
+                    phi_1478_ = _e1015;
                 } else {
-                    phi_1439_ = _e978;
+                    phi_1478_ = _e1007;
                 }
-                let _e988 = phi_1439_;
-                if (_e914.member_1 == 1u) {
-                    let _e998 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1457_ = array<u32, 2>(_e998, 0u);
+                let _e1017 = phi_1478_;
+                if (_e943.member_1 == 1u) {
+                    let _e1027 = atomicAdd((&shared_[6u]), 1u);
+                    phi_1496_ = array<u32, 2>(_e1027, 0u);
                 } else {
-                    if (_e914.member_1 == 2u) {
-                        let _e993 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1456_ = array<u32, 2>(_e993, 0u);
+                    if (_e943.member_1 == 2u) {
+                        let _e1022 = atomicAdd((&shared_[7u]), 1u);
+                        phi_1495_ = array<u32, 2>(_e1022, 0u);
                     } else {
-                        phi_1456_ = array<u32, 2>(0u, 0u);
+                        phi_1495_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e996 = phi_1456_;
-                    phi_1457_ = _e996;
+                    let _e1025 = phi_1495_;
+                    phi_1496_ = _e1025;
                 }
-                let _e1001 = phi_1457_;
-                if (_e914.member_1 >= 2u) {
-                    if (_e70.member_4 > 0u) {
-                        let _e1005 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1469_ = array<u32, 2>(_e1001[0], _e1005);
+                let _e1030 = phi_1496_;
+                if (_e943.member_1 >= 2u) {
+                    if (_e71.member_4 > 0u) {
+                        let _e1034 = atomicAdd((&shared_[8u]), 1u);
+                        phi_1508_ = array<u32, 2>(_e1030[0], _e1034);
                     } else {
-                        phi_1469_ = _e1001;
+                        phi_1508_ = _e1030;
                     }
-                    let _e1009 = phi_1469_;
-                    phi_1470_ = _e1009;
+                    let _e1038 = phi_1508_;
+                    phi_1509_ = _e1038;
                 } else {
-                    phi_1470_ = _e1001;
+                    phi_1509_ = _e1030;
                 }
-                let _e1011 = phi_1470_;
+                let _e1040 = phi_1509_;
                 workgroupBarrier();
-                if (_e56 == 0u) {
-                    let _e1014 = atomicLoad((&shared_[6u]));
-                    let _e1016 = atomicLoad((&shared_[7u]));
-                    let _e1018 = atomicLoad((&shared_[8u]));
-                    let _e1020 = atomicLoad((&shared_[1u]));
-                    let _e1022 = atomicLoad((&shared_[2u]));
-                    let _e1024 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e1024 + 1u));
-                    let _e1028 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e1028 + _e1020) + _e1022));
-                    let _e1033 = atomicLoad((&shared_[0u]));
-                    let _e1034 = (_e1033 - _e1020);
-                    let _e1036 = (_e70.member_10 - _e1034);
-                    if (_e1036 < _e1014) {
-                        phi_1514_ = _e1036;
+                if (_e57 == 0u) {
+                    let _e1043 = atomicLoad((&shared_[6u]));
+                    let _e1045 = atomicLoad((&shared_[7u]));
+                    let _e1047 = atomicLoad((&shared_[8u]));
+                    let _e1049 = atomicLoad((&shared_[1u]));
+                    let _e1051 = atomicLoad((&shared_[2u]));
+                    let _e1053 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e1053 + 1u));
+                    let _e1057 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e1057 + _e1049) + _e1051));
+                    let _e1062 = atomicLoad((&shared_[0u]));
+                    let _e1063 = (_e1062 - _e1049);
+                    let _e1065 = (_e71.member_10 - _e1063);
+                    if (_e1065 < _e1043) {
+                        phi_1553_ = _e1065;
                     } else {
-                        phi_1514_ = _e1014;
+                        phi_1553_ = _e1043;
                     }
-                    let _e1039 = phi_1514_;
-                    atomicStore((&shared_[9u]), _e1034);
-                    atomicStore((&shared_[10u]), _e1039);
-                    atomicStore((&shared_[0u]), (_e1034 + _e1039));
-                    if (_e1014 > _e1039) {
-                        let _e1045 = (_e1014 - _e1039);
-                        if (_e70.member_12 == 0u) {
+                    let _e1068 = phi_1553_;
+                    atomicStore((&shared_[9u]), _e1063);
+                    atomicStore((&shared_[10u]), _e1068);
+                    atomicStore((&shared_[0u]), (_e1063 + _e1068));
+                    if (_e1043 > _e1068) {
+                        let _e1074 = (_e1043 - _e1068);
+                        if (_e71.member_12 == 0u) {
                         } else {
-                            let _e1049 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e1078 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1052 = atomicAdd((&control.member[(_e72.member_1 + 1u)]), _e1045);
-                        let _e1055 = atomicMax((&nodes.member[0u]), (_e1052 + _e1045));
-                        if ((_e1052 + _e1045) < _e1052) {
-                            let _e1059 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e1081 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), _e1074);
+                        let _e1084 = atomicMax((&nodes.member[0u]), (_e1081 + _e1074));
+                        if ((_e1081 + _e1074) < _e1081) {
+                            let _e1088 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[11u]), _e1052);
+                        atomicStore((&shared_[11u]), _e1081);
                     }
-                    if (_e1016 > 0u) {
-                        let _e1063 = atomicAdd((&pairs.member[0u]), _e1016);
-                        if ((_e1063 + _e1016) < _e1063) {
-                            let _e1067 = atomicAdd((&pairs.member[2u]), 1u);
+                    if (_e1045 > 0u) {
+                        let _e1092 = atomicAdd((&pairs.member[0u]), _e1045);
+                        if ((_e1092 + _e1045) < _e1092) {
+                            let _e1096 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[12u]), _e1063);
+                        atomicStore((&shared_[12u]), _e1092);
                     }
-                    if (_e1018 > 0u) {
-                        let _e1071 = atomicAdd((&control.member[1537u]), _e1018);
-                        if ((_e1071 + _e1018) < _e1071) {
-                            let _e1075 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e1047 > 0u) {
+                        let _e1100 = atomicAdd((&control.member[1537u]), _e1047);
+                        if ((_e1100 + _e1047) < _e1100) {
+                            let _e1104 = atomicAdd((&control.member[1538u]), 1u);
                         }
-                        atomicStore((&shared_[13u]), _e1071);
+                        atomicStore((&shared_[13u]), _e1100);
                     }
                 }
                 workgroupBarrier();
-                if (_e912.member_1 == 1u) {
-                    let _e1138 = atomicLoad((&shared_[10u]));
-                    if (_e942[0] < _e1138) {
-                        let _e1158 = atomicLoad((&shared_[9u]));
-                        let _e1161 = (2u * (_e1158 + _e942[0]));
-                        stack[_e1161] = _e912.member[0];
-                        stack[(_e1161 + 1u)] = _e912.member[1];
+                if (_e941.member_1 == 1u) {
+                    let _e1167 = atomicLoad((&shared_[10u]));
+                    if (_e971[0] < _e1167) {
+                        let _e1187 = atomicLoad((&shared_[9u]));
+                        let _e1190 = (2u * (_e1187 + _e971[0]));
+                        stack[_e1190] = _e941.member[0];
+                        stack[(_e1190 + 1u)] = _e941.member[1];
                     } else {
-                        let _e1142 = atomicLoad((&shared_[11u]));
-                        let _e1145 = ((_e1142 + _e942[0]) - _e1138);
-                        if (_e1145 < _e70.member_3) {
-                            let _e1148 = (_e83 + _e1145);
-                            if (_e1148 < 4294967295u) {
-                                let _e1152 = (2u * _e1148);
-                                atomicStore((&nodes.member[(4u + _e1152)]), _e912.member[0]);
-                                atomicStore((&nodes.member[(_e1152 + 5u)]), _e912.member[1]);
+                        let _e1171 = atomicLoad((&shared_[11u]));
+                        let _e1174 = ((_e1171 + _e971[0]) - _e1167);
+                        if (_e1174 < _e71.member_3) {
+                            let _e1177 = (_e84 + _e1174);
+                            if (_e1177 < 4294967295u) {
+                                let _e1181 = (2u * _e1177);
+                                atomicStore((&nodes.member[(4u + _e1181)]), _e941.member[0]);
+                                atomicStore((&nodes.member[(_e1181 + 5u)]), _e941.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e912.member_1 == 0u) {
+                    if (_e941.member_1 == 0u) {
                     } else {
-                        if (_e912.member_1 == 2u) {
-                            let _e1086 = a.member[_e912.member[0]];
-                            let _e1090 = b.member[_e912.member[1]];
-                            let _e1094 = params.member.member_2.member;
-                            if (_e1094 == 1u) {
-                                if (_e1086.member_1 < _e1090.member_1) {
-                                    phi_1699_ = type_9(_e1086.member_1, _e1090.member_1);
+                        if (_e941.member_1 == 2u) {
+                            let _e1115 = a.member[_e941.member[0]];
+                            let _e1119 = b.member[_e941.member[1]];
+                            let _e1123 = params.member.member_2.member;
+                            if (_e1123 == 1u) {
+                                if (_e1115.member_1 < _e1119.member_1) {
+                                    phi_1738_ = type_9(_e1115.member_1, _e1119.member_1);
                                 } else {
-                                    phi_1699_ = type_9(_e1090.member_1, _e1086.member_1);
+                                    phi_1738_ = type_9(_e1119.member_1, _e1115.member_1);
                                 }
-                                let _e1101 = phi_1699_;
-                                phi_1704_ = _e1101;
+                                let _e1130 = phi_1738_;
+                                phi_1743_ = _e1130;
                             } else {
-                                phi_1704_ = type_9(_e1086.member_1, _e1090.member_1);
+                                phi_1743_ = type_9(_e1115.member_1, _e1119.member_1);
                             }
-                            let _e1103 = phi_1704_;
-                            let _e1107 = params.member.member_1;
-                            let _e1110 = atomicLoad((&shared_[12u]));
-                            let _e1112 = (_e1110 + _e942[0]);
-                            if (_e1112 < _e1107.member_3) {
-                                let _e1114 = (2u * _e1112);
-                                atomicStore((&pairs.member[(4u + _e1114)]), _e1103.member);
-                                atomicStore((&pairs.member[(_e1114 + 5u)]), _e1103.member_1);
+                            let _e1132 = phi_1743_;
+                            let _e1136 = params.member.member_1;
+                            let _e1139 = atomicLoad((&shared_[12u]));
+                            let _e1141 = (_e1139 + _e971[0]);
+                            if (_e1141 < _e1136.member_3) {
+                                let _e1143 = (2u * _e1141);
+                                atomicStore((&pairs.member[(4u + _e1143)]), _e1132.member);
+                                atomicStore((&pairs.member[(_e1143 + 5u)]), _e1132.member_1);
                             }
                         }
-                        if (_e70.member_4 > 0u) {
-                            let _e1122 = atomicLoad((&shared_[13u]));
-                            let _e1124 = (_e1122 + _e942[1]);
-                            if (_e1124 < _e70.member_4) {
-                                let _e1131 = (2u * ((_e70.member_5 * _e70.member_4) + _e1124));
-                                front.member[_e1131] = _e912.member[0];
-                                front.member[(_e1131 + 1u)] = _e912.member[1];
+                        if (_e71.member_4 > 0u) {
+                            let _e1151 = atomicLoad((&shared_[13u]));
+                            let _e1153 = (_e1151 + _e971[1]);
+                            if (_e1153 < _e71.member_4) {
+                                let _e1160 = (2u * ((_e71.member_5 * _e71.member_4) + _e1153));
+                                front.member[_e1160] = _e941.member[0];
+                                front.member[(_e1160 + 1u)] = _e941.member[1];
                             }
                         }
                     }
                 }
-                if (_e918.member_1 == 1u) {
-                    let _e1228 = atomicLoad((&shared_[10u]));
-                    if (_e965[0] < _e1228) {
-                        let _e1248 = atomicLoad((&shared_[9u]));
-                        let _e1251 = (2u * (_e1248 + _e965[0]));
-                        stack[_e1251] = _e918.member[0];
-                        stack[(_e1251 + 1u)] = _e918.member[1];
+                if (_e947.member_1 == 1u) {
+                    let _e1257 = atomicLoad((&shared_[10u]));
+                    if (_e994[0] < _e1257) {
+                        let _e1277 = atomicLoad((&shared_[9u]));
+                        let _e1280 = (2u * (_e1277 + _e994[0]));
+                        stack[_e1280] = _e947.member[0];
+                        stack[(_e1280 + 1u)] = _e947.member[1];
                     } else {
-                        let _e1232 = atomicLoad((&shared_[11u]));
-                        let _e1235 = ((_e1232 + _e965[0]) - _e1228);
-                        if (_e1235 < _e70.member_3) {
-                            let _e1238 = (_e83 + _e1235);
-                            if (_e1238 < 4294967295u) {
-                                let _e1242 = (2u * _e1238);
-                                atomicStore((&nodes.member[(4u + _e1242)]), _e918.member[0]);
-                                atomicStore((&nodes.member[(_e1242 + 5u)]), _e918.member[1]);
+                        let _e1261 = atomicLoad((&shared_[11u]));
+                        let _e1264 = ((_e1261 + _e994[0]) - _e1257);
+                        if (_e1264 < _e71.member_3) {
+                            let _e1267 = (_e84 + _e1264);
+                            if (_e1267 < 4294967295u) {
+                                let _e1271 = (2u * _e1267);
+                                atomicStore((&nodes.member[(4u + _e1271)]), _e947.member[0]);
+                                atomicStore((&nodes.member[(_e1271 + 5u)]), _e947.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e918.member_1 == 0u) {
+                    if (_e947.member_1 == 0u) {
                     } else {
-                        if (_e918.member_1 == 2u) {
-                            let _e1176 = a.member[_e918.member[0]];
-                            let _e1180 = b.member[_e918.member[1]];
-                            let _e1184 = params.member.member_2.member;
-                            if (_e1184 == 1u) {
-                                if (_e1176.member_1 < _e1180.member_1) {
-                                    phi_1862_ = type_9(_e1176.member_1, _e1180.member_1);
+                        if (_e947.member_1 == 2u) {
+                            let _e1205 = a.member[_e947.member[0]];
+                            let _e1209 = b.member[_e947.member[1]];
+                            let _e1213 = params.member.member_2.member;
+                            if (_e1213 == 1u) {
+                                if (_e1205.member_1 < _e1209.member_1) {
+                                    phi_1901_ = type_9(_e1205.member_1, _e1209.member_1);
                                 } else {
-                                    phi_1862_ = type_9(_e1180.member_1, _e1176.member_1);
+                                    phi_1901_ = type_9(_e1209.member_1, _e1205.member_1);
                                 }
-                                let _e1191 = phi_1862_;
-                                phi_1867_ = _e1191;
+                                let _e1220 = phi_1901_;
+                                phi_1906_ = _e1220;
                             } else {
-                                phi_1867_ = type_9(_e1176.member_1, _e1180.member_1);
+                                phi_1906_ = type_9(_e1205.member_1, _e1209.member_1);
                             }
-                            let _e1193 = phi_1867_;
-                            let _e1197 = params.member.member_1;
-                            let _e1200 = atomicLoad((&shared_[12u]));
-                            let _e1202 = (_e1200 + _e965[0]);
-                            if (_e1202 < _e1197.member_3) {
-                                let _e1204 = (2u * _e1202);
-                                atomicStore((&pairs.member[(4u + _e1204)]), _e1193.member);
-                                atomicStore((&pairs.member[(_e1204 + 5u)]), _e1193.member_1);
+                            let _e1222 = phi_1906_;
+                            let _e1226 = params.member.member_1;
+                            let _e1229 = atomicLoad((&shared_[12u]));
+                            let _e1231 = (_e1229 + _e994[0]);
+                            if (_e1231 < _e1226.member_3) {
+                                let _e1233 = (2u * _e1231);
+                                atomicStore((&pairs.member[(4u + _e1233)]), _e1222.member);
+                                atomicStore((&pairs.member[(_e1233 + 5u)]), _e1222.member_1);
                             }
                         }
-                        if (_e70.member_4 > 0u) {
-                            let _e1212 = atomicLoad((&shared_[13u]));
-                            let _e1214 = (_e1212 + _e965[1]);
-                            if (_e1214 < _e70.member_4) {
-                                let _e1221 = (2u * ((_e70.member_5 * _e70.member_4) + _e1214));
-                                front.member[_e1221] = _e918.member[0];
-                                front.member[(_e1221 + 1u)] = _e918.member[1];
+                        if (_e71.member_4 > 0u) {
+                            let _e1241 = atomicLoad((&shared_[13u]));
+                            let _e1243 = (_e1241 + _e994[1]);
+                            if (_e1243 < _e71.member_4) {
+                                let _e1250 = (2u * ((_e71.member_5 * _e71.member_4) + _e1243));
+                                front.member[_e1250] = _e947.member[0];
+                                front.member[(_e1250 + 1u)] = _e947.member[1];
                             }
                         }
                     }
                 }
-                if (_e916.member_1 == 1u) {
-                    let _e1318 = atomicLoad((&shared_[10u]));
-                    if (_e988[0] < _e1318) {
-                        let _e1338 = atomicLoad((&shared_[9u]));
-                        let _e1341 = (2u * (_e1338 + _e988[0]));
-                        stack[_e1341] = _e916.member[0];
-                        stack[(_e1341 + 1u)] = _e916.member[1];
+                if (_e945.member_1 == 1u) {
+                    let _e1347 = atomicLoad((&shared_[10u]));
+                    if (_e1017[0] < _e1347) {
+                        let _e1367 = atomicLoad((&shared_[9u]));
+                        let _e1370 = (2u * (_e1367 + _e1017[0]));
+                        stack[_e1370] = _e945.member[0];
+                        stack[(_e1370 + 1u)] = _e945.member[1];
                     } else {
-                        let _e1322 = atomicLoad((&shared_[11u]));
-                        let _e1325 = ((_e1322 + _e988[0]) - _e1318);
-                        if (_e1325 < _e70.member_3) {
-                            let _e1328 = (_e83 + _e1325);
-                            if (_e1328 < 4294967295u) {
-                                let _e1332 = (2u * _e1328);
-                                atomicStore((&nodes.member[(4u + _e1332)]), _e916.member[0]);
-                                atomicStore((&nodes.member[(_e1332 + 5u)]), _e916.member[1]);
+                        let _e1351 = atomicLoad((&shared_[11u]));
+                        let _e1354 = ((_e1351 + _e1017[0]) - _e1347);
+                        if (_e1354 < _e71.member_3) {
+                            let _e1357 = (_e84 + _e1354);
+                            if (_e1357 < 4294967295u) {
+                                let _e1361 = (2u * _e1357);
+                                atomicStore((&nodes.member[(4u + _e1361)]), _e945.member[0]);
+                                atomicStore((&nodes.member[(_e1361 + 5u)]), _e945.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e916.member_1 == 0u) {
+                    if (_e945.member_1 == 0u) {
                     } else {
-                        if (_e916.member_1 == 2u) {
-                            let _e1266 = a.member[_e916.member[0]];
-                            let _e1270 = b.member[_e916.member[1]];
-                            let _e1274 = params.member.member_2.member;
-                            if (_e1274 == 1u) {
-                                if (_e1266.member_1 < _e1270.member_1) {
-                                    phi_2025_ = type_9(_e1266.member_1, _e1270.member_1);
+                        if (_e945.member_1 == 2u) {
+                            let _e1295 = a.member[_e945.member[0]];
+                            let _e1299 = b.member[_e945.member[1]];
+                            let _e1303 = params.member.member_2.member;
+                            if (_e1303 == 1u) {
+                                if (_e1295.member_1 < _e1299.member_1) {
+                                    phi_2064_ = type_9(_e1295.member_1, _e1299.member_1);
                                 } else {
-                                    phi_2025_ = type_9(_e1270.member_1, _e1266.member_1);
+                                    phi_2064_ = type_9(_e1299.member_1, _e1295.member_1);
                                 }
-                                let _e1281 = phi_2025_;
-                                phi_2030_ = _e1281;
+                                let _e1310 = phi_2064_;
+                                phi_2069_ = _e1310;
                             } else {
-                                phi_2030_ = type_9(_e1266.member_1, _e1270.member_1);
+                                phi_2069_ = type_9(_e1295.member_1, _e1299.member_1);
                             }
-                            let _e1283 = phi_2030_;
-                            let _e1287 = params.member.member_1;
-                            let _e1290 = atomicLoad((&shared_[12u]));
-                            let _e1292 = (_e1290 + _e988[0]);
-                            if (_e1292 < _e1287.member_3) {
-                                let _e1294 = (2u * _e1292);
-                                atomicStore((&pairs.member[(4u + _e1294)]), _e1283.member);
-                                atomicStore((&pairs.member[(_e1294 + 5u)]), _e1283.member_1);
+                            let _e1312 = phi_2069_;
+                            let _e1316 = params.member.member_1;
+                            let _e1319 = atomicLoad((&shared_[12u]));
+                            let _e1321 = (_e1319 + _e1017[0]);
+                            if (_e1321 < _e1316.member_3) {
+                                let _e1323 = (2u * _e1321);
+                                atomicStore((&pairs.member[(4u + _e1323)]), _e1312.member);
+                                atomicStore((&pairs.member[(_e1323 + 5u)]), _e1312.member_1);
                             }
                         }
-                        if (_e70.member_4 > 0u) {
-                            let _e1302 = atomicLoad((&shared_[13u]));
-                            let _e1304 = (_e1302 + _e988[1]);
-                            if (_e1304 < _e70.member_4) {
-                                let _e1311 = (2u * ((_e70.member_5 * _e70.member_4) + _e1304));
-                                front.member[_e1311] = _e916.member[0];
-                                front.member[(_e1311 + 1u)] = _e916.member[1];
+                        if (_e71.member_4 > 0u) {
+                            let _e1331 = atomicLoad((&shared_[13u]));
+                            let _e1333 = (_e1331 + _e1017[1]);
+                            if (_e1333 < _e71.member_4) {
+                                let _e1340 = (2u * ((_e71.member_5 * _e71.member_4) + _e1333));
+                                front.member[_e1340] = _e945.member[0];
+                                front.member[(_e1340 + 1u)] = _e945.member[1];
                             }
                         }
                     }
                 }
-                if (_e914.member_1 == 1u) {
-                    let _e1408 = atomicLoad((&shared_[10u]));
-                    if (_e1011[0] < _e1408) {
-                        let _e1428 = atomicLoad((&shared_[9u]));
-                        let _e1431 = (2u * (_e1428 + _e1011[0]));
-                        stack[_e1431] = _e914.member[0];
-                        stack[(_e1431 + 1u)] = _e914.member[1];
+                if (_e943.member_1 == 1u) {
+                    let _e1437 = atomicLoad((&shared_[10u]));
+                    if (_e1040[0] < _e1437) {
+                        let _e1457 = atomicLoad((&shared_[9u]));
+                        let _e1460 = (2u * (_e1457 + _e1040[0]));
+                        stack[_e1460] = _e943.member[0];
+                        stack[(_e1460 + 1u)] = _e943.member[1];
                     } else {
-                        let _e1412 = atomicLoad((&shared_[11u]));
-                        let _e1415 = ((_e1412 + _e1011[0]) - _e1408);
-                        if (_e1415 < _e70.member_3) {
-                            let _e1418 = (_e83 + _e1415);
-                            if (_e1418 < 4294967295u) {
-                                let _e1422 = (2u * _e1418);
-                                atomicStore((&nodes.member[(4u + _e1422)]), _e914.member[0]);
-                                atomicStore((&nodes.member[(_e1422 + 5u)]), _e914.member[1]);
+                        let _e1441 = atomicLoad((&shared_[11u]));
+                        let _e1444 = ((_e1441 + _e1040[0]) - _e1437);
+                        if (_e1444 < _e71.member_3) {
+                            let _e1447 = (_e84 + _e1444);
+                            if (_e1447 < 4294967295u) {
+                                let _e1451 = (2u * _e1447);
+                                atomicStore((&nodes.member[(4u + _e1451)]), _e943.member[0]);
+                                atomicStore((&nodes.member[(_e1451 + 5u)]), _e943.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e914.member_1 == 0u) {
+                    if (_e943.member_1 == 0u) {
                     } else {
-                        if (_e914.member_1 == 2u) {
-                            let _e1356 = a.member[_e914.member[0]];
-                            let _e1360 = b.member[_e914.member[1]];
-                            let _e1364 = params.member.member_2.member;
-                            if (_e1364 == 1u) {
-                                if (_e1356.member_1 < _e1360.member_1) {
-                                    phi_2188_ = type_9(_e1356.member_1, _e1360.member_1);
+                        if (_e943.member_1 == 2u) {
+                            let _e1385 = a.member[_e943.member[0]];
+                            let _e1389 = b.member[_e943.member[1]];
+                            let _e1393 = params.member.member_2.member;
+                            if (_e1393 == 1u) {
+                                if (_e1385.member_1 < _e1389.member_1) {
+                                    phi_2227_ = type_9(_e1385.member_1, _e1389.member_1);
                                 } else {
-                                    phi_2188_ = type_9(_e1360.member_1, _e1356.member_1);
+                                    phi_2227_ = type_9(_e1389.member_1, _e1385.member_1);
                                 }
-                                let _e1371 = phi_2188_;
-                                phi_2193_ = _e1371;
+                                let _e1400 = phi_2227_;
+                                phi_2232_ = _e1400;
                             } else {
-                                phi_2193_ = type_9(_e1356.member_1, _e1360.member_1);
+                                phi_2232_ = type_9(_e1385.member_1, _e1389.member_1);
                             }
-                            let _e1373 = phi_2193_;
-                            let _e1377 = params.member.member_1;
-                            let _e1380 = atomicLoad((&shared_[12u]));
-                            let _e1382 = (_e1380 + _e1011[0]);
-                            if (_e1382 < _e1377.member_3) {
-                                let _e1384 = (2u * _e1382);
-                                atomicStore((&pairs.member[(4u + _e1384)]), _e1373.member);
-                                atomicStore((&pairs.member[(_e1384 + 5u)]), _e1373.member_1);
+                            let _e1402 = phi_2232_;
+                            let _e1406 = params.member.member_1;
+                            let _e1409 = atomicLoad((&shared_[12u]));
+                            let _e1411 = (_e1409 + _e1040[0]);
+                            if (_e1411 < _e1406.member_3) {
+                                let _e1413 = (2u * _e1411);
+                                atomicStore((&pairs.member[(4u + _e1413)]), _e1402.member);
+                                atomicStore((&pairs.member[(_e1413 + 5u)]), _e1402.member_1);
                             }
                         }
-                        if (_e70.member_4 > 0u) {
-                            let _e1392 = atomicLoad((&shared_[13u]));
-                            let _e1394 = (_e1392 + _e1011[1]);
-                            if (_e1394 < _e70.member_4) {
-                                let _e1401 = (2u * ((_e70.member_5 * _e70.member_4) + _e1394));
-                                front.member[_e1401] = _e914.member[0];
-                                front.member[(_e1401 + 1u)] = _e914.member[1];
+                        if (_e71.member_4 > 0u) {
+                            let _e1421 = atomicLoad((&shared_[13u]));
+                            let _e1423 = (_e1421 + _e1040[1]);
+                            if (_e1423 < _e71.member_4) {
+                                let _e1430 = (2u * ((_e71.member_5 * _e71.member_4) + _e1423));
+                                front.member[_e1430] = _e943.member[0];
+                                front.member[(_e1430 + 1u)] = _e943.member[1];
                             }
                         }
                     }
                 }
-                phi_2246_ = true;
+                phi_2285_ = true;
             }
-            let _e1438 = phi_2246_;
-            phi_2247_ = _e1438;
+            let _e1467 = phi_2285_;
+            phi_2286_ = _e1467;
         } else {
-            phi_2247_ = false;
+            phi_2286_ = false;
         }
-        let _e1440 = phi_2247_;
+        let _e1469 = phi_2286_;
         continue;
         continuing {
-            phi_204_ = _e104;
-            break if !(_e1440);
+            phi_204_ = _e105;
+            break if !(_e1469);
         }
     }
-    if (_e56 == 0u) {
-        if (_e70.member_6 == 0u) {
-            if (_e68 < _e80) {
-                phi_2270_ = ((((_e80 - 1u) - _e68) >> bitcast<u32>((_e70.member_7 & 31u))) + 1u);
+    if (_e57 == 0u) {
+        if (_e71.member_6 == 0u) {
+            if (_e69 < _e81) {
+                phi_2309_ = ((((_e81 - 1u) - _e69) >> bitcast<u32>((_e71.member_7 & 31u))) + 1u);
             } else {
-                phi_2270_ = 0u;
+                phi_2309_ = 0u;
             }
-            let _e1454 = phi_2270_;
-            let _e1456 = atomicLoad((&shared_[5u]));
-            phi_2275_ = (_e1454 - _e1456);
+            let _e1483 = phi_2309_;
+            let _e1485 = atomicLoad((&shared_[5u]));
+            phi_2314_ = (_e1483 - _e1485);
         } else {
-            phi_2275_ = 0u;
+            phi_2314_ = 0u;
         }
-        let _e1459 = phi_2275_;
-        atomicStore((&shared_[14u]), _e1459);
-        let _e1462 = atomicLoad((&shared_[0u]));
-        let _e1463 = (_e1462 + _e1459);
-        if (_e1463 > 0u) {
-            if (_e70.member_12 == 0u) {
+        let _e1488 = phi_2314_;
+        atomicStore((&shared_[14u]), _e1488);
+        let _e1491 = atomicLoad((&shared_[0u]));
+        let _e1492 = (_e1491 + _e1488);
+        if (_e71.member_6 == 2u) {
+            let _e1519 = (((_e81 + (1u << bitcast<u32>((_e71.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e71.member_7 & 31u)));
+            let _e1520 = (_e69 * _e1519);
+            if (_e81 < _e1520) {
+                phi_2340_ = _e81;
             } else {
-                let _e1468 = atomicMax((&control.member[1536u]), 4294967295u);
+                phi_2340_ = _e1520;
             }
-            let _e1471 = atomicAdd((&control.member[(_e72.member_1 + 1u)]), _e1463);
-            let _e1474 = atomicMax((&nodes.member[0u]), (_e1471 + _e1463));
-            if ((_e1471 + _e1463) < _e1471) {
-                let _e1478 = atomicAdd((&nodes.member[2u]), 1u);
+            let _e1523 = phi_2340_;
+            let _e1524 = (_e81 - _e1523);
+            if (_e1524 < _e1519) {
+                phi_2346_ = _e1524;
+            } else {
+                phi_2346_ = _e1519;
             }
-            atomicStore((&shared_[17u]), _e1471);
+            let _e1527 = phi_2346_;
+            let _e1534 = ((1540u + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (2u * _e69));
+            let _e1536 = atomicLoad((&shared_[0u]));
+            atomicStore((&control.member[_e1534]), _e1536);
+            let _e1540 = atomicLoad((&shared_[5u]));
+            atomicStore((&control.member[(_e1534 + 1u)]), (_e1527 - _e1540));
+        } else {
+            if (_e1492 > 0u) {
+                if (_e71.member_12 == 0u) {
+                } else {
+                    let _e1499 = atomicMax((&control.member[1536u]), 4294967295u);
+                }
+                let _e1502 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), _e1492);
+                let _e1505 = atomicMax((&nodes.member[0u]), (_e1502 + _e1492));
+                if ((_e1502 + _e1492) < _e1502) {
+                    let _e1509 = atomicAdd((&nodes.member[2u]), 1u);
+                }
+                atomicStore((&shared_[17u]), _e1502);
+            }
         }
-        let _e1483 = atomicLoad((&shared_[15u]));
-        let _e1485 = atomicAdd((&control.member[(1540u + (2u * _e68))]), _e1483);
-        let _e1489 = atomicLoad((&shared_[16u]));
-        let _e1491 = atomicAdd((&control.member[((2u * _e68) + 1541u)]), _e1489);
+        let _e1546 = atomicLoad((&shared_[15u]));
+        let _e1548 = atomicAdd((&control.member[(1540u + (2u * _e69))]), _e1546);
+        let _e1552 = atomicLoad((&shared_[16u]));
+        let _e1554 = atomicAdd((&control.member[((2u * _e69) + 1541u)]), _e1552);
     }
     workgroupBarrier();
-    let _e1493 = atomicLoad((&shared_[0u]));
-    let _e1495 = atomicLoad((&shared_[17u]));
-    let _e1497 = atomicLoad((&shared_[14u]));
-    phi_2348_ = type_9(0u, 8u);
+    let _e1556 = atomicLoad((&shared_[0u]));
+    let _e1558 = atomicLoad((&shared_[17u]));
+    let _e1560 = atomicLoad((&shared_[14u]));
+    phi_2434_ = type_9(0u, 8u);
     loop {
-        let _e1499 = phi_2348_;
-        if (_e1499.member < _e1499.member_1) {
-            phi_2349_ = type_9((_e1499.member + 1u), _e1499.member_1);
-            phi_2372_ = type_9(1u, _e1499.member);
+        let _e1562 = phi_2434_;
+        if (_e1562.member < _e1562.member_1) {
+            phi_2435_ = type_9((_e1562.member + 1u), _e1562.member_1);
+            phi_2458_ = type_9(1u, _e1562.member);
         } else {
-            phi_2349_ = _e1499;
-            phi_2372_ = type_9(0u, type_9().member_1);
+            phi_2435_ = _e1562;
+            phi_2458_ = type_9(0u, type_9().member_1);
         }
-        let _e1511 = phi_2349_;
-        let _e1513 = phi_2372_;
-        let _e1517 = (bitcast<i32>(_e1513.member) != 0i);
-        if _e1517 {
-            let _e1519 = ((_e1513.member_1 * 128u) + _e56);
-            if (_e1519 < _e1493) {
-                let _e1523 = stack[(2u * _e1519)];
-                let _e1527 = stack[((2u * _e1519) + 1u)];
-                let _e1528 = (_e1495 + _e1519);
-                if (_e1528 < _e70.member_3) {
-                    let _e1531 = (_e83 + _e1528);
-                    if (_e1531 < 4294967295u) {
-                        let _e1533 = (2u * _e1531);
-                        atomicStore((&nodes.member[(4u + _e1533)]), _e1523);
-                        atomicStore((&nodes.member[(_e1533 + 5u)]), _e1527);
-                    }
-                }
-            }
-        }
-        continue;
-        continuing {
-            phi_2348_ = _e1511;
-            break if !(_e1517);
-        }
-    }
-    let _e1540 = atomicLoad((&shared_[5u]));
-    let _e1541 = (_e1497 / 128u);
-    if ((_e1497 % 128u) > 0u) {
-        phi_2432_ = (_e1541 + 1u);
-    } else {
-        phi_2432_ = _e1541;
-    }
-    let _e1546 = phi_2432_;
-    phi_2435_ = type_9(0u, _e1546);
-    loop {
-        let _e1549 = phi_2435_;
-        if (_e1549.member < _e1549.member_1) {
-            phi_2436_ = type_9((_e1549.member + 1u), _e1549.member_1);
-            phi_2459_ = type_9(1u, _e1549.member);
-        } else {
-            phi_2436_ = _e1549;
-            phi_2459_ = type_9(0u, type_9().member_1);
-        }
-        let _e1561 = phi_2436_;
-        let _e1563 = phi_2459_;
-        let _e1567 = (bitcast<i32>(_e1563.member) != 0i);
-        if _e1567 {
-            let _e1569 = ((_e1563.member_1 * 128u) + _e56);
-            if (_e1569 < _e1497) {
-                let _e1578 = (2u * ((_e81 + _e68) + ((_e1540 + _e1569) << bitcast<u32>((_e70.member_7 & 31u)))));
-                let _e1581 = atomicLoad((&nodes.member[(4u + _e1578)]));
-                let _e1584 = atomicLoad((&nodes.member[(_e1578 + 5u)]));
-                let _e1586 = ((_e1495 + _e1493) + _e1569);
-                if (_e1586 < _e70.member_3) {
-                    let _e1589 = (_e83 + _e1586);
-                    if (_e1589 < 4294967295u) {
-                        let _e1591 = (2u * _e1589);
-                        atomicStore((&nodes.member[(4u + _e1591)]), _e1581);
-                        atomicStore((&nodes.member[(_e1591 + 5u)]), _e1584);
-                    }
-                }
-            }
-        }
-        continue;
-        continuing {
-            phi_2435_ = _e1561;
-            break if !(_e1567);
-        }
-    }
-    if (_e70.member_6 == 1u) {
-        if (_e1540 == 0u) {
-            phi_2540_ = type_9(0u, _e80);
-            loop {
-                let _e1602 = phi_2540_;
-                if (_e1602.member < _e1602.member_1) {
-                    phi_2541_ = type_9((_e1602.member + 1u), _e1602.member_1);
-                    phi_2564_ = type_9(1u, _e1602.member);
+        let _e1574 = phi_2435_;
+        let _e1576 = phi_2458_;
+        let _e1580 = (bitcast<i32>(_e1576.member) != 0i);
+        if _e1580 {
+            let _e1582 = ((_e1576.member_1 * 128u) + _e57);
+            if (_e1582 < _e1556) {
+                let _e1586 = stack[(2u * _e1582)];
+                let _e1590 = stack[((2u * _e1582) + 1u)];
+                if (_e71.member_6 == 2u) {
+                    let _e1622 = ((((((1540u + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (1u << bitcast<u32>((_e71.member_7 & 31u)))) + 1u) + (_e69 * 2048u)) + (2u * _e1582));
+                    atomicStore((&control.member[_e1622]), _e1586);
+                    atomicStore((&control.member[(_e1622 + 1u)]), _e1590);
                 } else {
-                    phi_2541_ = _e1602;
-                    phi_2564_ = type_9(0u, type_9().member_1);
+                    let _e1593 = (_e1558 + _e1582);
+                    if (_e1593 < _e71.member_3) {
+                        let _e1596 = (_e84 + _e1593);
+                        if (_e1596 < 4294967295u) {
+                            let _e1598 = (2u * _e1596);
+                            atomicStore((&nodes.member[(4u + _e1598)]), _e1586);
+                            atomicStore((&nodes.member[(_e1598 + 5u)]), _e1590);
+                        }
+                    }
                 }
-                let _e1614 = phi_2541_;
-                let _e1616 = phi_2564_;
-                if (bitcast<i32>(_e1616.member) != 0i) {
-                    let _e1622 = atomicAdd((&control.member[(512u + _e72.member_1)]), 1u);
-                    if (_e1622 >= _e80) {
-                        phi_2656_ = false;
+            }
+        }
+        continue;
+        continuing {
+            phi_2434_ = _e1574;
+            break if !(_e1580);
+        }
+    }
+    let _e1628 = atomicLoad((&shared_[5u]));
+    let _e1629 = (_e1560 / 128u);
+    if ((_e1560 % 128u) > 0u) {
+        phi_2549_ = (_e1629 + 1u);
+    } else {
+        phi_2549_ = _e1629;
+    }
+    let _e1634 = phi_2549_;
+    phi_2552_ = type_9(0u, _e1634);
+    loop {
+        let _e1637 = phi_2552_;
+        if (_e1637.member < _e1637.member_1) {
+            phi_2553_ = type_9((_e1637.member + 1u), _e1637.member_1);
+            phi_2576_ = type_9(1u, _e1637.member);
+        } else {
+            phi_2553_ = _e1637;
+            phi_2576_ = type_9(0u, type_9().member_1);
+        }
+        let _e1649 = phi_2553_;
+        let _e1651 = phi_2576_;
+        let _e1655 = (bitcast<i32>(_e1651.member) != 0i);
+        if _e1655 {
+            let _e1657 = ((_e1651.member_1 * 128u) + _e57);
+            if (_e1657 < _e1560) {
+                let _e1666 = (2u * ((_e82 + _e69) + ((_e1628 + _e1657) << bitcast<u32>((_e71.member_7 & 31u)))));
+                let _e1669 = atomicLoad((&nodes.member[(4u + _e1666)]));
+                let _e1672 = atomicLoad((&nodes.member[(_e1666 + 5u)]));
+                let _e1674 = ((_e1558 + _e1556) + _e1657);
+                if (_e1674 < _e71.member_3) {
+                    let _e1677 = (_e84 + _e1674);
+                    if (_e1677 < 4294967295u) {
+                        let _e1679 = (2u * _e1677);
+                        atomicStore((&nodes.member[(4u + _e1679)]), _e1669);
+                        atomicStore((&nodes.member[(_e1679 + 5u)]), _e1672);
+                    }
+                }
+            }
+        }
+        continue;
+        continuing {
+            phi_2552_ = _e1649;
+            break if !(_e1655);
+        }
+    }
+    if (_e71.member_6 == 1u) {
+        if (_e1628 == 0u) {
+            phi_2657_ = type_9(0u, _e81);
+            loop {
+                let _e1690 = phi_2657_;
+                if (_e1690.member < _e1690.member_1) {
+                    phi_2658_ = type_9((_e1690.member + 1u), _e1690.member_1);
+                    phi_2681_ = type_9(1u, _e1690.member);
+                } else {
+                    phi_2658_ = _e1690;
+                    phi_2681_ = type_9(0u, type_9().member_1);
+                }
+                let _e1702 = phi_2658_;
+                let _e1704 = phi_2681_;
+                if (bitcast<i32>(_e1704.member) != 0i) {
+                    let _e1710 = atomicAdd((&control.member[(512u + _e73.member_1)]), 1u);
+                    if (_e1710 >= _e81) {
+                        phi_2773_ = false;
                     } else {
-                        let _e1625 = (2u * (_e81 + _e1622));
-                        let _e1628 = atomicLoad((&nodes.member[(4u + _e1625)]));
-                        let _e1631 = atomicLoad((&nodes.member[(_e1625 + 5u)]));
-                        if (_e70.member_12 == 0u) {
+                        let _e1713 = (2u * (_e82 + _e1710));
+                        let _e1716 = atomicLoad((&nodes.member[(4u + _e1713)]));
+                        let _e1719 = atomicLoad((&nodes.member[(_e1713 + 5u)]));
+                        if (_e71.member_12 == 0u) {
                         } else {
-                            let _e1635 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e1723 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1638 = atomicAdd((&control.member[(_e72.member_1 + 1u)]), 1u);
-                        let _e1641 = atomicMax((&nodes.member[0u]), (_e1638 + 1u));
-                        if ((_e1638 + 1u) < _e1638) {
-                            let _e1645 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e1726 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), 1u);
+                        let _e1729 = atomicMax((&nodes.member[0u]), (_e1726 + 1u));
+                        if ((_e1726 + 1u) < _e1726) {
+                            let _e1733 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e1638 < _e70.member_3) {
-                            let _e1648 = (_e83 + _e1638);
-                            if (_e1648 < 4294967295u) {
-                                let _e1650 = (2u * _e1648);
-                                atomicStore((&nodes.member[(4u + _e1650)]), _e1628);
-                                atomicStore((&nodes.member[(_e1650 + 5u)]), _e1631);
+                        if (_e1726 < _e71.member_3) {
+                            let _e1736 = (_e84 + _e1726);
+                            if (_e1736 < 4294967295u) {
+                                let _e1738 = (2u * _e1736);
+                                atomicStore((&nodes.member[(4u + _e1738)]), _e1716);
+                                atomicStore((&nodes.member[(_e1738 + 5u)]), _e1719);
                             }
                         }
-                        phi_2656_ = true;
+                        phi_2773_ = true;
                     }
-                    let _e1656 = phi_2656_;
-                    phi_2657_ = _e1656;
+                    let _e1744 = phi_2773_;
+                    phi_2774_ = _e1744;
                 } else {
-                    phi_2657_ = false;
+                    phi_2774_ = false;
                 }
-                let _e1658 = phi_2657_;
+                let _e1746 = phi_2774_;
                 continue;
                 continuing {
-                    phi_2540_ = _e1614;
-                    break if !(_e1658);
+                    phi_2657_ = _e1702;
+                    break if !(_e1746);
                 }
             }
         }

@@ -36,6 +36,21 @@ pub fn run<K: Bind<Vec<u8>>>(
     groups: u32,
     fold: u32,
 ) -> Result<(), Error> {
+    repeat(device, kernel, params, groups, fold, 1)
+}
+
+/// The same so many times in one recording.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn repeat<K: Bind<Vec<u8>>>(
+    device: &Device,
+    kernel: &mut K,
+    params: &Params<K::Args>,
+    groups: u32,
+    fold: u32,
+    times: u32,
+) -> Result<(), Error> {
     if K::ID.native() {
         device.check_native()?;
     }
@@ -56,7 +71,8 @@ pub fn run<K: Bind<Vec<u8>>>(
     let parts: Vec<Part> = kernel.buffers().iter().map(|b| plan.part(b.len() as u64)).collect();
     let reading = Readback::default().prepare(device, plan)?;
     submit(device, &mut bench, |recorder| {
-        recorder.run(K::ID, params.parts(), &on_device.iter().collect::<Vec<_>>(), groups);
+        let buffers: Vec<_> = on_device.iter().collect();
+        recorder.repeat(times, |r| r.run(K::ID, params.parts(), &buffers, groups));
         for (part, buffer) in parts.iter().zip(&on_device) {
             recorder.read(&reading, *part, buffer, 0);
         }

@@ -17,8 +17,8 @@ mod encoding;
 const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
 /// Dispatches of one recording, at most.
 const MAX_DISPATCHES: u64 = 2048;
-/// Stages of one recording, at most.
-const MAX_STAGES: u32 = 32;
+/// Stages of one recording, at most: two for each of 16 rounds of both kinds, and others.
+const MAX_STAGES: u32 = 128;
 
 /// What timestamps of the device measure.
 ///
@@ -186,6 +186,11 @@ enum Command {
         buffers: Vec<wgpu::Buffer>,
         groups: u32,
     },
+    /// The last `n` kernels again, with the same parameters, until each ran so many times.
+    Repeat {
+        n: usize,
+        times: u32,
+    },
 }
 
 impl Recorder<'_> {
@@ -194,6 +199,14 @@ impl Recorder<'_> {
         if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) {
             self.commands.push(Command::Stage(name));
         }
+    }
+
+    /// The stage that began last, if stages are timed.
+    pub fn current_stage(&self) -> Option<&'static str> {
+        self.commands.iter().rev().find_map(|command| match command {
+            Command::Stage(name) => Some(*name),
+            _ => None,
+        })
     }
 
     /// A part of a stage, which is timed by itself if kernels are.
@@ -280,6 +293,19 @@ impl Recorder<'_> {
             buffers.insert(place, oriented);
         }
         self.run(id, params.parts(), &buffers, groups);
+    }
+
+    /// Runs the kernels that `work` records so many times, one after the other and from the first
+    /// again, with the same parameters: what changes is in their buffers. Kernels alone.
+    pub fn repeat(&mut self, times: u32, work: impl FnOnce(&mut Self)) {
+        if times == 0 {
+            return;
+        }
+        let before = self.commands.len();
+        work(self);
+        let n = self.commands.len() - before;
+        debug_assert!(self.commands[before..].iter().all(|c| matches!(c, Command::Run { .. })));
+        self.commands.push(Command::Repeat { n, times });
     }
 
     /// Runs a kernel by its id. `params`: parts of [`Params`]; `buffers`: in the order of the

@@ -84,7 +84,13 @@ fn count_of(table: &[u32], row: u32, n_tiles: u32, i: u32) -> u32 {
 /// steps the sum of all is in `sums[2^steps - 1]` until the next barrier. `sums` has two halves
 /// that are used in turn, so that one barrier a step is enough.
 #[inline(always)]
-fn scan<const N: usize>(lane: u32, steps: u32, half: u32, value: u32, sums: &mut [u32; N]) -> u32 {
+pub(crate) fn scan<const N: usize>(
+    lane: u32,
+    steps: u32,
+    half: u32,
+    value: u32,
+    sums: &mut [u32; N],
+) -> u32 {
     let mut sum = value;
     let mut reach = 1;
     let (mut from, mut to) = (0, half);

@@ -7,12 +7,14 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, read, rounds_like_a_cpu, run, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{
-    Branches, NumberLeaves, PairJoin, PairLeaves, PairNearest, PlocCount, PlocFinish, PlocJoin,
-    PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit, SplitLevels,
+    Branches, NumberLeaves, PairJoin, PairLeaves, PairNearest, PairSearch, PairSwap, PlocCount,
+    PlocFinish, PlocJoin, PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit,
+    SplitLevels,
 };
-use ccd::gpu::{BroadPhase, Device};
+use ccd::gpu::{BroadPhase, Device, harness};
 use ccd::{Aabb, BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
 use ccd_core::backend::broad_phase::morton_key::shared_word;
+use ccd_core::backend::broad_phase::nearest_pair::{GROUP, words};
 use ccd_core::backend::broad_phase::ploc::{COUNTS, FEW, rounds};
 use ccd_core::backend::kernel::prefix;
 use ccd_core::backend::layout::{
@@ -25,6 +27,7 @@ pub const TESTS: crate::Tests = &[
     ("split_lists", check_split_lists),
     ("ploc", check_ploc),
     ("nearest_pair", check_nearest_pair),
+    ("repeated_kernels", check_repeated),
     ("trees_of_the_cpu", check_trees_of_the_cpu),
     ("builders_and_hard_boxes", check_hard_boxes),
 ];
@@ -119,8 +122,9 @@ fn ploc(device: &Device, twin: &Twin, set: usize, radius: u32) -> (Built, Vec<u3
     (number(device, twin, set, done.joins, 1), reached)
 }
 
-/// Nearest pairs on a device, with so many targets a dispatch.
-fn nearest_pair(device: &Device, twin: &Twin, set: usize, part: u32) -> Built {
+/// Nearest pairs on a device: so many targets of each level by the whole device, then so many a
+/// dispatch.
+fn nearest_pair(device: &Device, twin: &Twin, set: usize, wide: u32, part: u32) -> Built {
     let mut n = twin.frame.count[set];
     let p = |n: u32, first: u32, rounds: u32, made: u32| {
         let args = Building { set: set as u32, rounds, made, ..Building::default() };
@@ -136,7 +140,20 @@ fn nearest_pair(device: &Device, twin: &Twin, set: usize, part: u32) -> Built {
     let done = run(device, kernel, &p(n, 0, 0, 0), n.div_ceil(256));
     let (mut clusters, mut items, mut made) = (done.clusters, done.items, 0);
     while n > 1 {
-        for target in (0..n / 2).step_by(part as usize) {
+        let wide = wide.min(n / 2);
+        // What is behind the place of the target before does not matter.
+        let mut found = bytes(&vec![0u32; words(n) as usize]);
+        found[4..].fill(0x77);
+        for target in 0..wide {
+            let groups = (n - 2 * target - 1).div_ceil(GROUP);
+            let p = p(n, 0, 0, 0);
+            let done = run(device, PairSearch { items, found }, &p, groups);
+            let (items_in, found_in) = (done.items, done.found);
+            let done = run(device, PairSwap { items: items_in, found: found_in }, &p, 1);
+            (items, found) = (done.items, done.found);
+            assert_eq!(read::<u32>(&found)[0], 2 * target + 2);
+        }
+        for target in (wide..n / 2).step_by(part as usize) {
             let p = p(n, 2 * target, part.min(n / 2 - target), 0);
             items = run(device, PairNearest { items }, &p, 1).items;
         }
@@ -270,15 +287,41 @@ fn check_ploc(device: &Device) {
     }
 }
 
-/// The trees of the CPU, however many targets a dispatch has.
+/// The trees of the CPU, however many targets a dispatch has, and whoever looks for the nearest.
 fn check_nearest_pair(device: &Device) {
     for (what, twin, set) in twins() {
-        let [got, other] = [100, 1000].map(|part| nearest_pair(device, &twin, set, part));
+        let all = [(0, 100), (0, 1000), (4, 1000)];
+        let [got, other, of_device] =
+            all.map(|(wide, part)| nearest_pair(device, &twin, set, wide, part));
         check_well_formed(&what, &twin, set, &got);
         assert!(got == other, "{what}: parts make a difference");
+        check_well_formed(&what, &twin, set, &of_device);
+        if rounds_like_a_cpu(device) {
+            assert!(got == of_device, "{what}: the whole device finds others");
+        }
         if set == 1 && twin.boxes[0] != twin.boxes[1] {
             check_figures(device, &what, &twin, Builder::NEAREST_PAIR, &got);
         }
+    }
+}
+
+/// A kernel that is recorded once runs as often as was asked for, each time on what it has left.
+fn check_repeated(device: &Device) {
+    for times in [0, 1, 2, 7] {
+        let items: Vec<[u32; 4]> = (0..40).map(|i| [i; 4]).collect();
+        // The nearest node is always at place 20.
+        let mut kernel = PairSwap { items: bytes(&items), found: bytes(&[0u32, 0, 20]) };
+        let args = Building::default();
+        let dispatch = Dispatch { n: 40, ..Dispatch::default() };
+        let p = Params { frame: Default::default(), dispatch, args };
+        harness::repeat(device, &mut kernel, &p, 1, 65_535, times).unwrap();
+        let (mut want, mut place) = (items, 0);
+        for _ in 0..times {
+            want.swap(place + 1, 20);
+            place += 2;
+        }
+        assert_eq!(read::<u32>(&kernel.found)[0] as usize, place, "{times} times");
+        assert_eq!(read::<[u32; 4]>(&kernel.items), want, "{times} times");
     }
 }
 
@@ -294,7 +337,7 @@ fn check_trees_of_the_cpu(device: &Device) {
             let what = format!("{} boxes", boxes.len());
             check_figures(device, &what, &twin, Builder::Ploc { radius }, &got);
         }
-        let nearest = nearest_pair(device, &twin, 1, 400);
+        let nearest = nearest_pair(device, &twin, 1, 20, 400);
         check_figures(device, "uniform boxes", &twin, Builder::NEAREST_PAIR, &nearest);
     }
 }

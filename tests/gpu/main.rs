@@ -5,6 +5,7 @@
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`. On a GPU
 //! that is emulated some are left out (`emulated.rs`) but with `CCD_WHOLE=1`.
 
+mod balanced;
 mod builder_twin;
 mod builders;
 mod changes;
@@ -136,6 +137,7 @@ fn main() {
             pair_stacks::TESTS,
             recursive::TESTS,
             workers::TESTS,
+            balanced::TESTS,
             oriented::TESTS,
             stealing::TESTS,
             poison::TESTS,

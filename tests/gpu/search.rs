@@ -1,15 +1,17 @@
 //! Searches by workers, dispatch after dispatch, of any tree of pairs: what stands in buffers
 //! between dispatches, and in which ways pairs are shared out.
 
-use crate::support::read;
+use crate::support::{read, run};
 use ccd::Pair;
 use ccd::gpu::Device;
+use ccd::gpu::bind::{BalanceCounts, BalancePairs};
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::backend::broad_phase::pair_workers::{
     FRONT, LEFT, ROUNDS, STACK, THREADS, counts, listed, stolen,
 };
-use ccd_core::backend::layout::{Dispatch, NodeDescent};
+use ccd_core::backend::layout::{Dispatch, Frame, NodeDescent, Params};
 use ccd_testkit::generate::Random;
+use std::mem::take;
 
 /// Capacity of the lists of tasks and of results.
 pub const CAPACITY: u32 = 12_000;
@@ -70,12 +72,15 @@ pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
         capacity_nodes: CAPACITY,
         ..NodeDescent::default()
     };
+    let balanced = NodeDescent { tasks: NodeDescent::TASKS_BALANCED, ..usual };
     let mut all = vec![
         ("static", usual),
         ("self-scheduling", NodeDescent { tasks: counted, ..usual }),
         ("frontier", NodeDescent { tasks: counted, piece: THREADS, stack: 0, ..usual }),
-        ("balanced at 1 %", NodeDescent { idle: 1, ..usual }),
-        ("balanced at 100 %", NodeDescent { idle: 100, ..usual }),
+        ("balanced at 1 %", NodeDescent { idle: 1, ..balanced }),
+        ("balanced at 100 %", NodeDescent { idle: 100, ..balanced }),
+        ("balanced, a turn", NodeDescent { turns: 1, ..balanced }),
+        ("balanced, some turns, a small stack", NodeDescent { turns: 9, stack: 9, ..balanced }),
         ("static, a turn", NodeDescent { turns: 1, ..usual }),
         ("self-scheduling, a few turns", NodeDescent { tasks: counted, turns: 9, ..usual }),
         ("self-scheduling, a small stack", NodeDescent { tasks: counted, stack: 9, ..usual }),
@@ -95,6 +100,15 @@ pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
         ]);
     }
     all
+}
+
+/// Deals out again what workers have left after a round.
+pub fn balance(device: &Device, p: &Params<NodeDescent>, buffers: &mut Buffers) {
+    let (control, nodes) = (take(&mut buffers.control), take(&mut buffers.nodes));
+    let BalanceCounts { control, nodes } = run(device, BalanceCounts { control, nodes }, p, 1);
+    let kernel = BalancePairs { control, nodes };
+    let done = run(device, kernel, p, 1 << p.args.workers);
+    (buffers.control, buffers.nodes) = (done.control, done.nodes);
 }
 
 /// A search that has begun.
@@ -138,6 +152,10 @@ impl<'a> Search<'a> {
     pub fn round(&mut self, args: NodeDescent, round: u32) {
         let dispatch = Dispatch { first: round, capacity_out: CAPACITY, ..Dispatch::default() };
         self.buffers = self.trees.round(self.device, args, dispatch, self.buffers.clone());
+        if args.tasks == NodeDescent::TASKS_BALANCED {
+            let p = Params { frame: Frame::default(), dispatch, args };
+            balance(self.device, &p, &mut self.buffers);
+        }
     }
 
     /// Pairs that workers expanded, all together.

@@ -7,10 +7,11 @@ use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{BlockWorkers, FirstBlockPairs, ResumeBlockFront, StealBlockPairs};
 use ccd::{Aabb, Pair};
+use ccd_core::backend::broad_phase::balanced::words_of;
 use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
 use ccd_core::backend::broad_phase::block_workers::unpacked;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
-use ccd_core::backend::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
+use ccd_core::backend::broad_phase::pair_workers::THREADS;
 use ccd_core::backend::layout::{BlockDescent, Dispatch, NodeDescent, Params};
 use ccd_testkit::generate::Random;
 
@@ -51,7 +52,7 @@ impl Descends for SearchBlocks {
         let kernel = FirstBlockPairs {
             boxes: bytes(&self.twin.nodes),
             first: list(&all),
-            control: zeros::<u32>(words_with_deques(thieves(&args))),
+            control: zeros::<u32>(words_of(&args)),
             nodes: capacity(2 * args.capacity_nodes),
             pairs: capacity(CAPACITY),
             front: vec![0xee; 16 * args.capacity_front.max(1) as usize],
@@ -69,7 +70,7 @@ impl Descends for SearchBlocks {
         dispatch: Dispatch,
         front: Vec<u8>,
     ) -> Buffers {
-        let control = zeros::<u32>(words_with_deques(thieves(&args)));
+        let control = zeros::<u32>(words_of(&args));
         let (boxes, nodes, pairs) =
             (bytes(&self.twin.nodes), capacity(2 * CAPACITY), capacity(CAPACITY));
         let kernel = ResumeBlockFront { boxes, control, nodes, pairs, front };

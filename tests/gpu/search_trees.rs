@@ -9,10 +9,11 @@ use ccd::gpu::bind::{
     StealPairsOriented,
 };
 use ccd::{Aabb, Pair};
+use ccd_core::backend::broad_phase::balanced::words_of;
 use ccd_core::backend::broad_phase::block_bvh::sets;
 use ccd_core::backend::broad_phase::oriented_nodes::WORDS;
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
-use ccd_core::backend::broad_phase::pair_workers::{THREADS, thieves, words_with_deques};
+use ccd_core::backend::broad_phase::pair_workers::THREADS;
 use ccd_core::backend::layout::{Dispatch, Node, NodeDescent};
 use ccd_core::math::obb::Obb;
 use ccd_core::model::method::Descent;
@@ -69,7 +70,7 @@ impl Descends for SearchTrees {
         let front = vec![0xee; 16 * args.capacity_front.max(1) as usize];
         let done = self.trees.cut_pairs(device, args, front);
         let mut control = done.control;
-        control.resize(4 * words_with_deques(thieves(&args)), 0);
+        control.resize(4 * words_of(&args), 0);
         Buffers { control, nodes: done.output, pairs: capacity(CAPACITY), front: done.front }
     }
 
@@ -80,7 +81,7 @@ impl Descends for SearchTrees {
         dispatch: Dispatch,
         front: Vec<u8>,
     ) -> Buffers {
-        let control = zeros::<u32>(words_with_deques(thieves(&args)));
+        let control = zeros::<u32>(words_of(&args));
         let (nodes, pairs) = (capacity(2 * CAPACITY), capacity(CAPACITY));
         let (p, [a_nodes, b_nodes]) =
             (self.trees.params(self.trees.kind, args, dispatch), self.nodes.clone());

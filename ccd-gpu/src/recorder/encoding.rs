@@ -14,8 +14,20 @@ pub struct Encoding<'a> {
     stages: Vec<&'static str>,
     /// Where the parameters of the next dispatch begin.
     offset: u32,
+    /// Kernels so far, to be repeated.
+    done: Vec<Run>,
     /// Whether the timestamp at the end of the whole is recorded.
     ended: bool,
+}
+
+/// A kernel as it is encoded.
+#[derive(Clone)]
+struct Run {
+    id: Id,
+    group: Option<wgpu::BindGroup>,
+    /// Where its parameters begin, if it takes some.
+    offset: Option<u32>,
+    groups: u32,
 }
 
 impl<'a> Encoding<'a> {
@@ -26,7 +38,8 @@ impl<'a> Encoding<'a> {
         encoder: &'a mut wgpu::CommandEncoder,
     ) -> Self {
         let groups = groups.into_iter();
-        Self { bench, groups, encoder, pass: None, stages: Vec::new(), offset: 0, ended: false }
+        let (stages, done) = (Vec::new(), Vec::new());
+        Self { bench, groups, encoder, pass: None, stages, offset: 0, done, ended: false }
     }
 
     /// Encodes a command.
@@ -47,7 +60,18 @@ impl<'a> Encoding<'a> {
                 self.pass = None;
                 self.encoder.copy_buffer_to_buffer(&from.0, from.1, &to.0, to.1, bytes);
             }
-            Command::Run { id, groups, .. } => self.run(id, groups),
+            Command::Run { id, groups, .. } => {
+                let takes_params = id.row().params.is_some();
+                let offset = takes_params.then_some(self.offset);
+                self.offset += offset.map_or(0, |_| PARAMS_STRIDE as u32);
+                let run = Run { id, group: self.groups.next(), offset, groups };
+                self.run(&run);
+                self.done.push(run);
+            }
+            Command::Repeat { n, times } => {
+                let again = self.done[self.done.len() - n..].to_vec();
+                (1..times).for_each(|_| again.iter().for_each(|run| self.run(run)));
+            }
         }
     }
 
@@ -71,11 +95,9 @@ impl<'a> Encoding<'a> {
         self.ended = true;
     }
 
-    fn run(&mut self, id: Id, groups: u32) {
+    fn run(&mut self, run: &Run) {
         let bench = self.bench;
-        let pipeline = bench.device.pipeline(id);
-        let takes_params = id.row().params.is_some();
-        let group = self.groups.next();
+        let pipeline = bench.device.pipeline(run.id);
         let pass = self.pass.get_or_insert_with(|| {
             let writes = match bench.timing {
                 Timing::Off => None,
@@ -105,15 +127,10 @@ impl<'a> Encoding<'a> {
                 .forget_lifetime()
         });
         pass.set_pipeline(&pipeline.pipeline);
-        if takes_params {
-            pass.set_bind_group(0, group.as_ref(), &[self.offset]);
-            self.offset += PARAMS_STRIDE as u32;
-        } else {
-            pass.set_bind_group(0, group.as_ref(), &[]);
-        }
+        pass.set_bind_group(0, run.group.as_ref(), run.offset.as_slice());
         // Folded: the kernels take the number of a workgroup from both dimensions.
-        let x = groups.min(bench.fold);
-        pass.dispatch_workgroups(x, groups.div_ceil(x), 1);
+        let x = run.groups.min(bench.fold);
+        pass.dispatch_workgroups(x, run.groups.div_ceil(x), 1);
     }
 
     /// Lets the timestamps be read; returns the stages.

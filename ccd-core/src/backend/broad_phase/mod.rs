@@ -1,6 +1,7 @@
 //! Which boxes overlap: swept boxes, their order, trees over them, and which overlaps are
 //! candidates.
 
+pub mod balanced;
 pub mod block_bvh;
 pub mod block_workers;
 pub mod candidate;

@@ -42,8 +42,41 @@ pub fn nearer(a: Found, b: Found) -> Found {
     if b.0 < a.0 || (b.0 == a.0 && b.1 < a.1) { b } else { a }
 }
 
+/// Nodes up to which one workgroup looks for the nearest, so that a dispatch has many targets: four
+/// a thread. Of more the whole device does, a thread each, and a target is two dispatches.
+pub const FEW: u32 = 1024;
+
+/// Targets of a level of `n` nodes, the first ones, that more than `few` nodes come after.
+pub fn wide_targets(n: u32, few: u32) -> u32 {
+    n.saturating_sub(few.saturating_add(1)).div_ceil(2)
+}
+
+/// Words in which the whole device looks for the nearest of `n` nodes: the place of the target,
+/// and of every 256 nodes the least distance and where it is.
+pub fn words(n: u32) -> u32 {
+    1 + 2 * n.div_ceil(GROUP)
+}
+
+/// Nodes of a workgroup, a thread each.
+pub const GROUP: u32 = 256;
+
 /// Nodes of the level above a level of `n`.
 #[inline(always)]
 pub fn parents(n: usize) -> usize {
     n.div_ceil(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_targets_are_those_before_many_nodes() {
+        for n in 0..60u32 {
+            for few in [0, 1, 2, 7, 31, 58, 59, u32::MAX] {
+                let want = (0..n / 2).filter(|k| n - 2 * k - 1 > few).count();
+                assert_eq!(wide_targets(n, few) as usize, want, "{n} nodes, few: {few}");
+            }
+        }
+    }
 }

@@ -168,7 +168,13 @@ macro_rules! kernels {
             /// Boxes in the order of input as nodes to be paired.
             PairLeaves = pair_leaves(256 threads, 0 barriers, f32, Params<Building>)
                 { boxes: Read, bounds: Read, clusters: Write, items: Write }
-            /// Nodes of a level in pairs, each with its nearest free neighbour.
+            /// The nearest of each 256 free nodes to the target.
+            PairSearch = pair_search(256 threads, 3 barriers, f32, Params<Building>)
+                { items: Read, found: Write }
+            /// The nearest of those to the place after the target, and the next target.
+            PairSwap = pair_swap(256 threads, 3 barriers, f32, Params<Building>)
+                { items: Write, found: Write }
+            /// Nodes of a level in pairs, each with its nearest free neighbour, by one workgroup.
             PairNearest = pair_nearest(256 threads, 4 barriers, f32, Params<Building>)
                 { items: Write }
             /// The level above.
@@ -258,6 +264,12 @@ macro_rules! kernels {
                 = steal_pairs_oriented(128 threads, 18 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
+            /// Prefix sums of the pairs that workers leave.
+            BalanceCounts = balance_counts(256 threads, 2 barriers, f32, Params<NodeDescent>)
+                { control: Write, nodes: Write }
+            /// What workers leave, in even parts.
+            BalancePairs = balance_pairs(128 threads, 0 barriers, f32, Params<NodeDescent>)
+                { control: Read, nodes: Write }
             /// All pairs of blocks of the level where a descent begins: tasks, or the first front.
             FirstBlockPairs
                 = first_block_pairs(128 threads, 3 barriers, f32, Params<BlockDescent>)

@@ -1,7 +1,7 @@
 //! Threads of a workgroup that bodies count on, as the table has them.
 
 use super::Id;
-use crate::broad_phase::{block_bvh, key_intervals, pair_workers, ploc, wide_nodes};
+use crate::broad_phase::{block_bvh, key_intervals, nearest_pair, pair_workers, ploc, wide_nodes};
 
 const _: () = assert!(Id::SortCount.threads() == super::sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == super::sort::THREADS);
@@ -11,6 +11,7 @@ const _: () = assert!(Id::PlocFinish.threads() == ploc::FEW);
 const _: () = assert!(Id::PlocFinish.threads() == super::prefix::TILE);
 const _: () = assert!(Id::PlocJoin.threads() == super::prefix::TILE);
 const _: () = assert!(Id::PlocCount.threads() == super::prefix::TILE);
+const _: () = assert!(Id::PairSearch.threads() == nearest_pair::GROUP);
 const _: () = assert!(Id::OrientNear.threads() == wide_nodes::TILE);
 const _: () = assert!(Id::PairWorkers.threads() == pair_workers::THREADS);
 const _: () = assert!(Id::StealPairs.threads() == pair_workers::THREADS);

@@ -255,6 +255,9 @@ impl NodeDescent {
     pub const TASKS_DEALT: u32 = 0;
     /// Workers take the next tasks from a counter.
     pub const TASKS_COUNTED: u32 = 1;
+    /// Every worker has a part of its own, and what it leaves is dealt out again; see
+    /// [`balanced`](crate::broad_phase::balanced).
+    pub const TASKS_BALANCED: u32 = 2;
 }
 
 /// Parameters of the descent of pairs of blocks by workers.

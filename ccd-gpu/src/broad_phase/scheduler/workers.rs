@@ -5,8 +5,12 @@
 //!   round 0   worker 0  ######..        .  has ended        static: whose part is done, is done
 //!             worker 1  ############    #  expands          self-scheduling: takes the next piece
 //!             worker 2  #####...                            balanced: at so many idle ones all
-//!   round 1   worker 0  ####                                stop, what is left is dealt out
+//!   balancing ----------------                              stop, what is left is dealt out
+//!   round 1   worker 0  ####
 //! ```
+//!
+//! Workers that are balanced ([`ccd_core::backend::broad_phase::balanced`]) save their stacks, a
+//! kernel makes prefix sums of how many pairs there are, and another copies them to even parts.
 //!
 //! Workers that steal (`ccd_core::backend::scheduling::stealing`) take tasks by the counter until
 //! there are no more, and then batches of each other's deques. That needs an order between
@@ -22,12 +26,14 @@
 //! were busy.
 
 use super::Schedule;
+use crate::bind::{BalanceCounts, BalancePairs};
 use crate::broad_phase::descended::{self, Buffers, Descended, Written};
 use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
+use ccd_core::backend::broad_phase::balanced;
 use ccd_core::backend::broad_phase::pair_workers::{
     COUNTS, LEFT, ROUNDS, STACK, THREADS, words, words_with_deques,
 };
@@ -88,8 +94,9 @@ impl Rule {
         rounds: 8,
         steal: None,
     };
-    /// The same, in more rounds, with `idle` as it was chosen.
-    pub const BALANCED: Self = Self { rounds: 16, ..Self::STATIC };
+    /// The same, in more rounds, with `idle` as it was chosen: between two all is dealt out again.
+    pub const BALANCED: Self =
+        Self { tasks: NodeDescent::TASKS_BALANCED, rounds: 16, ..Self::STATIC };
     /// Workers take the next tasks from a counter.
     pub const SELF_SCHEDULING: Self = Self { tasks: NodeDescent::TASKS_COUNTED, ..Self::STATIC };
     /// Nothing stays on a stack, so that a round is a level.
@@ -144,7 +151,7 @@ fn workers(device: &Device) -> u32 {
     if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 4 } else { 11 }
 }
 
-/// Bytes of what `2^workers` workers count, and of their deques.
+/// Bytes of what `2^workers` workers count, and of their deques: what a search clears.
 fn bytes(rule: Rule, workers: u32) -> u64 {
     let words = match rule.steal {
         None => words(1 << workers),
@@ -166,7 +173,11 @@ impl Workers {
         let rule = if short { Rule { rounds: 1, turns: 1, ..rule } } else { rule };
         let workers = if short { 1 } else { workers(device) };
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
-        let bytes = bytes(rule, workers);
+        let bytes = match rule.tasks {
+            // Stacks are saved behind the counters, and written before they are read.
+            NodeDescent::TASKS_BALANCED => 4 * balanced::words(workers) as u64,
+            _ => bytes(rule, workers),
+        };
         Ok(Self {
             rule,
             width,
@@ -204,10 +215,17 @@ impl Schedule for Workers {
             args = NodeDescent { batches, batch, most, push, patience, ..args };
         }
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
+        let (stage, nodes) = (recorder.current_stage(), buffers.nodes);
         for round in 0..rounds {
             args.last = (round + 1 == rounds) as u32;
             let p = descent.params(args, round, 0);
             descended::round(recorder, descent, buffers, &p, 1 << workers);
+            if tasks == NodeDescent::TASKS_BALANCED {
+                recorder.stage("balancing");
+                recorder.dispatch(&BalanceCounts { control, nodes }, &p, 1);
+                recorder.dispatch(&BalancePairs { control, nodes }, &p, 1 << workers);
+                stage.filter(|_| args.last == 0).into_iter().for_each(|name| recorder.stage(name));
+            }
         }
         recorder.copy(control, 4 * LEFT as u64, left.buffer(), 0, 4);
     }

@@ -1,5 +1,5 @@
-//! Nodes paired bottom up, each with the nearest one that is free, by one workgroup; see
-//! `ccd_core::backend::broad_phase::nearest_pair`.
+//! Nodes paired bottom up, each with the nearest one that is free, sought by the whole device or,
+//! among few, by one workgroup; see `ccd_core::backend::broad_phase::nearest_pair`.
 
 use crate::entry::kernel;
 use crate::records::{BoxWords, ClusterWords, box_at, cluster_at, put_join, put_root};
@@ -7,7 +7,7 @@ use crate::workgroup::{barrier, get, lower_shared, set};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key::merged;
 use ccd_core::backend::broad_phase::nearest_pair::{
-    FAR, beginning, centre, distance, nearer, parents,
+    FAR, Found, beginning, centre, distance, nearer, parents,
 };
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
@@ -51,6 +51,88 @@ kernel! {
     }
 }
 
+/// Entries of `found` of a search by the whole device: the place of the target, then the least
+/// distance of each workgroup, and where.
+const PLACE: usize = 0;
+
+#[inline(always)]
+fn word_of(group: u32) -> usize {
+    (1 + 2 * group) as usize
+}
+
+/// Leaves the nearest of what the threads of a workgroup found in `least`, which the first of them
+/// has cleared before a barrier.
+macro_rules! least_of {
+    ($best:ident, $least:ident) => {
+        // Numbers that are not negative have the order of their bits.
+        lower_shared($least, 0, $best.0.to_bits());
+        barrier();
+        if $best.0.to_bits() == get($least, 0) {
+            lower_shared($least, 1, $best.1);
+        }
+        barrier();
+    };
+}
+
+#[inline(always)]
+fn clear(least: &mut [u32; 2]) {
+    set(least, 0, FAR.to_bits());
+    set(least, 1, u32::MAX);
+}
+
+kernel! {
+    /// Thread `i` looks how far node `i` after the target is, of a level of `dispatch.n`; each
+    /// workgroup writes the nearest of its own.
+    pair_search[256](t; params: Building; least: [u32; 2]; items: [UVec4], mut found: [u32]) {
+        let target = at(found, PLACE);
+        if t.lane == 0 {
+            clear(least);
+        }
+        barrier();
+        let mut best = beginning(target + 1);
+        let i = target + 1 + t.i;
+        if i < params.dispatch.n {
+            let centre = centre_of(at(items, target as usize));
+            best = nearer(best, (distance(centre, centre_of(at(items, i as usize))), i));
+        }
+        least_of!(best, least);
+        if t.lane == 0 {
+            put(found, word_of(t.group), get(least, 0));
+            put(found, word_of(t.group) + 1, get(least, 1));
+        }
+    }
+}
+
+kernel! {
+    /// One workgroup finds the nearest of those: it changes places with the node after the target,
+    /// and the one after that is the next target.
+    pair_swap[256](t; params: Building; least: [u32; 2]; mut items: [UVec4], mut found: [u32]) {
+        let next = at(found, PLACE) + 1;
+        let n_groups = (params.dispatch.n - next).div_ceil(THREADS);
+        if t.lane == 0 {
+            clear(least);
+        }
+        barrier();
+        let mut best = beginning(next);
+        for k in 0..n_groups.div_ceil(THREADS) {
+            let group = k * THREADS + t.lane;
+            if group < n_groups {
+                let word = word_of(group);
+                let of_group: Found = (f32::from_bits(at(found, word)), at(found, word + 1));
+                best = nearer(best, of_group);
+            }
+        }
+        least_of!(best, least);
+        if t.lane == 0 {
+            let partner = get(least, 1) as usize;
+            let (before, nearest) = (at(items, next as usize), at(items, partner));
+            put(items, partner, before);
+            put(items, next as usize, nearest);
+            put(found, PLACE, next + 1);
+        }
+    }
+}
+
 kernel! {
     /// One workgroup pairs `args.rounds` targets of a level of `dispatch.n` nodes, from the target
     /// at place `dispatch.first` on: each with the nearest of those after it, which comes to the
@@ -65,8 +147,7 @@ kernel! {
                 set(shared, TARGET, at(items, target as usize));
             }
             if t.lane == 0 {
-                set(found, 0, FAR.to_bits());
-                set(found, 1, u32::MAX);
+                clear(found);
             }
             barrier();
             let centre = centre_of(get(shared, TARGET));
@@ -79,13 +160,7 @@ kernel! {
                     best = nearer(best, (distance(centre, centre_of(at(items, i as usize))), i));
                 }
             }
-            // Numbers that are not negative have the order of their bits.
-            lower_shared(found, 0, best.0.to_bits());
-            barrier();
-            if best.0.to_bits() == get(found, 0) {
-                lower_shared(found, 1, best.1);
-            }
-            barrier();
+            least_of!(best, found);
             let partner = get(found, 1);
             let (is_next, is_partner) = (t.lane == next % THREADS, t.lane == partner % THREADS);
             if is_next {

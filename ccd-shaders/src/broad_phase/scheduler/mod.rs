@@ -2,8 +2,10 @@
 //!
 //! Twin: on a CPU `scheduler/` has a file for each way to share out work.
 
+pub mod balanced;
 mod binary_pair_tree;
 mod block_pair_tree;
+mod left_over;
 mod shared;
 pub mod steal_stress;
 mod stealing;

@@ -7,7 +7,7 @@
 
 use super::shared::{
     BELOW, ENDED, ENDED_BASE, EXPANDED, FIRST, FROM_STACK, FROM_TASKS, LEAVES, LEAVES_BASE, NEXT,
-    NODES, REST, REST_BASE, SPILL_BASE, STRIDE, Shared, Stack, TO_STACK, TOP, TURNS,
+    NODES, SPILL_BASE, STRIDE, Shared, Stack, TO_STACK, TOP, TURNS,
 };
 use crate::broad_phase::pair_descent::{count_front, reserve, write_front};
 use crate::broad_phase::volume::{INNER, LEAF};
@@ -15,9 +15,10 @@ use crate::entry::Thread;
 use crate::workgroup::{
     add, add_shared, barrier, count, get, load, raise, read_pair, set, write_pair,
 };
+use ccd_core::backend::broad_phase::balanced::part;
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair};
 use ccd_core::backend::broad_phase::pair_workers::{
-    LEFT, QUANTUM, STACK, THREADS, counts, idle, is_over, listed, piece, share, taken, thieves,
+    LEFT, QUANTUM, idle, is_over, listed, piece, share, taken, thieves,
 };
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::backend::kernel::memory::at;
@@ -190,6 +191,12 @@ impl<'a, T: PairTree> Worker<'a, T> {
                 self.set(FIRST, self.me + (next << args.workers));
                 self.set(STRIDE, 1 << args.workers);
                 self.set(NEXT, next + from_tasks);
+            } else if args.tasks == NodeDescent::TASKS_BALANCED {
+                let [first, n] = part(self.tasks, self.me, args.workers);
+                from_tasks = (n - next).min(capacity);
+                self.set(FIRST, first + next);
+                self.set(STRIDE, 1);
+                self.set(NEXT, next + from_tasks);
             } else if next == 0 {
                 let wanted = piece(self.tasks, args.workers, args.piece).min(capacity);
                 let first = add(self.control, taken(self.round), wanted);
@@ -304,59 +311,6 @@ impl<'a, T: PairTree> Worker<'a, T> {
     pub(super) fn write_task(&mut self, first: u32, i: u32, pair: NodePair) {
         if i < self.args.capacity_nodes {
             write_pair(self.nodes, u32::MAX, first + i, Pair { a: pair[0], b: pair[1] });
-        }
-    }
-
-    /// The first thread, when the worker has ended: places among the tasks of the next round for
-    /// its stack and for the rest of its part.
-    #[inline(always)]
-    pub(super) fn reserve_rest(&mut self) {
-        let mut rest = 0;
-        if self.args.tasks == NodeDescent::TASKS_DEALT {
-            rest = share(self.tasks, self.me, self.args.workers) - self.get(NEXT);
-        }
-        self.set(REST, rest);
-        let n = self.get(TOP) + rest;
-        if n > 0 {
-            let base = self.spill(n);
-            self.set(REST_BASE, base);
-        }
-        add(self.control, counts(self.me), get(self.shared, TURNS));
-        add(self.control, counts(self.me) + 1, get(self.shared, EXPANDED));
-    }
-
-    /// Leaves what the worker has on its stack, and what is left of its part, to the next round; of
-    /// tasks by a counter, all that nobody takes any more.
-    #[inline(always)]
-    pub(super) fn leave_rest(&mut self, stack: &Stack) {
-        let (top, base, rest) = (self.get(TOP), self.get(REST_BASE), self.get(REST));
-        for k in 0..STACK / THREADS {
-            let i = k * THREADS + self.lane;
-            if i < top {
-                let pair = [get(stack, 2 * i), get(stack, 2 * i + 1)];
-                self.write_task(self.output, base + i, pair);
-            }
-        }
-        let next = self.get(NEXT);
-        for k in 0..rest.div_ceil(THREADS) {
-            let i = k * THREADS + self.lane;
-            if i < rest {
-                let task = self.input + self.me + ((next + i) << self.args.workers);
-                let pair = read_pair(self.nodes, task);
-                self.write_task(self.output, base + top + i, [pair.a, pair.b]);
-            }
-        }
-        if self.args.tasks == NodeDescent::TASKS_COUNTED && next == 0 {
-            // Each thread for itself, a task at a time: that is rare.
-            for _ in 0..self.tasks {
-                let i = add(self.control, taken(self.round), 1);
-                if i >= self.tasks {
-                    break;
-                }
-                let pair = read_pair(self.nodes, self.input + i);
-                let to = self.spill(1);
-                self.write_task(self.output, to, [pair.a, pair.b]);
-            }
         }
     }
 
