@@ -50,6 +50,10 @@ pub struct MethodOptions {
     /// pairs are no candidates, and none of them is undecided
     #[arg(long, value_parser = choice(ON_OFF))]
     cones: Option<bool>,
+    /// Whether --pipeline triangles tests a vertex or an edge once; off: all 15 tests of each pair,
+    /// on a CPU
+    #[arg(long, value_parser = choice(ON_OFF))]
+    representatives: Option<bool>,
     /// Which of two nodes --traversal simultaneous, cut and cut-stacks expand
     #[arg(long, value_parser = choice(DESCENTS))]
     descent: Option<Descent>,
@@ -129,15 +133,21 @@ impl MethodOptions {
 
     /// The pipeline.
     pub fn pipeline(&self) -> Result<Pipeline, Failure> {
-        let (orphans, cones) = (self.orphans, self.cones);
+        let (orphans, cones, once) = (self.orphans, self.cones, self.representatives);
         match self.pipeline.unwrap_or_default() {
             Pipeline::Triangles(options) => {
                 let orphans = orphans.unwrap_or(options.orphans);
                 let cones = cones.unwrap_or(options.cones);
-                Ok(Pipeline::Triangles(options.orphans(orphans).cones(cones)))
+                let once = once.unwrap_or(options.representatives);
+                let options = options.orphans(orphans).cones(cones).representatives(once);
+                Ok(Pipeline::Triangles(options))
             }
-            other if orphans.or(cones).is_some() => {
-                let option = if orphans.is_some() { "orphans" } else { "cones" };
+            other if orphans.or(cones).or(once).is_some() => {
+                let option = match (orphans, cones) {
+                    (Some(_), _) => "orphans",
+                    (None, Some(_)) => "cones",
+                    (None, None) => "representatives",
+                };
                 let name = other.row().name;
                 Err(Failure(format!("--{option} is for --pipeline triangles, not {name}")))
             }

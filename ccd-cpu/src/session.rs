@@ -21,7 +21,7 @@ use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Moved, State};
-use passes::{collect, detect, least_toi, prepare};
+use passes::{collect, detect, drop_repeated, least_toi, prepare};
 use std::sync::Arc;
 
 mod changes;
@@ -311,6 +311,9 @@ impl Engine {
             collect(workers, report, stop)?;
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
+            if options.pipeline.repeats_tests() {
+                drop_repeated(report);
+            }
             if let Some(features) = codimensional {
                 let [ve, vv] = features.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);

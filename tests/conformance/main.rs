@@ -72,7 +72,8 @@ fn main() {
             let piped = pipelines(source, backend).into_iter().map(|(p, s)| {
                 let name = if s == Scheduling::default() { String::new() } else { format!("/{s}") };
                 let options = base.clone().with_pipeline(p).with_scheduling(s);
-                (format!("{}{name}", p.row().name), options)
+                let plain = if p.repeats_tests() { "-plain" } else { "" };
+                (format!("{}{plain}{name}", p.row().name), options)
             });
             let fast = choice.clone().and_then(|c| not_too_slow(c, source));
             for (way, options) in by_itself.chain(scheduled).chain(piped) {

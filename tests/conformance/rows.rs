@@ -5,7 +5,8 @@ use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
 use ccd::{
-    BroadPhaseMethod, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions, Volume,
+    BroadPhaseMethod, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
+    TriangleOptions, Volume,
 };
 use ccd_testkit::methods::{differences, is_near_default};
 
@@ -76,7 +77,9 @@ pub fn pipelines(source: Source, backend: &'static str) -> Vec<(Pipeline, Schedu
     let other = |row: &&ccd::Row<Pipeline>| row.value != Pipeline::default();
     let here = |row: &&ccd::Row<Pipeline>| row.backends.contains(&backend);
     let rows = Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value);
+    let plain = Pipeline::Triangles(TriangleOptions::default().representatives(false));
     let shared = backend == "cpu" && !matches!(source, Source::Real(_));
+    let rows = rows.chain(shared.then_some(plain));
     let scheduled = Scheduling::every("cpu").filter(|_| shared);
     let all: Vec<_> = std::iter::once(Scheduling::default()).chain(scheduled).collect();
     match source {

@@ -9,11 +9,12 @@ use ccd::{Bodies, Mesh, Options, Pipeline, Session, TriangleCounts, TriangleOpti
 type Ends = [Vec<[f64; 3]>; 2];
 
 fn run(mesh: &Mesh, x: &Ends, options: Options) -> (Found, Option<TriangleCounts>) {
+    let repeats = options.pipeline.repeats_tests();
     let mut session = Session::new(mesh.clone(), options).expect("a session");
     let found = Found::of::<f64>(&mut session, &x[0], &x[1]);
     let report = session.report();
     if let Some(counts) = report.triangles {
-        assert!(report.filtered.total() <= report.candidates.total());
+        assert!(repeats || report.filtered.total() <= report.candidates.total());
         assert!(report.candidates.total() <= counts.box_tests(), "{counts:?}");
         assert!(counts.represented <= counts.all_tests(), "{counts:?}");
         assert!(counts.adjacent <= counts.pairs);
@@ -45,6 +46,17 @@ fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, 
         assert!(got == want, "{what}, distance {min_distance}: {got:?}\n{want:?}");
         let (plain, counts) = (plain_counts.expect("counts"), counts.expect("counts"));
         assert_eq!((plain.pairs, plain.adjacent, plain.orphans), (counts.pairs, 0, 0), "{what}");
+        // Every test of every pair: more tests, the same pairs and contacts, each once.
+        let all = Pipeline::Triangles(TriangleOptions::default().representatives(false));
+        let (all, all_counts) = run(mesh, x, of(all, 2));
+        let all_counts = all_counts.expect("counts");
+        let of_one = |found: &Found| (found.contacts.clone(), found.toi, found.pairs.clone());
+        assert!(of_one(&all) == of_one(&want), "{what}, all tests: {all:?}\n{want:?}");
+        assert!(all.filtered.total() >= want.filtered.total(), "{what}: {all:?}");
+        assert_eq!((all_counts.pairs, all_counts.adjacent), (plain.pairs, 0), "{what}");
+        let whole = mesh.faces().len() * 3 == mesh.n_vertices() && mesh.faces().len() > 1;
+        assert!(all_counts.represented >= plain.represented, "{what}");
+        assert!(!whole || all_counts.represented == all_counts.all_tests(), "{what}");
         let mut free = [0; 2];
         for (orphans, threads) in [(false, 2), (true, 1)] {
             let (culled, counts) = run(mesh, x, of(triangles(orphans, true), threads));

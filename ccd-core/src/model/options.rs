@@ -174,6 +174,9 @@ impl Options {
     /// scheduling, if it lacks something.
     pub fn lacking(&self, backend: &str) -> Option<&'static str> {
         let Self { broad_phase, pipeline, scheduling, .. } = *self;
+        if backend == "gpu" && pipeline.repeats_tests() {
+            return Some("triangles without representatives");
+        }
         let lacking = broad_phase.lacking(backend).or_else(|| pipeline.lacking(backend));
         lacking.or_else(|| scheduling.lacking(backend))
     }

@@ -50,6 +50,12 @@ pub struct TriangleOptions {
     /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
     /// is certified to be free in this way, is no contact.
     pub cones: bool,
+    /// Test a vertex or an edge once, by the triangle that represents it [Curtis 2008]. Off: every
+    /// pair of triangles makes all of its 15 tests, the first form of the literature, and neighbours
+    /// are not skipped either; on a CPU alone. Contacts and candidates are the same and counted
+    /// once; [`Report::filtered`](super::report::Report::filtered) counts tests as often as they are
+    /// made.
+    pub representatives: bool,
 }
 
 impl TriangleOptions {
@@ -62,15 +68,26 @@ impl TriangleOptions {
     pub const fn cones(self, cones: bool) -> Self {
         Self { cones, ..self }
     }
+
+    /// The same with or without representatives.
+    pub const fn representatives(self, representatives: bool) -> Self {
+        Self { representatives, ..self }
+    }
 }
 
 impl Default for TriangleOptions {
     fn default() -> Self {
-        Self { orphans: true, cones: false }
+        Self { orphans: true, cones: false, representatives: true }
     }
 }
 
 impl Pipeline {
     /// [`Pipeline::Triangles`] as it is by default.
-    pub const TRIANGLES: Self = Self::Triangles(TriangleOptions { orphans: true, cones: false });
+    pub const TRIANGLES: Self =
+        Self::Triangles(TriangleOptions { orphans: true, cones: false, representatives: true });
+
+    /// Whether a pair of features may be tested more than once.
+    pub fn repeats_tests(self) -> bool {
+        matches!(self, Self::Triangles(TriangleOptions { representatives: false, .. }))
+    }
 }

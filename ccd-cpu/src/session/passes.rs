@@ -106,3 +106,10 @@ pub fn collect(workers: &mut [Worker], report: &mut Report, stop: &Stop) -> Resu
     report.times.narrow += milliseconds(start);
     Ok(())
 }
+
+/// Keeps one of equal contacts, which are sorted: tests that were made more than once.
+pub fn drop_repeated(report: &mut Report) {
+    report.contacts.dedup_by_key(|c| (c.kind, c.a, c.b));
+    report.undecided =
+        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
+}

@@ -87,8 +87,8 @@ impl Scene<'_> {
         mask & sure | keep(unsure, |j| self.boxes_overlap(of_a, b.vertices_of(j)))
     }
 
-    /// Counts the lanes of `mask` whose features are wanted, and hands those on that no axis keeps
-    /// apart. Of a face in `a` and vertices in `b` pairs have the vertex first, as all do.
+    /// Counts the lanes of `mask` whose features are wanted and that are `first` to name them, and
+    /// hands those on that no axis keeps apart. Of a face in `a` and vertices in `b` pairs have the vertex first, as all do.
     #[inline(always)]
     pub fn hand_on<'a, W: Take, S: RowSimd, const N: usize, const M: usize>(
         &self,
@@ -96,13 +96,13 @@ impl Scene<'_> {
         simd: S,
         (a, lane): (impl Side<'a, N>, usize),
         b: impl Side<'a, M>,
-        mut mask: u32,
+        [mut mask, first]: [u32; 2],
     ) {
         let (kind, face_first) = (kind_of(N), N == 3);
         if self.selection.is_of_features() && mask != 0 {
             mask = self.selection.of_features(kind, (a.ids()[lane], face_first), b.ids(), mask);
         }
-        worker.count(kind, mask.count_ones() as u64);
+        worker.count(kind, (mask & first).count_ones() as u64);
         if W::FILTERED && mask != 0 {
             mask &= !separated(simd, a.ends(), lane, b.ends(), self.needed_gap());
         }
@@ -230,7 +230,7 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
             bodies_b,
         );
         mask = self.scene.confirmed(simd, (of_a, lane), of_b, mask);
-        self.scene.hand_on(worker, simd, (of_a, lane), of_b, mask);
+        self.scene.hand_on(worker, simd, (of_a, lane), of_b, [mask, !0]);
     }
 
     fn begin(&self, worker: &mut W, task: usize) {

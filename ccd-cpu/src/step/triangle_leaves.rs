@@ -1,8 +1,8 @@
 //! Triangles in the order of the method that was chosen, eight side by side, with the boxes of the
 //! features that each represents: what pairs of triangles are expanded from.
 //!
-//! A feature that a triangle does not represent has the empty box there, which overlaps nothing, so
-//! that no test asks who represents what.
+//! A feature that a triangle does not test has the empty box there, which overlaps nothing, so that
+//! no test asks who represents what.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
@@ -26,6 +26,8 @@ use ccd_core::{Aabb, Error};
 #[derive(Debug)]
 pub struct TriangleLeaves {
     pub triangles: Triangles,
+    /// Whether a triangle tests what others represent, too.
+    pub repeats: bool,
     /// `None`: neighbours are expanded like all others.
     pub orphans: Option<OrphanSets>,
     pub stand_ins: StandIns,
@@ -37,7 +39,7 @@ pub struct TriangleLeaves {
     pub boxes: LeafBoxes,
     pub blocks: Vec<TriangleBlock>,
     pub bodies: BlockBodies,
-    /// Boxes of represented features during the step: three corners, three sides.
+    /// Boxes of tested features during the step: three corners, three sides.
     pub features: Vec<[Block; 6]>,
     /// Boxes at the start and at the end, of the positions in the table: corners, sides, the face.
     pub ends: Vec<Ends>,
@@ -54,6 +56,8 @@ pub struct TriangleBlock {
     pub sides: [[u32; WIDTH]; 3],
     /// Bits of the triangles that represent each corner, then each side.
     pub represents: [u32; 6],
+    /// Bits of those that test it: the same, or all that have it.
+    pub tests: [u32; 6],
     /// Bits of the triangles that are faces.
     pub faces: u32,
 }
@@ -64,6 +68,7 @@ impl TriangleBlock {
         corners: [[0; WIDTH]; 3],
         sides: [[0; WIDTH]; 3],
         represents: [0; 6],
+        tests: [0; 6],
         faces: 0,
     };
 
@@ -94,11 +99,14 @@ impl TriangleLeaves {
     /// The triangles of a mesh, without boxes yet.
     pub fn new(mesh: &Mesh, options: TriangleOptions, min_distance: f64) -> Self {
         let triangles = Triangles::new(mesh);
-        let orphans = options.orphans.then(|| OrphanSets::new(mesh, &triangles)).flatten();
+        let repeats = !options.representatives;
+        let skips = options.orphans && !repeats;
+        let orphans = skips.then(|| OrphanSets::new(mesh, &triangles)).flatten();
         let cones = options.cones && min_distance == 0.0;
         let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
         Self {
             triangles,
+            repeats,
             orphans,
             stand_ins: StandIns::default(),
             regions,
@@ -114,8 +122,10 @@ impl TriangleLeaves {
 
     /// The same for another mesh; buffers of leaves stay.
     pub fn set_mesh(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
-        let Self { triangles, orphans, regions, .. } = Self::new(mesh, options, min_distance);
-        (self.triangles, self.orphans, self.regions) = (triangles, orphans, regions);
+        let Self { triangles, repeats, orphans, regions, .. } =
+            Self::new(mesh, options, min_distance);
+        (self.triangles, self.repeats) = (triangles, repeats);
+        (self.orphans, self.regions) = (orphans, regions);
     }
 
     /// Regions, if they are wanted and nothing is to keep a distance; or none.
@@ -146,12 +156,12 @@ impl TriangleLeaves {
         let corners = self.triangles.all_corners();
         let vertex = |t: usize| corners[t][0];
         self.boxes.build_by_rules(threads, method.order(), &self.swept, rules, vertex, 0);
-        let Self { triangles, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
+        let Self { triangles, repeats, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);
         }
         blocks.resize(boxes.len().div_ceil(WIDTH), TriangleBlock::NONE);
-        threads.fill(blocks, |i| block(triangles, boxes, i));
+        threads.fill(blocks, |i| block(triangles, *repeats, boxes, i));
         bodies.fill(rules, blocks.iter().map(|block| &block.corners[0]));
         Ok(())
     }
@@ -263,7 +273,7 @@ impl<'a, const N: usize> Side<'a, N> for TriangleSide<'a, N> {
 }
 
 /// The features of block `i`; lanes past the end repeat the last triangle and represent nothing.
-fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
+fn block(triangles: &Triangles, repeats: bool, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
     let mut block = TriangleBlock { ids: *boxes.ids(i), ..TriangleBlock::NONE };
     for (j, t) in block.ids.into_iter().enumerate() {
         let (corners, sides) = (triangles.corners(t), triangles.sides(t));
@@ -272,8 +282,11 @@ fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
             block.sides[k][j] = sides[k];
         }
         if i * WIDTH + j < boxes.len() {
-            for (k, bits) in block.represents.iter_mut().enumerate() {
-                *bits |= (triangles.represents(t) as u32 >> k & 1) << j;
+            let represents = triangles.represents(t) as u32;
+            let tests = if repeats { triangles.has(t) as u32 } else { represents };
+            for k in 0..6 {
+                block.represents[k] |= (represents >> k & 1) << j;
+                block.tests[k] |= (tests >> k & 1) << j;
             }
             block.faces |= (triangles.is_face(t) as u32) << j;
         }
@@ -281,11 +294,11 @@ fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
     block
 }
 
-/// Boxes of what the triangles of a block represent.
+/// Boxes of what the triangles of a block test.
 fn features(block: &TriangleBlock, aabbs: FeatureBoxes) -> [Block; 6] {
     let mut out = [EMPTY; 6];
     for (k, into) in out.iter_mut().enumerate() {
-        let mut rest = block.represents[k];
+        let mut rest = block.tests[k];
         while rest != 0 {
             let j = rest.trailing_zeros() as usize;
             rest &= rest - 1;

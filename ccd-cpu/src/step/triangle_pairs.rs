@@ -69,35 +69,39 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
         }
         near &= mask;
         let mut represented = 0;
-        let represents = |k: usize| of_a.represents[k] >> lane & 1 == 1;
+        let tests = |k: usize| of_a.tests[k] >> lane & 1 == 1;
+        // Lanes whose test of two features is the one that counts.
+        let first = |k: usize| if of_a.represents[k] >> lane & 1 == 1 { !0 } else { 0 };
         if self.wants(Kind::VertexFace) {
             let faces = mask & of_b.faces;
             let is_face = of_a.faces >> lane & 1 == 1;
             for k in 0..3 {
-                if represents(k) && faces != 0 {
+                if tests(k) && faces != 0 {
                     represented += faces.count_ones();
                     let (vertex, face) = (leaves.corner(a, k), leaves.face(b));
-                    self.expand(worker, simd, (vertex, lane), face, [faces, near]);
+                    self.expand(worker, simd, (vertex, lane), face, [faces, near, first(k)]);
                 }
-                let vertices = mask & of_b.represents[k];
+                let vertices = mask & of_b.tests[k];
                 if is_face && vertices != 0 {
                     represented += vertices.count_ones();
                     let (face, vertex) = (leaves.face(a), leaves.corner(b, k));
-                    self.expand(worker, simd, (face, lane), vertex, [vertices, near]);
+                    let masks = [vertices, near, of_b.represents[k]];
+                    self.expand(worker, simd, (face, lane), vertex, masks);
                 }
             }
         }
         if self.wants(Kind::EdgeEdge) {
             for i in 0..3 {
-                if !represents(3 + i) {
+                if !tests(3 + i) {
                     continue;
                 }
                 let edge = leaves.side(a, i);
                 for j in 0..3 {
-                    let edges = mask & of_b.represents[3 + j];
+                    let edges = mask & of_b.tests[3 + j];
                     if edges != 0 {
                         represented += edges.count_ones();
-                        self.expand(worker, simd, (edge, lane), leaves.side(b, j), [edges, near]);
+                        let masks = [edges, near, first(3 + i) & of_b.represents[3 + j]];
+                        self.expand(worker, simd, (edge, lane), leaves.side(b, j), masks);
                     }
                 }
             }
@@ -137,7 +141,8 @@ impl<W: Take> TrianglePairs<'_, W> {
     }
 
     /// Hands on the lanes of a mask in which two features are candidates; with it: those in which
-    /// they may have a common vertex.
+    /// they may have a common vertex, and those that count, of which no other pair of triangles
+    /// counts the same.
     #[inline(always)]
     fn expand<S: RowSimd, const N: usize, const M: usize>(
         &self,
@@ -145,15 +150,19 @@ impl<W: Take> TrianglePairs<'_, W> {
         simd: S,
         (a, lane): (TriangleSide<N>, usize),
         b: TriangleSide<M>,
-        [mut mask, near]: [u32; 2],
+        [mut mask, near, first]: [u32; 3],
     ) {
         mask &= simd.overlaps(a.boxes(), lane, b.boxes());
         if mask & near != 0 {
             mask &= !shared(simd, a.vertices_of(lane), b.vertices());
         }
         mask = self.scene.confirmed(simd, (a, lane), b, mask);
+        if !W::FILTERED {
+            // A list has each pair once.
+            mask &= first;
+        }
         if mask != 0 {
-            self.scene.hand_on(worker, simd, (a, lane), b, mask);
+            self.scene.hand_on(worker, simd, (a, lane), b, [mask, first]);
         }
     }
 

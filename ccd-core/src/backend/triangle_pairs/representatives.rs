@@ -91,6 +91,16 @@ impl Triangles {
         self.represented[t as usize]
     }
 
+    /// The same bits of what it has: of equal corners and sides the first.
+    pub fn has(&self, t: u32) -> u8 {
+        let (corners, sides) = (self.corners(t), self.sides(t));
+        (0..3).fold(0, |bits, k| {
+            let corner = !corners[..k].contains(&corners[k]);
+            let side = sides[k] != NO_EDGE && !sides[..k].contains(&sides[k]);
+            bits | (corner as u8) << k | (side as u8) << (k + 3)
+        })
+    }
+
     /// The record of a triangle for a device; `body`: the word of its body.
     pub fn record(&self, t: u32, body: u32) -> Triangle {
         let (corners, sides) = (self.corners(t), self.sides(t));
