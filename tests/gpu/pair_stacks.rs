@@ -1,5 +1,5 @@
-//! The kernels of simultaneous traversal with a stack a thread, by themselves: rounds from the pairs
-//! of two cuts on, with stacks and turns that are too few, too.
+//! The kernels of simultaneous traversal with a stack a thread, by themselves: rounds from the
+//! pairs of two cuts on, with stacks and turns that are too few, too.
 
 use crate::descent::Trees;
 use crate::oriented::{Oriented, slanted};

@@ -110,9 +110,13 @@ enum Task {
         /// one, and write the tables and plots of docs/ALGORITHMS.md (needs the data)
         #[arg(long, conflicts_with = "gpu")]
         algorithms: bool,
+        /// Count how far threads of a GPU diverge instead, by running its kernels on the CPU, and
+        /// write these tables of docs/ALGORITHMS.md (needs the data)
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms"])]
+        divergence: bool,
         /// Measure every scheduler with a front and without one over sequences instead, on the CPU
         /// and on the GPU if there is one, and write the tables and plots of docs/SCHEDULING.md
-        #[arg(long, conflicts_with_all = ["gpu", "algorithms"])]
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"])]
         schedulers: bool,
         #[command(flatten)]
         of_schedulers: SchedulersOptions,
@@ -231,6 +235,8 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         Task::Python { wheel } => python::run(root, wheel),
         #[cfg(feature = "report")]
         Task::Report { runs, algorithms: true, .. } => algorithms::run(root, runs),
+        #[cfg(feature = "report")]
+        Task::Report { divergence: true, .. } => algorithms::divergence(root),
         #[cfg(feature = "report")]
         Task::Report { schedulers: true, of_schedulers, .. } => {
             schedulers::run(root, &of_schedulers)

@@ -7,9 +7,9 @@
 //!        pairs of leaves         pairs of leaves
 //! ```
 //!
-//! A round leaves what finds a stack full, and what a thread has not come to after so many turns, so
-//! that no dispatch takes long. If pairs are left after the last round the search is not complete,
-//! and runs again with twice as many turns.
+//! A round leaves what finds a stack full, and what a thread has not come to after so many turns,
+//! so that no dispatch takes long. If pairs are left after the last round the search is not
+//! complete, and runs again with twice as many turns.
 
 use super::binary_tree::BinaryTree;
 use super::descended::{BinaryTrees, Descended, Trees};
@@ -31,8 +31,8 @@ const TURNS: u32 = 1 << 16;
 const SPARE: u32 = 2;
 /// Most of them: there is a word for each round.
 const MOST_SPARE: u32 = 64;
-/// Bytes of the words of a kind of pairs: more rounds than there can be, of trees of `2^31` boxes by
-/// any builder.
+/// Bytes of the words of a kind of pairs: more rounds than there can be, of trees of `2^31` boxes
+/// by any builder.
 const BYTES: u64 = 4 * 256;
 
 /// Cuts, and the pairs that a round leaves to the next.

@@ -13,11 +13,11 @@ use ccd_core::backend::kernel::memory::at;
 use ccd_core::backend::layout::{Node, Pair, Params};
 
 kernel! {
-    /// In round 0 (`dispatch.first`) `input` are cuts, and thread `i * args.nodes + j` descends from
-    /// the pair of node `i` of the first and node `j` of the second, within one tree if `i <= j`. In
-    /// later rounds it is the list of the round before, and thread `i` descends from its `i`-th
-    /// pair. After `args.turns` pairs, or where `args.stack` of them wait, the others are left to
-    /// the next round.
+    /// In round 0 (`dispatch.first`) `input` are cuts, and thread `i * args.nodes + j` descends
+    /// from the pair of node `i` of the first and node `j` of the second, within one tree if
+    /// `i <= j`. In later rounds it is the list of the round before, and thread `i` descends from
+    /// its `i`-th pair. After `args.turns` pairs, or where `args.stack` of them wait, the others
+    /// are left to the next round.
     descend_stacks[128](t; params: NodeDescent;; a_nodes: [Node], b_nodes: [Node], input: [u32],
         mut rounds: [u32], mut output: [u32], mut pairs: [u32]) {
         let trees = BinaryTrees { params, a: a_nodes, b: b_nodes, volume: Boxes };

@@ -4,6 +4,7 @@
 //! A table stands between two comments, `<!-- NAME -->` and `<!-- end -->`. Every answer is
 //! checked: pairs against the default method, and that against the known count where there is one.
 
+mod divergence;
 mod measure;
 mod pipelines;
 mod scenes;
@@ -52,7 +53,14 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
         ("cloth-and-sphere", report.tables(&cloths, &cloth_and_sphere())?),
         ("volumes", report.tables(&cases, &volumes())?),
         ("pipelines", pipelines),
+        ("divergence", divergence::tables(&cases)?),
     ];
+    rewrite(&root.join("docs/ALGORITHMS.md"), &tables)
+}
+
+/// Rewrites the tables of divergence alone, which no machine changes.
+pub fn divergence(root: &Path) -> Result<(), String> {
+    let tables = [("divergence", divergence::tables(&scenes::all()?)?)];
     rewrite(&root.join("docs/ALGORITHMS.md"), &tables)
 }
 
@@ -86,6 +94,7 @@ fn simultaneous() -> Section {
         ("simultaneous, both", Traversal::Simultaneous(Descent::Both)),
         ("cut of 256, larger", Traversal::Cut { nodes: 256, descent: Descent::Larger }),
         ("cut of 256, both", Traversal::CUT),
+        ("cut of 256 by stacks, both", Traversal::CUT_STACKS),
     ];
     let rows = rows.map(|(name, t)| (name.to_owned(), tree(Builder::Lbvh, t))).into();
     Section { what: "ms, search alone", ms: |m| m.search, rows, figures: &["visits"], plot: None }

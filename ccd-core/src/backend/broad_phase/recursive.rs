@@ -49,8 +49,8 @@ impl Calls {
     }
 
     /// Calls for a child of `node`, which is the record of [`Calls::node`]. Returns the number of
-    /// the leaf that it is, if it overlaps the query; else [`NONE`]. Of `n` internal nodes there are
-    /// at most `2 n` calls.
+    /// the leaf that it is, if it overlaps the query; else [`NONE`]. Of `n` internal nodes there
+    /// are at most `2 n` calls.
     #[inline(always)]
     pub fn step(&mut self, node: &WideNode, query: &Aabb<f32>) -> u32 {
         let left_is_smaller = node.last & WideNode::MARK != 0;
@@ -99,6 +99,7 @@ impl Default for Calls {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::broad_phase::radix_tree::last_of_left;
     use crate::broad_phase::test_trees::{Tree, boxes, splits};
     use crate::broad_phase::wide_nodes::{WideWalk, wide_node};
     use crate::layout::Branch;
@@ -108,9 +109,7 @@ mod tests {
     fn wide(tree: &Tree) -> Vec<WideNode> {
         let n_internal = tree.branches.len() as u32;
         let record = |branch: &Branch| {
-            // The last leaf below the left child, by Karras' numbering.
-            let is_leaf = branch.left >= n_internal;
-            let split = if is_leaf { branch.left - n_internal } else { branch.left };
+            let split = last_of_left(branch, n_internal);
             let [left, right] =
                 [branch.left, branch.right].map(|child| tree.nodes[child as usize].aabb());
             wide_node(branch, split, n_internal, &left, &right)

@@ -13,10 +13,10 @@
 //! keys are, and only its thread can meet the other. **No pair is missed.** Boxes are closed: two
 //! that overlap begin, each, no later than the other ends. The places of numbers have their order
 //! ([`place_on_axis`]), and at one place starts come before ends, because the lowest bit of a key
-//! says which it is. So the later of two starts stands before the end of the box that starts first.
+//! says which it is. So the later of two starts stands before the end of the box of the other.
 //!
-//! Boxes of vertices and of faces are in one list, which comes first, and a thread passes over those
-//! of its own set; edges are in the other.
+//! Boxes of vertices and of faces are in one list, which comes first, and a thread passes over
+//! those of its own set; edges are in the other.
 //!
 //! Cost: a sort of two keys a box, then a step for every end point inside a box's interval, ends
 //! among them: twice the steps of a sweep over starts alone, as [`super::key_intervals`] and a CPU
@@ -83,9 +83,9 @@ impl Walk {
         self.own >> 1
     }
 
-    /// Goes to the next end point. Returns the box that starts there, [`NONE`] if one ends; the walk
-    /// is over if that is its own. The end of a box stands behind its start, so that of `n` end
-    /// points in the list there are fewer than `n` steps.
+    /// Goes to the next end point. Returns the box that starts there, [`NONE`] if one ends; the
+    /// walk is over if that is its own. The end of a box stands behind its start, so that of `n`
+    /// end points in the list there are fewer than `n` steps.
     #[inline(always)]
     pub fn step(&mut self, points: &[u32]) -> u32 {
         self.k += 1;
