@@ -12,6 +12,8 @@ pub struct Encoding<'a> {
     encoder: &'a mut wgpu::CommandEncoder,
     pass: Option<wgpu::ComputePass<'static>>,
     stages: Vec<&'static str>,
+    /// The stage that begins with the next kernel: one without kernels is not listed.
+    next_stage: Option<&'static str>,
     /// Where the parameters of the next dispatch begin.
     offset: u32,
     /// Whether the timestamp at the end of the whole is recorded.
@@ -26,7 +28,8 @@ impl<'a> Encoding<'a> {
         encoder: &'a mut wgpu::CommandEncoder,
     ) -> Self {
         let groups = groups.into_iter();
-        Self { bench, groups, encoder, pass: None, stages: Vec::new(), offset: 0, ended: false }
+        let (pass, stages, next_stage) = (None, Vec::new(), None);
+        Self { bench, groups, encoder, pass, stages, next_stage, offset: 0, ended: false }
     }
 
     /// Encodes a command.
@@ -34,8 +37,7 @@ impl<'a> Encoding<'a> {
         match command {
             Command::Stage(name) => {
                 if self.stages.len() < MAX_STAGES as usize {
-                    self.pass = None;
-                    self.stages.push(name);
+                    self.next_stage = Some(name);
                 }
             }
             Command::EndOfWork => self.end_of_work(),
@@ -76,6 +78,10 @@ impl<'a> Encoding<'a> {
         let pipeline = bench.device.pipeline(id);
         let takes_params = id.row().params.is_some();
         let group = self.groups.next();
+        if let Some(name) = self.next_stage.take() {
+            self.pass = None;
+            self.stages.push(name);
+        }
         let pass = self.pass.get_or_insert_with(|| {
             let writes = match bench.timing {
                 Timing::Off => None,
