@@ -5,7 +5,7 @@ use super::start::{self, Intersections};
 use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, MESH_EXTENSIONS, listed, read_frame};
-use ccd::{Kind, Mesh};
+use ccd::{Front, Kind, Mesh};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -65,6 +65,12 @@ impl Check {
         let load = start.elapsed().as_secs_f64() * 1e3;
 
         let mut session = self.options.session(mesh)?;
+        if session.options().scheduling.front != Front::Off {
+            eprintln!(
+                "ccd: --front on changes nothing of one step: a front is what a step leaves for \
+                 the next, as of `ccd sequence`"
+            );
+        }
         if let Some(file) = listed {
             list_candidates(&mut session, self.options.precision, &t0, &t1, file)?;
         }
@@ -100,7 +106,7 @@ impl Check {
                 toi: report.toi,
                 place: output::Place::new(&place, Some(precision)),
                 compile_ms: compilation.map(|done| done.time.as_secs_f64() * 1e3),
-                times_ms: TimesMs::new(load, report),
+                times_ms: TimesMs::new(load, report, &place),
                 intersections_ms: start.ms,
             })?;
         } else if self.options.prints_text() && !self.lists_to_stdout() {

@@ -1,6 +1,6 @@
 //! The lines of `ccd sequence --json-lines`, which `ccd merge` reads: steps, and their summary.
 
-use super::output::{Counts, MeshSize, TimesMs};
+use super::output::{Counts, Fronts, MeshSize, TimesMs, Triangles};
 use super::part::Part;
 use super::start::Intersections;
 use serde::{Deserialize, Serialize};
@@ -18,6 +18,12 @@ pub struct Step {
     pub at_start: u64,
     pub toi: Option<f64>,
     pub rebuilt: bool,
+    /// With --pipeline triangles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub triangles: Option<Triangles>,
+    /// With --front on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub front: Option<Fronts>,
     pub times_ms: TimesMs,
 }
 

@@ -65,6 +65,20 @@ pub struct MethodOptions {
     /// Whether a step begins at the pairs of nodes where the one before ended, by the same
     #[arg(long, value_name = "NAME", value_parser = named::<Front>())]
     front: Option<Front>,
+    /// Steps p after which --front on compares the length of the front with that of p steps before
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_period: Option<u32>,
+    /// Percentage rt of that length below which --front on gives the front up, as one that does
+    /// not change; 0: never
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_threshold: Option<u32>,
+    /// Percentage of its length after a step from the roots beyond which --front on gives the
+    /// front up
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_growth: Option<u32>,
+    /// Most memory of all fronts in MiB; a longer one is given up
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_memory: Option<u32>,
     /// Percentage of workers that must be idle for --scheduler balanced to deal out again
     #[arg(long, value_name = "N")]
     idle: Option<u32>,
@@ -165,8 +179,32 @@ impl MethodOptions {
             }
             (scheduler, None) => scheduler,
         };
-        let scheduling = Scheduling::default().front(self.front.unwrap_or_default());
+        let scheduling = Scheduling::default().front(self.front()?);
         Ok(scheduler.map_or(scheduling, |scheduler| scheduling.scheduler(scheduler)))
+    }
+
+    /// The front, with all that was chosen of it.
+    fn front(&self) -> Result<Front, Failure> {
+        let given = [
+            (self.front_period, "--front-period"),
+            (self.front_threshold, "--front-threshold"),
+            (self.front_growth, "--front-growth"),
+            (self.front_memory, "--front-memory"),
+        ];
+        match self.front.unwrap_or_default() {
+            Front::On(front) => {
+                let period = self.front_period.unwrap_or(front.period);
+                let threshold = self.front_threshold.unwrap_or(front.threshold);
+                let growth = self.front_growth.unwrap_or(front.growth);
+                let memory = self.front_memory.unwrap_or(front.memory);
+                let front = front.rebuild(period, threshold).growth(growth).memory(memory);
+                Ok(Front::On(front))
+            }
+            other => match given.into_iter().find(|(value, _)| value.is_some()) {
+                Some((_, option)) => Err(Failure(format!("{option} is for --front on"))),
+                None => Ok(other),
+            },
+        }
     }
 
     /// Nothing, or why a command that pairs boxes alone has no pipeline.

@@ -2,7 +2,7 @@
 
 use super::{Failure, Precision};
 use ccd::any;
-use ccd::{Mesh, PerKind, Report};
+use ccd::{FrontCounts, Mesh, PerKind, Report, TriangleCounts};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
 use std::path::{Component, Path};
@@ -120,28 +120,70 @@ impl<'a> Place<'a> {
     }
 }
 
-/// Times of a step in milliseconds; `total` includes loading.
+/// Times of a step in milliseconds; `total` includes loading. On a GPU `boxes` is the upload, and
+/// what the clock does not see is none.
 #[derive(Serialize, Deserialize)]
 pub struct TimesMs {
     pub load: f64,
     pub boxes: f64,
-    pub build: f64,
-    pub traverse: f64,
-    pub narrow: f64,
+    pub build: Option<f64>,
+    pub traverse: Option<f64>,
+    pub narrow: Option<f64>,
     pub total: f64,
 }
 
 impl TimesMs {
-    pub fn new(load: f64, report: &Report) -> Self {
+    pub fn new(load: f64, report: &Report, place: &any::Place) -> Self {
         let t = report.times;
+        let seen = |ms| matches!(place, any::Place::Cpu { .. }).then_some(ms);
         Self {
             load,
             boxes: t.boxes,
-            build: t.build,
-            traverse: t.traverse,
-            narrow: t.narrow,
+            build: seen(t.build),
+            traverse: seen(t.traverse),
+            narrow: seen(t.narrow),
             total: load + t.total,
         }
+    }
+}
+
+/// Pairs of triangles of a step, and the tests of features that they are.
+#[derive(Serialize, Deserialize)]
+pub struct Triangles {
+    /// Pairs whose swept boxes overlap.
+    pub pairs: u64,
+    /// Of these those that share a vertex, which were skipped.
+    pub adjacent: u64,
+    /// Of these those in a region that does not touch itself, which were skipped.
+    pub free: u64,
+    /// Tests to which the others were expanded.
+    pub represented: u64,
+    /// Tests of orphans.
+    pub orphans: u64,
+}
+
+impl From<TriangleCounts> for Triangles {
+    fn from(n: TriangleCounts) -> Self {
+        let TriangleCounts { pairs, adjacent, free, represented, orphans, .. } = n;
+        Self { pairs, adjacent, free, represented, orphans }
+    }
+}
+
+/// Fronts of a step.
+#[derive(Serialize, Deserialize)]
+pub struct Fronts {
+    /// Pairs of nodes that are kept for the next step.
+    pub pairs: u64,
+    /// Pairs of nodes with which the step began; 0: it began at the roots.
+    pub begun: u64,
+    /// Memory that they take.
+    pub bytes: u64,
+}
+
+impl From<FrontCounts> for Fronts {
+    fn from(n: FrontCounts) -> Self {
+        let FrontCounts { pairs, begun, bytes, .. } = n;
+        Self { pairs, begun, bytes }
     }
 }
 

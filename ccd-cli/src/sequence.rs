@@ -92,7 +92,9 @@ impl Sequence {
                 at_start: output::at_start(report),
                 toi: report.toi,
                 rebuilt: report.rebuilt,
-                times_ms: TimesMs::new(load, report),
+                triangles: report.triangles.map(Into::into),
+                front: report.front.map(Into::into),
+                times_ms: TimesMs::new(load, report, &session.place()),
             };
             if let Some(file) = &mut file {
                 let [x0, x1] = [&before, &after].map(|frame| precision.round(&frame.positions));

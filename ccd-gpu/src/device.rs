@@ -239,17 +239,12 @@ impl Device {
     /// Whether kernels may pass data from one workgroup to another inside a dispatch, or why not.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with the reason.
+    /// [`Error::NoStealing`].
     pub fn check_native(&self) -> Result<(), Error> {
         let info = self.info();
         match info.path {
             Path::Passthrough => Ok(()),
-            Path::Wgsl => Err(Error::Unavailable {
-                why: format!(
-                    "{} is used through WGSL, which has no acquire and release between workgroups",
-                    info.adapter.name
-                ),
-            }),
+            Path::Wgsl => Err(Error::NoStealing { adapter: info.adapter.name.clone() }),
         }
     }
 

@@ -33,6 +33,15 @@ pub enum Error {
         /// What was looked for and what was found.
         why: String,
     },
+    /// A scheduler that steals was asked for where kernels are WGSL.
+    #[error(
+        "{adapter} is used through WGSL, which has no acquire and release between workgroups, so \
+         that they cannot steal from each other: choose another scheduler, or the path `passthrough`"
+    )]
+    NoStealing {
+        /// Name of the adapter.
+        adapter: String,
+    },
     /// Normal cones were asked for where an application writes paths on the device itself.
     #[error(
         "normal cones are certified from positions on the host, which does not see the paths that \

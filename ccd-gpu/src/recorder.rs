@@ -194,7 +194,8 @@ enum Command {
 }
 
 impl Recorder<'_> {
-    /// A new stage begins: dispatches without copies between them, which are one pass.
+    /// A new stage begins: dispatches without copies between them, which are one pass. One without
+    /// dispatches is not listed.
     pub fn stage(&mut self, name: &'static str) {
         if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) {
             self.commands.push(Command::Stage(name));

@@ -2,7 +2,7 @@
 //! candidates are those of the CPU's default.
 
 use crate::emulated::is_thin;
-use ccd::gpu::{Device, Path, Session};
+use ccd::gpu::{Device, Path, Session, Timing};
 use ccd::scenes::{Sequence, funnel, interpenetrating};
 use ccd::{
     BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
@@ -14,6 +14,7 @@ pub const TESTS: crate::Tests = &[
     ("stealing_sessions", check_refused),
     ("fronts_that_are_given_up", check_given_up),
     ("rounds_that_are_too_few", check_rounds),
+    ("stages_of_schedulers", check_stages),
 ];
 
 fn tree(volume: Volume) -> BroadPhaseMethod {
@@ -81,6 +82,7 @@ fn check_refused(device: &Device) {
             assert_eq!(refused.is_some(), want, "{scheduling}: {refused:?}");
             if let Some(why) = refused {
                 assert!(why.contains("WGSL") && why.contains("between workgroups"), "{why}");
+                assert!(!why.starts_with("no GPU"), "{why}");
                 n_refused += 1;
             }
         }
@@ -199,4 +201,45 @@ fn check_rounds(device: &Device) {
     };
     let [levels, others] = [Scheduler::Frontier, Scheduler::SelfScheduling].map(grown);
     assert!(levels > others, "{levels} more runs by levels, {others} by workers with stacks");
+}
+
+/// The test of a front is a stage of its own, as are the rounds after the first of workers with
+/// stacks.
+fn check_stages(device: &Device) {
+    if !device.info().timestamps {
+        return;
+    }
+    let scene = interpenetrating(64);
+    let frames: Vec<_> = (0..4).map(|i| scene.frame(i)).collect();
+    for broad_phase in [tree(Volume::Aabb), BroadPhaseMethod::Blocks] {
+        for (scheduler, front) in [
+            (Scheduler::Frontier, true),
+            (Scheduler::Static, true),
+            (Scheduler::Static, false),
+            (Scheduler::Frontier, false),
+        ] {
+            let what = format!("{broad_phase}, {scheduler:?}, front {front}");
+            let choice = if front { Front::On(FrontOptions::default()) } else { Front::Off };
+            let scheduling = Scheduling::default().scheduler(scheduler).front(choice);
+            let mut session = session(device, &scene, broad_phase, scheduling);
+            session.set_timing(Timing::Stages).expect("timing");
+            let mut n_begun = 0;
+            for x in frames.windows(2) {
+                let begun = session.step(&x[0], &x[1]).expect("a step").front;
+                let begun = begun.is_some_and(|front| front.begun > 0);
+                let names: Vec<&str> = session.stages().iter().map(|stage| stage.0).collect();
+                let has = |part: &str| names.iter().any(|name| name.starts_with(part));
+                assert_eq!(has("front "), begun, "{what}: {names:?}");
+                assert_eq!(has("balancing "), scheduler == Scheduler::Static, "{what}: {names:?}");
+                // Blocks of so few boxes have no level to expand, and a stage without kernels is not
+                // listed.
+                let by_levels =
+                    broad_phase == BroadPhaseMethod::Blocks && scheduler == Scheduler::Frontier;
+                assert!(has("pairs ") || by_levels && !front, "{what}: {names:?}");
+                assert!(!names.contains(&"block pairs"), "{what}: {names:?}");
+                n_begun += begun as u32;
+            }
+            assert_eq!(n_begun > 0, front, "{what}");
+        }
+    }
 }

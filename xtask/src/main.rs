@@ -27,6 +27,8 @@ mod schedulers;
 mod shaders;
 #[cfg(feature = "soak")]
 mod soak;
+#[cfg(any(feature = "report", test))]
+mod stages;
 mod tidy;
 mod tint;
 mod wasm;

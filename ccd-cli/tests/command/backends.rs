@@ -34,6 +34,17 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
                 for key in ["contacts", "candidates", "undecided"] {
                     assert_eq!(gpu[key], cpu[key], "{key}");
                 }
+                let step = |of: &Value| of["steps"].get(1).unwrap_or(of).clone();
+                let (gpu, cpu) = (step(&gpu), step(&cpu));
+                assert_eq!(gpu["triangles"], cpu["triangles"]);
+                for part in ["build", "traverse", "narrow"] {
+                    let ms = [&gpu, &cpu].map(|of| of["times_ms"][part].is_number());
+                    assert_eq!(ms, [false, true], "{part}: {gpu}");
+                    assert!(gpu["times_ms"].get(part).is_some(), "{gpu}");
+                }
+                let kept = [&gpu, &cpu].map(|of| of["front"]["pairs"].as_u64());
+                let is_kept = command.contains(&"--front");
+                assert!(kept.iter().all(|kept| (*kept > Some(0)) == is_kept), "{gpu} {cpu}");
             }
         }
     }

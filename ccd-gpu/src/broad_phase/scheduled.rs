@@ -2,6 +2,7 @@
 
 use super::descended::{self, Buffers, Descended, Written};
 use super::front::{COUNTERS, Front};
+use super::pair_source::{FRONT, PAIRS};
 use super::scheduler::{self, Schedule};
 use super::worker_counts::Counted;
 use crate::device::Device;
@@ -72,11 +73,13 @@ impl Scheduled {
             Some(front) => front.begin(keeps_order),
             None => (0, Written { front: &self.none, args: NodeDescent::default() }),
         };
-        let (control, tasks) = schedule.tasks();
+        let ((control, tasks), kind) = (schedule.tasks(), descent.kind as usize);
+        recorder.stage(if begun > 0 { FRONT[kind] } else { PAIRS[kind] });
         if begun > 0 {
             let args = NodeDescent { capacity_nodes: tasks.capacity(), ..written.args };
             let buffers = Buffers { control, nodes: tasks.buffer(), front: written.front };
             descended::resume(recorder, descent, buffers, &descent.params(args, 0, begun));
+            recorder.stage(PAIRS[kind]);
         } else {
             first(recorder, written, (control, tasks));
         }

@@ -12,6 +12,8 @@ pub struct Encoding<'a> {
     encoder: &'a mut wgpu::CommandEncoder,
     pass: Option<wgpu::ComputePass<'static>>,
     stages: Vec<&'static str>,
+    /// The stage that begins with the next kernel: one without kernels is not listed.
+    next_stage: Option<&'static str>,
     /// Where the parameters of the next dispatch begin.
     offset: u32,
     /// Kernels so far, to be repeated.
@@ -39,7 +41,8 @@ impl<'a> Encoding<'a> {
     ) -> Self {
         let groups = groups.into_iter();
         let (stages, done) = (Vec::new(), Vec::new());
-        Self { bench, groups, encoder, pass: None, stages, offset: 0, done, ended: false }
+        let (pass, next_stage, offset, ended) = (None, None, 0, false);
+        Self { bench, groups, encoder, pass, stages, next_stage, offset, done, ended }
     }
 
     /// Encodes a command.
@@ -47,8 +50,7 @@ impl<'a> Encoding<'a> {
         match command {
             Command::Stage(name) => {
                 if self.stages.len() < MAX_STAGES as usize {
-                    self.pass = None;
-                    self.stages.push(name);
+                    self.next_stage = Some(name);
                 }
             }
             Command::EndOfWork => self.end_of_work(),
@@ -98,6 +100,10 @@ impl<'a> Encoding<'a> {
     fn run(&mut self, run: &Run) {
         let bench = self.bench;
         let pipeline = bench.device.pipeline(run.id);
+        if let Some(name) = self.next_stage.take() {
+            self.pass = None;
+            self.stages.push(name);
+        }
         let pass = self.pass.get_or_insert_with(|| {
             let writes = match bench.timing {
                 Timing::Off => None,

@@ -3,6 +3,7 @@
 
 use super::scenes::{Counts, Scene};
 use crate::measure::{Place, median};
+use crate::stages::part;
 use ccd::any::{self, Session};
 use ccd::{
     BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Scheduling, Traversal, TreeOptions,
@@ -53,17 +54,12 @@ pub struct Measured {
 /// Milliseconds of a step, and how busy workers were.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Shares {
-    /// By [`PARTS`].
+    /// By [`PARTS`](crate::stages::PARTS).
     pub parts: [f64; 5],
     /// Part of the workers' time in which they have pairs, while pairs are shared out; on a GPU
     /// part of the turns of all their threads. Unknown where it is not counted.
     pub utilisation: Option<f64>,
 }
-
-/// Boxes, and trees refitted or built; fronts tested and kept; pairs of nodes expanded; what
-/// schedulers do themselves, and waiting; what takes pairs of leaves: triangles expanded to
-/// features, features filtered and decided.
-pub const PARTS: [&str; 5] = ["refit", "front", "traversal", "balancing", "intersection"];
 
 impl Shares {
     /// The mean of some.
@@ -128,7 +124,7 @@ fn open(place: &Place, scene: &Scene, options: Options) -> Result<Option<Session
     let options = options.with_threads(place.threads());
     match Session::new(&place.choice(), scene.mesh.clone(), options) {
         Ok(session) => Ok(Some(session)),
-        Err(any::Error::Input(Error::Method { .. }) | any::Error::Unavailable { .. }) => Ok(None),
+        Err(any::Error::Input(Error::Method { .. }) | any::Error::NoStealing { .. }) => Ok(None),
         Err(e) => Err(e),
     }
 }
@@ -152,7 +148,7 @@ fn ms(session: &mut Session) -> f64 {
 }
 
 /// Shares of the last step, which was watched.
-fn shares(session: &mut Session) -> Result<Shares, any::Error> {
+fn shares(session: &mut Session) -> Result<Shares, String> {
     match session.gpu() {
         Some(on) => of_gpu(on),
         None => Ok(session.cpu().map(|on| of_cpu(on)).unwrap_or_default()),
@@ -177,22 +173,13 @@ fn of_cpu(session: &ccd::Session) -> Shares {
     }
 }
 
-/// Shares on a GPU, by the names of its stages.
-fn of_gpu(session: &mut gpu::Session) -> Result<Shares, any::Error> {
+/// Shares on a GPU, by its stages.
+fn of_gpu(session: &mut gpu::Session) -> Result<Shares, String> {
     let mut shares = Shares::default();
     for &(name, ms) in session.stages() {
-        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        let intersects = ["filter", "decide", "expand", "neighbours", "list", "contacts"];
-        let part = match () {
-            () if has(&["front"]) => 1,
-            () if has(&["balanc"]) => 3,
-            () if has(&["pairs", "work"]) => 2,
-            () if has(&intersects) => 4,
-            () => 0,
-        };
-        shares.parts[part] += ms;
+        shares.parts[part(name)?] += ms;
     }
-    shares.utilisation = utilisation(session)?;
+    shares.utilisation = utilisation(session).map_err(|e| e.to_string())?;
     Ok(shares)
 }
 
@@ -269,7 +256,7 @@ pub fn measure(
                 measured.n_rebuilt += report.rebuilt as usize;
                 measured.steps.push(ms(session));
             } else if !warm {
-                all_shares.push(shares(session).map_err(why)?);
+                all_shares.push(shares(session).map_err(|e| failed(scheduling, &e))?);
             }
         }
         n_timed += is_timed as usize;

@@ -1,9 +1,10 @@
 //! Plots of what was measured: bars of times, where the time of a step goes.
 
 use super::Results;
-use super::measure::{Measured, PARTS, Structure};
+use super::measure::{Measured, Structure};
 use super::tables::names;
 use crate::plot::{Bars, stacked};
+use crate::stages::PARTS;
 use ccd::Volume;
 use std::fmt::Write;
 use std::path::Path;

@@ -1,9 +1,10 @@
 //! Tables of the measurements.
 
-use super::measure::{Measured, PARTS, Structure};
+use super::measure::{Measured, Structure};
 use super::{Group, Results};
 use crate::markdown::{Table, digits};
 use crate::measure::Place;
+use crate::stages::PARTS;
 use ccd::Volume;
 use std::fmt::Write;
 

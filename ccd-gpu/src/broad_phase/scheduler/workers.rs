@@ -28,6 +28,7 @@
 use super::Schedule;
 use crate::bind::{BalanceCounts, BalancePairs};
 use crate::broad_phase::descended::{self, Buffers, Descended, Written};
+use crate::broad_phase::pair_source::BALANCING;
 use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
@@ -217,6 +218,10 @@ impl Schedule for Workers {
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         let (stage, nodes) = (recorder.current_stage(), buffers.nodes);
         for round in 0..rounds {
+            // Without stacks a round is a level, and nothing of it is balancing.
+            if round == 1 && stack > 0 {
+                recorder.stage(BALANCING[descent.kind as usize]);
+            }
             args.last = (round + 1 == rounds) as u32;
             let p = descent.params(args, round, 0);
             descended::round(recorder, descent, buffers, &p, 1 << workers);
