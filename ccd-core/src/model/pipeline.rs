@@ -51,10 +51,10 @@ pub struct TriangleOptions {
     /// is certified to be free in this way, is no contact.
     pub cones: bool,
     /// Test a vertex or an edge once, by the triangle that represents it [Curtis 2008]. Off: every
-    /// pair of triangles makes all of its 15 tests, the first form of the literature, and neighbours
-    /// are not skipped either; on a CPU alone. Contacts and candidates are the same and counted
-    /// once; [`Report::filtered`](super::report::Report::filtered) counts tests as often as they are
-    /// made.
+    /// pair of triangles makes all of its 15 tests, the first form of the literature, and
+    /// neighbours are not skipped either; on a CPU alone. Contacts and candidates are the same and
+    /// counted once; [`Report::filtered`](super::report::Report::filtered) counts tests as often
+    /// as they are made.
     pub representatives: bool,
 }
 

@@ -88,7 +88,8 @@ impl Scene<'_> {
     }
 
     /// Counts the lanes of `mask` whose features are wanted and that are `first` to name them, and
-    /// hands those on that no axis keeps apart. Of a face in `a` and vertices in `b` pairs have the vertex first, as all do.
+    /// hands those on that no axis keeps apart. Of a face in `a` and vertices in `b` pairs have the
+    /// vertex first, as all do.
     #[inline(always)]
     pub fn hand_on<'a, W: Take, S: RowSimd, const N: usize, const M: usize>(
         &self,

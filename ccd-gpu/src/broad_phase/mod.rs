@@ -16,6 +16,7 @@ pub mod pair_source;
 mod pair_stacks;
 pub mod scheduled;
 mod scheduler;
+mod stages;
 mod sweep_by_end_points;
 mod tree;
 mod upload;

@@ -2,7 +2,8 @@
 //! `ccd_core::backend::broad_phase::sweep_by_end_points`.
 
 use super::key_intervals::survey_axis;
-use super::pair_source::{PAIRS, PairSource, Search, boxes, frame_of};
+use super::pair_source::{PairSource, Search, boxes, frame_of};
+use super::stages::PAIRS;
 use crate::bind::{EndPointKeys, SweepEndPoints};
 use crate::device::Device;
 use crate::error::Error;
