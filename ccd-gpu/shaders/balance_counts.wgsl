@@ -50,6 +50,7 @@ struct type_11 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_12 {
@@ -75,60 +76,60 @@ var<storage, read_write> nodes: type_16;
 var<storage, read_write> control: type_16;
 
 fn function_(lane_1: u32) {
-    var phi_153_: type_8;
-    var phi_156_: u32;
-    var phi_154_: type_8;
-    var phi_179_: type_8;
-    var phi_222_: u32;
-    var phi_157_: u32;
+    var phi_157_: type_8;
+    var phi_160_: u32;
+    var phi_158_: type_8;
+    var phi_183_: type_8;
+    var phi_226_: u32;
+    var phi_161_: u32;
     var local: u32;
-    var phi_226_: type_8;
-    var phi_229_: u32;
-    var phi_231_: u32;
+    var phi_230_: type_8;
     var phi_233_: u32;
-    var phi_230_: u32;
-    var phi_227_: type_8;
-    var phi_256_: type_8;
-    var phi_272_: u32;
-    var phi_232_: u32;
+    var phi_235_: u32;
+    var phi_237_: u32;
     var phi_234_: u32;
+    var phi_231_: type_8;
+    var phi_260_: type_8;
+    var phi_276_: u32;
+    var phi_236_: u32;
+    var phi_238_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_282_: type_8;
-    var phi_285_: u32;
-    var phi_283_: type_8;
-    var phi_308_: type_8;
-    var phi_362_: u32;
-    var phi_286_: u32;
+    var phi_286_: type_8;
+    var phi_289_: u32;
+    var phi_287_: type_8;
+    var phi_312_: type_8;
+    var phi_366_: u32;
+    var phi_290_: u32;
     var local_3: u32;
     var lane_2: u32;
 
     lane_2 = lane_1;
     let _e18 = lane_2;
     let _e24 = params.member.member_2.member_7;
-    let _e27 = params.member.member_2.member_12;
+    let _e27 = params.member.member_2.member_13;
     let _e30 = params.member.member_1.member_1;
     let _e31 = (_e30 + 1u);
     let _e34 = (1u << bitcast<u32>((_e24 & 31u)));
     let _e36 = atomicLoad((&control.member[_e31]));
     let _e38 = ((_e34 + 255u) / 256u);
-    phi_153_ = type_8(0u, _e38);
-    phi_156_ = 0u;
+    phi_157_ = type_8(0u, _e38);
+    phi_160_ = 0u;
     loop {
-        let _e41 = phi_153_;
-        let _e43 = phi_156_;
+        let _e41 = phi_157_;
+        let _e43 = phi_160_;
         local = _e43;
         local_3 = _e43;
         local_2 = _e43;
         if (_e41.member < _e41.member_1) {
-            phi_154_ = type_8((_e41.member + 1u), _e41.member_1);
-            phi_179_ = type_8(1u, _e41.member);
+            phi_158_ = type_8((_e41.member + 1u), _e41.member_1);
+            phi_183_ = type_8(1u, _e41.member);
         } else {
-            phi_154_ = _e41;
-            phi_179_ = type_8(0u, type_8().member_1);
+            phi_158_ = _e41;
+            phi_183_ = type_8(0u, type_8().member_1);
         }
-        let _e55 = phi_154_;
-        let _e57 = phi_179_;
+        let _e55 = phi_158_;
+        let _e57 = phi_183_;
         let _e61 = (bitcast<i32>(_e57.member) != 0i);
         if _e61 {
             let _e63 = ((_e18 * _e38) + _e57.member_1);
@@ -136,73 +137,73 @@ fn function_(lane_1: u32) {
                 let _e71 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e63));
                 let _e73 = atomicLoad((&control.member[_e71]));
                 let _e76 = atomicLoad((&control.member[(_e71 + 1u)]));
-                phi_222_ = (_e43 + (_e73 + _e76));
+                phi_226_ = (_e43 + (_e73 + _e76));
             } else {
-                phi_222_ = _e43;
+                phi_226_ = _e43;
             }
-            let _e80 = phi_222_;
-            phi_157_ = _e80;
+            let _e80 = phi_226_;
+            phi_161_ = _e80;
         } else {
-            phi_157_ = u32();
+            phi_161_ = u32();
         }
-        let _e82 = phi_157_;
+        let _e82 = phi_161_;
         continue;
         continuing {
-            phi_153_ = _e55;
-            phi_156_ = _e82;
+            phi_157_ = _e55;
+            phi_160_ = _e82;
             break if !(_e61);
         }
     }
     let _e86 = local;
     sums[_e18] = _e86;
-    phi_226_ = type_8(0u, 8u);
-    phi_229_ = 0u;
-    phi_231_ = 1u;
+    phi_230_ = type_8(0u, 8u);
+    phi_233_ = 0u;
+    phi_235_ = 1u;
     let _e234 = local_3;
-    phi_233_ = _e234;
-    phi_230_ = 256u;
+    phi_237_ = _e234;
+    phi_234_ = 256u;
     loop {
-        let _e88 = phi_226_;
-        let _e90 = phi_229_;
-        let _e92 = phi_231_;
-        let _e94 = phi_233_;
-        let _e96 = phi_230_;
+        let _e88 = phi_230_;
+        let _e90 = phi_233_;
+        let _e92 = phi_235_;
+        let _e94 = phi_237_;
+        let _e96 = phi_234_;
         local_1 = _e94;
         if (_e88.member < _e88.member_1) {
-            phi_227_ = type_8((_e88.member + 1u), _e88.member_1);
-            phi_256_ = type_8(1u, _e88.member);
+            phi_231_ = type_8((_e88.member + 1u), _e88.member_1);
+            phi_260_ = type_8(1u, _e88.member);
         } else {
-            phi_227_ = _e88;
-            phi_256_ = type_8(0u, type_8().member_1);
+            phi_231_ = _e88;
+            phi_260_ = type_8(0u, type_8().member_1);
         }
-        let _e108 = phi_227_;
-        let _e110 = phi_256_;
+        let _e108 = phi_231_;
+        let _e110 = phi_260_;
         let _e113 = (bitcast<i32>(_e110.member) != 0i);
         if _e113 {
             workgroupBarrier();
             if (_e18 >= _e92) {
                 let _e118 = sums[((_e90 + _e18) - _e92)];
-                phi_272_ = (_e94 + _e118);
+                phi_276_ = (_e94 + _e118);
             } else {
-                phi_272_ = _e94;
+                phi_276_ = _e94;
             }
-            let _e121 = phi_272_;
+            let _e121 = phi_276_;
             sums[(_e96 + _e18)] = _e121;
-            phi_232_ = (_e92 * 2u);
-            phi_234_ = _e121;
+            phi_236_ = (_e92 * 2u);
+            phi_238_ = _e121;
         } else {
-            phi_232_ = u32();
-            phi_234_ = u32();
+            phi_236_ = u32();
+            phi_238_ = u32();
         }
-        let _e126 = phi_232_;
-        let _e128 = phi_234_;
+        let _e126 = phi_236_;
+        let _e128 = phi_238_;
         continue;
         continuing {
-            phi_226_ = _e108;
-            phi_229_ = _e96;
-            phi_231_ = _e126;
-            phi_233_ = _e128;
-            phi_230_ = _e90;
+            phi_230_ = _e108;
+            phi_233_ = _e96;
+            phi_235_ = _e126;
+            phi_237_ = _e128;
+            phi_234_ = _e90;
             break if !(_e113);
         }
     }
@@ -210,20 +211,20 @@ fn function_(lane_1: u32) {
     let _e131 = local_1;
     let _e134 = local_2;
     let _e137 = sums[255u];
-    phi_282_ = type_8(0u, _e38);
-    phi_285_ = ((_e36 + _e131) - _e134);
+    phi_286_ = type_8(0u, _e38);
+    phi_289_ = ((_e36 + _e131) - _e134);
     loop {
-        let _e140 = phi_282_;
-        let _e142 = phi_285_;
+        let _e140 = phi_286_;
+        let _e142 = phi_289_;
         if (_e140.member < _e140.member_1) {
-            phi_283_ = type_8((_e140.member + 1u), _e140.member_1);
-            phi_308_ = type_8(1u, _e140.member);
+            phi_287_ = type_8((_e140.member + 1u), _e140.member_1);
+            phi_312_ = type_8(1u, _e140.member);
         } else {
-            phi_283_ = _e140;
-            phi_308_ = type_8(0u, type_8().member_1);
+            phi_287_ = _e140;
+            phi_312_ = type_8(0u, type_8().member_1);
         }
-        let _e154 = phi_283_;
-        let _e156 = phi_308_;
+        let _e154 = phi_287_;
+        let _e156 = phi_312_;
         let _e160 = (bitcast<i32>(_e156.member) != 0i);
         if _e160 {
             let _e162 = ((_e18 * _e38) + _e156.member_1);
@@ -232,20 +233,20 @@ fn function_(lane_1: u32) {
                 let _e182 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e162));
                 let _e184 = atomicLoad((&control.member[_e182]));
                 let _e187 = atomicLoad((&control.member[(_e182 + 1u)]));
-                phi_362_ = (_e142 + (_e184 + _e187));
+                phi_366_ = (_e142 + (_e184 + _e187));
             } else {
-                phi_362_ = _e142;
+                phi_366_ = _e142;
             }
-            let _e191 = phi_362_;
-            phi_286_ = _e191;
+            let _e191 = phi_366_;
+            phi_290_ = _e191;
         } else {
-            phi_286_ = u32();
+            phi_290_ = u32();
         }
-        let _e193 = phi_286_;
+        let _e193 = phi_290_;
         continue;
         continuing {
-            phi_282_ = _e154;
-            phi_285_ = _e193;
+            phi_286_ = _e154;
+            phi_289_ = _e193;
             break if !(_e160);
         }
     }

@@ -54,6 +54,7 @@ struct type_13 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_14 {
@@ -74,27 +75,27 @@ var<storage> control: type_11;
 var<storage, read_write> nodes: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_148_: u32;
-    var phi_206_: u32;
-    var phi_212_: u32;
-    var phi_228_: u32;
-    var phi_231_: type_9;
-    var phi_232_: type_9;
-    var phi_255_: type_9;
-    var phi_277_: type_9;
-    var phi_280_: u32;
-    var phi_278_: type_9;
-    var phi_303_: type_9;
-    var phi_339_: u32;
-    var phi_281_: u32;
+    var phi_152_: u32;
+    var phi_210_: u32;
+    var phi_216_: u32;
+    var phi_232_: u32;
+    var phi_235_: type_9;
+    var phi_236_: type_9;
+    var phi_259_: type_9;
+    var phi_281_: type_9;
+    var phi_284_: u32;
+    var phi_282_: type_9;
+    var phi_307_: type_9;
+    var phi_343_: u32;
+    var phi_285_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_447_: u32;
-    var phi_453_: u32;
+    var phi_451_: u32;
+    var phi_457_: u32;
     var local_4: u32;
-    var phi_483_: type_9;
+    var phi_487_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -110,92 +111,92 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e38 = params.member.member_1.member_1;
     let _e40 = control.member[_e38];
     if (_e32 < _e40) {
-        phi_148_ = _e32;
+        phi_152_ = _e32;
     } else {
-        phi_148_ = _e40;
+        phi_152_ = _e40;
     }
-    let _e43 = phi_148_;
+    let _e43 = phi_152_;
     let _e60 = control.member[((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u)))))];
     let _e76 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u))))];
     let _e77 = (_e76 - _e60);
     let _e85 = (((_e77 + (1u << bitcast<u32>((_e35 & 31u)))) - 1u) >> bitcast<u32>((_e35 & 31u)));
     let _e86 = (((_e19.y * _e20.x) + _e19.x) * _e85);
     if (_e77 < _e86) {
-        phi_206_ = _e77;
+        phi_210_ = _e77;
     } else {
-        phi_206_ = _e86;
+        phi_210_ = _e86;
     }
-    let _e89 = phi_206_;
+    let _e89 = phi_210_;
     let _e90 = (_e77 - _e89);
     if (_e90 < _e85) {
-        phi_212_ = _e90;
+        phi_216_ = _e90;
     } else {
-        phi_212_ = _e85;
+        phi_216_ = _e85;
     }
-    let _e93 = phi_212_;
+    let _e93 = phi_216_;
     let _e94 = (_e93 / 128u);
     if ((_e93 % 128u) > 0u) {
-        phi_228_ = (_e94 + 1u);
+        phi_232_ = (_e94 + 1u);
     } else {
-        phi_228_ = _e94;
+        phi_232_ = _e94;
     }
-    let _e99 = phi_228_;
-    phi_231_ = type_9(0u, _e99);
+    let _e99 = phi_232_;
+    phi_235_ = type_9(0u, _e99);
     loop {
-        let _e102 = phi_231_;
+        let _e102 = phi_235_;
         if (_e102.member < _e102.member_1) {
-            phi_232_ = type_9((_e102.member + 1u), _e102.member_1);
-            phi_255_ = type_9(1u, _e102.member);
+            phi_236_ = type_9((_e102.member + 1u), _e102.member_1);
+            phi_259_ = type_9(1u, _e102.member);
         } else {
-            phi_232_ = _e102;
-            phi_255_ = type_9(0u, type_9().member_1);
+            phi_236_ = _e102;
+            phi_259_ = type_9(0u, type_9().member_1);
         }
-        let _e114 = phi_232_;
-        let _e116 = phi_255_;
+        let _e114 = phi_236_;
+        let _e116 = phi_259_;
         let _e120 = (bitcast<i32>(_e116.member) != 0i);
         if _e120 {
             let _e122 = ((_e116.member_1 * 128u) + _e21);
             let _e124 = ((_e60 + _e89) + _e122);
             if (_e122 < _e93) {
                 if (_e124 < _e32) {
-                    phi_277_ = type_9(0u, _e35);
-                    phi_280_ = 0u;
+                    phi_281_ = type_9(0u, _e35);
+                    phi_284_ = 0u;
                     loop {
-                        let _e129 = phi_277_;
-                        let _e131 = phi_280_;
+                        let _e129 = phi_281_;
+                        let _e131 = phi_284_;
                         local = _e131;
                         local_1 = _e131;
                         local_2 = _e131;
                         local_3 = _e131;
                         local_4 = _e131;
                         if (_e129.member < _e129.member_1) {
-                            phi_278_ = type_9((_e129.member + 1u), _e129.member_1);
-                            phi_303_ = type_9(1u, _e129.member);
+                            phi_282_ = type_9((_e129.member + 1u), _e129.member_1);
+                            phi_307_ = type_9(1u, _e129.member);
                         } else {
-                            phi_278_ = _e129;
-                            phi_303_ = type_9(0u, type_9().member_1);
+                            phi_282_ = _e129;
+                            phi_307_ = type_9(0u, type_9().member_1);
                         }
-                        let _e143 = phi_278_;
-                        let _e145 = phi_303_;
+                        let _e143 = phi_282_;
+                        let _e145 = phi_307_;
                         let _e149 = (bitcast<i32>(_e145.member) != 0i);
                         if _e149 {
                             let _e155 = (_e131 + (1u << bitcast<u32>((((_e35 - 1u) - _e145.member_1) & 31u))));
                             let _e168 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + _e155)];
                             if (_e168 <= _e124) {
-                                phi_339_ = _e155;
+                                phi_343_ = _e155;
                             } else {
-                                phi_339_ = _e131;
+                                phi_343_ = _e131;
                             }
-                            let _e171 = phi_339_;
-                            phi_281_ = _e171;
+                            let _e171 = phi_343_;
+                            phi_285_ = _e171;
                         } else {
-                            phi_281_ = u32();
+                            phi_285_ = u32();
                         }
-                        let _e173 = phi_281_;
+                        let _e173 = phi_285_;
                         continue;
                         continuing {
-                            phi_277_ = _e143;
-                            phi_280_ = _e173;
+                            phi_281_ = _e143;
+                            phi_284_ = _e173;
                             break if !(_e149);
                         }
                     }
@@ -209,7 +210,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e266 = ((((((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u)))) + 1u) + (_e262 * 2048u)) + (2u * _e190));
                         let _e268 = control.member[_e266];
                         let _e271 = control.member[(_e266 + 1u)];
-                        phi_483_ = type_9(_e268, _e271);
+                        phi_487_ = type_9(_e268, _e271);
                     } else {
                         let _e209 = local_2;
                         let _e214 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * _e209)) + 1u)];
@@ -217,24 +218,24 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e224 = local_3;
                         let _e225 = (_e224 * _e222);
                         if (_e43 < _e225) {
-                            phi_447_ = _e43;
+                            phi_451_ = _e43;
                         } else {
-                            phi_447_ = _e225;
+                            phi_451_ = _e225;
                         }
-                        let _e228 = phi_447_;
+                        let _e228 = phi_451_;
                         let _e229 = (_e43 - _e228);
                         if (_e229 < _e222) {
-                            phi_453_ = _e229;
+                            phi_457_ = _e229;
                         } else {
-                            phi_453_ = _e222;
+                            phi_457_ = _e222;
                         }
-                        let _e232 = phi_453_;
+                        let _e232 = phi_457_;
                         let _e238 = (2u * (((((((_e38 % 2u) * _e32) + _e228) + _e232) - _e214) + _e190) - _e201));
                         let _e241 = nodes.member[(4u + _e238)];
                         let _e244 = nodes.member[(_e238 + 5u)];
-                        phi_483_ = type_9(_e241, _e244);
+                        phi_487_ = type_9(_e241, _e244);
                     }
-                    let _e274 = phi_483_;
+                    let _e274 = phi_487_;
                     let _e275 = (((1u - (_e38 % 2u)) * _e32) + _e124);
                     if (_e275 < 4294967295u) {
                         let _e279 = (2u * _e275);
@@ -246,7 +247,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_231_ = _e114;
+            phi_235_ = _e114;
             break if !(_e120);
         }
     }

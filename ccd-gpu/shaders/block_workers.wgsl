@@ -35,22 +35,22 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_18 {
-    member: array<type_16>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_22 {
+struct type_23 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -69,154 +69,186 @@ struct type_22 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-}
-
-struct type_24 {
-    member: type_22,
-    member_1: array<array<u32, 2>, 8>,
+    member_18: u32,
 }
 
 struct type_25 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_24,
+    member: type_23,
+    member_1: array<array<u32, 2>, 8>,
 }
 
 struct type_26 {
-    member: type_25,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_25,
 }
 
-struct type_29 {
+struct type_27 {
+    member: type_26,
+}
+
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(1) 
-var<storage> boxes: type_18;
+var<storage> boxes: type_19;
 @group(0) @binding(4) 
-var<storage, read_write> pairs: type_29;
+var<storage, read_write> pairs: type_30;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 var<workgroup> state: array<u32, 1>;
 var<workgroup> stack: array<u32, 2048>;
+var<workgroup> sums: array<u32, 256>;
 @group(0) @binding(0) 
-var<storage> params: type_26;
+var<storage> params: type_27;
 @group(0) @binding(2) 
-var<storage, read_write> control: type_29;
+var<storage, read_write> control: type_30;
 @group(0) @binding(3) 
-var<storage, read_write> nodes: type_29;
+var<storage, read_write> nodes: type_30;
 @group(0) @binding(5) 
 var<storage, read_write> front: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_170_: u32;
-    var phi_208_: type_9;
-    var phi_209_: type_9;
-    var phi_232_: type_9;
-    var phi_256_: u32;
-    var phi_287_: bool;
-    var phi_291_: u32;
-    var phi_292_: u32;
-    var phi_293_: u32;
-    var phi_391_: u32;
-    var phi_396_: u32;
-    var phi_401_: u32;
-    var phi_414_: u32;
-    var phi_420_: u32;
-    var phi_429_: u32;
-    var phi_358_: u32;
-    var phi_364_: u32;
-    var phi_370_: u32;
-    var phi_430_: u32;
-    var phi_321_: u32;
-    var phi_327_: u32;
-    var phi_431_: u32;
-    var phi_432_: u32;
-    var phi_433_: u32;
-    var phi_453_: u32;
-    var phi_454_: u32;
-    var phi_468_: type_9;
-    var phi_469_: type_9;
-    var phi_492_: type_9;
-    var phi_575_: array<u32, 2>;
-    var phi_576_: array<u32, 2>;
-    var phi_593_: array<u32, 2>;
-    var phi_611_: array<u32, 2>;
-    var phi_634_: u32;
-    var phi_635_: bool;
-    var phi_636_: u32;
-    var phi_637_: bool;
+    var phi_177_: u32;
+    var phi_215_: type_9;
+    var phi_216_: type_9;
+    var phi_239_: type_9;
+    var phi_263_: u32;
+    var phi_294_: bool;
+    var phi_298_: u32;
+    var phi_299_: u32;
+    var phi_300_: u32;
+    var phi_398_: u32;
+    var phi_403_: u32;
+    var phi_408_: u32;
+    var phi_421_: u32;
+    var phi_427_: u32;
+    var phi_436_: u32;
+    var phi_365_: u32;
+    var phi_371_: u32;
+    var phi_377_: u32;
+    var phi_437_: u32;
+    var phi_328_: u32;
+    var phi_334_: u32;
+    var phi_438_: u32;
+    var phi_439_: u32;
+    var phi_440_: u32;
+    var phi_460_: u32;
+    var phi_461_: u32;
+    var phi_475_: type_9;
+    var phi_476_: type_9;
+    var phi_499_: type_9;
+    var phi_582_: array<u32, 2>;
+    var phi_583_: array<u32, 2>;
+    var phi_600_: array<u32, 2>;
+    var phi_618_: array<u32, 2>;
+    var phi_641_: u32;
+    var phi_642_: bool;
     var phi_643_: u32;
-    var phi_649_: u32;
-    var phi_658_: u32;
-    var phi_775_: u32;
-    var phi_776_: bool;
-    var phi_777_: u32;
-    var phi_778_: bool;
+    var phi_644_: bool;
+    var phi_650_: u32;
+    var phi_656_: u32;
+    var phi_665_: u32;
+    var phi_782_: u32;
+    var phi_783_: bool;
     var phi_784_: u32;
-    var phi_825_: type_20;
-    var phi_826_: bool;
-    var phi_827_: type_20;
-    var phi_828_: bool;
-    var phi_840_: bool;
-    var phi_846_: u32;
-    var phi_906_: type_9;
-    var phi_909_: u32;
-    var phi_911_: u32;
-    var phi_907_: type_9;
-    var phi_934_: type_9;
-    var phi_990_: u32;
-    var phi_991_: u32;
-    var phi_992_: u32;
-    var phi_993_: bool;
-    var phi_910_: u32;
-    var phi_912_: u32;
-    var phi_994_: bool;
-    var phi_995_: u32;
-    var phi_1006_: u32;
-    var phi_1007_: u32;
-    var phi_1008_: u32;
-    var phi_1022_: u32;
-    var phi_1034_: u32;
-    var phi_1035_: array<u32, 2>;
-    var phi_1036_: u32;
-    var phi_1037_: array<u32, 2>;
-    var phi_1049_: array<u32, 2>;
-    var phi_1050_: array<u32, 2>;
-    var phi_1094_: u32;
-    var phi_1181_: u32;
-    var phi_1184_: type_9;
-    var phi_1187_: u32;
-    var phi_1189_: u32;
-    var phi_1191_: u32;
-    var phi_1185_: type_9;
-    var phi_1214_: type_9;
-    var phi_1240_: u32;
-    var phi_1345_: u32;
-    var phi_1346_: u32;
-    var phi_1347_: u32;
-    var phi_1348_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: u32;
-    var phi_1192_: u32;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1374_: u32;
-    var phi_1379_: u32;
-    var phi_1405_: u32;
-    var phi_1411_: u32;
-    var phi_1499_: type_9;
-    var phi_1500_: type_9;
-    var phi_1523_: type_9;
-    var phi_1614_: u32;
-    var phi_1617_: type_9;
-    var phi_1618_: type_9;
-    var phi_1641_: type_9;
-    var phi_1722_: type_9;
-    var phi_1723_: type_9;
-    var phi_1746_: type_9;
-    var phi_1838_: bool;
-    var phi_1839_: bool;
+    var phi_785_: bool;
+    var phi_791_: u32;
+    var phi_832_: type_21;
+    var phi_833_: bool;
+    var phi_834_: type_21;
+    var phi_835_: bool;
+    var phi_847_: bool;
+    var phi_853_: u32;
+    var phi_913_: type_9;
+    var phi_916_: u32;
+    var phi_918_: u32;
+    var phi_914_: type_9;
+    var phi_941_: type_9;
+    var phi_997_: u32;
+    var phi_998_: u32;
+    var phi_999_: u32;
+    var phi_1000_: bool;
+    var phi_917_: u32;
+    var phi_919_: u32;
+    var phi_1001_: bool;
+    var phi_1002_: u32;
+    var phi_1013_: u32;
+    var phi_1014_: u32;
+    var phi_1015_: u32;
+    var phi_1210_: u32;
+    var phi_1217_: array<u32, 3>;
+    var phi_1223_: array<u32, 3>;
+    var phi_1235_: array<u32, 3>;
+    var phi_1246_: array<u32, 3>;
+    var phi_1257_: array<u32, 3>;
+    var phi_1262_: u32;
+    var phi_1269_: u32;
+    var phi_1030_: u32;
+    var phi_1037_: array<u32, 3>;
+    var phi_1043_: array<u32, 3>;
+    var phi_1052_: type_9;
+    var phi_1055_: u32;
+    var phi_1057_: u32;
+    var phi_1059_: u32;
+    var phi_1056_: u32;
+    var phi_1053_: type_9;
+    var phi_1082_: type_9;
+    var phi_1098_: u32;
+    var phi_1058_: u32;
+    var phi_1060_: u32;
     var local: u32;
+    var phi_1126_: type_9;
+    var phi_1129_: u32;
+    var phi_1131_: u32;
+    var phi_1133_: u32;
+    var phi_1130_: u32;
+    var phi_1127_: type_9;
+    var phi_1156_: type_9;
+    var phi_1172_: u32;
+    var phi_1132_: u32;
+    var phi_1134_: u32;
+    var local_1: u32;
+    var phi_1187_: u32;
+    var phi_1194_: u32;
+    var phi_1199_: u32;
+    var phi_1272_: array<u32, 2>;
+    var phi_1316_: u32;
+    var phi_1403_: u32;
+    var phi_1406_: type_9;
+    var phi_1409_: u32;
+    var phi_1411_: u32;
+    var phi_1413_: u32;
+    var phi_1407_: type_9;
+    var phi_1436_: type_9;
+    var phi_1462_: u32;
+    var phi_1567_: u32;
+    var phi_1568_: u32;
+    var phi_1569_: u32;
+    var phi_1570_: bool;
+    var phi_1410_: u32;
+    var phi_1412_: u32;
+    var phi_1414_: u32;
+    var phi_1571_: bool;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
+    var phi_1596_: u32;
+    var phi_1601_: u32;
+    var phi_1627_: u32;
+    var phi_1633_: u32;
+    var phi_1721_: type_9;
+    var phi_1722_: type_9;
+    var phi_1745_: type_9;
+    var phi_1836_: u32;
+    var phi_1839_: type_9;
+    var phi_1840_: type_9;
+    var phi_1863_: type_9;
+    var phi_1944_: type_9;
+    var phi_1945_: type_9;
+    var phi_1968_: type_9;
+    var phi_2060_: bool;
+    var phi_2061_: bool;
+    var local_2: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -224,782 +256,953 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e60 = id_2;
-    let _e61 = n_2;
-    let _e62 = lane_2;
-    let _e73 = ((_e60.y * _e61.x) + _e60.x);
-    let _e76 = params.member.member_2.member;
-    let _e78 = params.member.member_1;
-    let _e81 = (_e78.member_1 % 2u);
-    let _e83 = atomicLoad((&control.member[_e78.member_1]));
-    if (_e76.member_3 < _e83) {
-        phi_170_ = _e76.member_3;
+    let _e65 = id_2;
+    let _e66 = n_2;
+    let _e67 = lane_2;
+    let _e78 = ((_e65.y * _e66.x) + _e65.x);
+    let _e81 = params.member.member_2.member;
+    let _e83 = params.member.member_1;
+    let _e86 = (_e83.member_1 % 2u);
+    let _e88 = atomicLoad((&control.member[_e83.member_1]));
+    if (_e81.member_3 < _e88) {
+        phi_177_ = _e81.member_3;
     } else {
-        phi_170_ = _e83;
+        phi_177_ = _e88;
     }
-    let _e86 = phi_170_;
-    let _e87 = (_e81 * _e76.member_3);
-    let _e89 = ((1u - _e81) * _e76.member_3);
-    if (_e62 == 0u) {
+    let _e91 = phi_177_;
+    let _e92 = (_e86 * _e81.member_3);
+    let _e94 = ((1u - _e86) * _e81.member_3);
+    if (_e67 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_208_ = type_9(0u, _e76.member_11);
+    phi_215_ = type_9(0u, _e81.member_12);
     loop {
-        let _e98 = phi_208_;
-        if (_e98.member < _e98.member_1) {
-            phi_209_ = type_9((_e98.member + 1u), _e98.member_1);
-            phi_232_ = type_9(1u, _e98.member);
+        let _e103 = phi_215_;
+        if (_e103.member < _e103.member_1) {
+            phi_216_ = type_9((_e103.member + 1u), _e103.member_1);
+            phi_239_ = type_9(1u, _e103.member);
         } else {
-            phi_209_ = _e98;
-            phi_232_ = type_9(0u, type_9().member_1);
+            phi_216_ = _e103;
+            phi_239_ = type_9(0u, type_9().member_1);
         }
-        let _e110 = phi_209_;
-        let _e112 = phi_232_;
-        if (bitcast<i32>(_e112.member) != 0i) {
-            if (_e62 == 0u) {
-                let _e123 = atomicLoad((&shared_[0u]));
-                if (4u < _e123) {
-                    phi_256_ = 4u;
+        let _e115 = phi_216_;
+        let _e117 = phi_239_;
+        if (bitcast<i32>(_e117.member) != 0i) {
+            if (_e67 == 0u) {
+                let _e128 = atomicLoad((&shared_[0u]));
+                if (4u < _e128) {
+                    phi_263_ = 4u;
                 } else {
-                    phi_256_ = _e123;
+                    phi_263_ = _e128;
                 }
-                let _e126 = phi_256_;
-                if (_e76.member_9 > 0u) {
-                    if (_e112.member_1 >= 16u) {
-                        let _e131 = atomicLoad((&control.member[(1024u + _e78.member_1)]));
-                        if (_e76.member_9 > 0u) {
-                            phi_287_ = ((_e131 * 100u) >= (_e76.member_9 << bitcast<u32>((_e76.member_7 & 31u))));
+                let _e131 = phi_263_;
+                if (_e81.member_9 > 0u) {
+                    if (_e117.member_1 >= 16u) {
+                        let _e136 = atomicLoad((&control.member[(1024u + _e83.member_1)]));
+                        if (_e81.member_9 > 0u) {
+                            phi_294_ = ((_e136 * 100u) >= (_e81.member_9 << bitcast<u32>((_e81.member_7 & 31u))));
                         } else {
-                            phi_287_ = false;
+                            phi_294_ = false;
                         }
-                        let _e139 = phi_287_;
-                        if _e139 {
-                            phi_291_ = 2u;
+                        let _e144 = phi_294_;
+                        if _e144 {
+                            phi_298_ = 2u;
                         } else {
-                            phi_291_ = 0u;
+                            phi_298_ = 0u;
                         }
-                        let _e141 = phi_291_;
-                        phi_292_ = _e141;
+                        let _e146 = phi_298_;
+                        phi_299_ = _e146;
                     } else {
-                        phi_292_ = 0u;
+                        phi_299_ = 0u;
                     }
-                    let _e143 = phi_292_;
-                    phi_293_ = _e143;
+                    let _e148 = phi_299_;
+                    phi_300_ = _e148;
                 } else {
-                    phi_293_ = 0u;
+                    phi_300_ = 0u;
                 }
-                let _e145 = phi_293_;
-                let _e146 = (4u - _e126);
-                if (_e145 == 0u) {
-                    if (_e146 > 0u) {
-                        let _e150 = atomicLoad((&shared_[5u]));
-                        if (_e76.member_6 == 0u) {
-                            if (_e73 < _e86) {
-                                phi_321_ = ((((_e86 - 1u) - _e73) >> bitcast<u32>((_e76.member_7 & 31u))) + 1u);
+                let _e150 = phi_300_;
+                let _e151 = (4u - _e131);
+                if (_e150 == 0u) {
+                    if (_e151 > 0u) {
+                        let _e155 = atomicLoad((&shared_[5u]));
+                        if (_e81.member_6 == 0u) {
+                            if (_e78 < _e91) {
+                                phi_328_ = ((((_e91 - 1u) - _e78) >> bitcast<u32>((_e81.member_7 & 31u))) + 1u);
                             } else {
-                                phi_321_ = 0u;
+                                phi_328_ = 0u;
                             }
-                            let _e219 = phi_321_;
-                            let _e220 = (_e219 - _e150);
-                            if (_e146 < _e220) {
-                                phi_327_ = _e146;
+                            let _e224 = phi_328_;
+                            let _e225 = (_e224 - _e155);
+                            if (_e151 < _e225) {
+                                phi_334_ = _e151;
                             } else {
-                                phi_327_ = _e220;
+                                phi_334_ = _e225;
                             }
-                            let _e223 = phi_327_;
-                            atomicStore((&shared_[3u]), (_e73 + (_e150 << bitcast<u32>((_e76.member_7 & 31u)))));
-                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e76.member_7 & 31u))));
-                            atomicStore((&shared_[5u]), (_e150 + _e223));
-                            phi_431_ = _e223;
+                            let _e228 = phi_334_;
+                            atomicStore((&shared_[3u]), (_e78 + (_e155 << bitcast<u32>((_e81.member_7 & 31u)))));
+                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e81.member_7 & 31u))));
+                            atomicStore((&shared_[5u]), (_e155 + _e228));
+                            phi_438_ = _e228;
                         } else {
-                            if (_e76.member_6 == 2u) {
-                                let _e191 = (((_e86 + (1u << bitcast<u32>((_e76.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e76.member_7 & 31u)));
-                                let _e192 = (_e73 * _e191);
-                                if (_e86 < _e192) {
-                                    phi_358_ = _e86;
+                            if (_e81.member_6 == 2u) {
+                                let _e196 = (((_e91 + (1u << bitcast<u32>((_e81.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e81.member_7 & 31u)));
+                                let _e197 = (_e78 * _e196);
+                                if (_e91 < _e197) {
+                                    phi_365_ = _e91;
                                 } else {
-                                    phi_358_ = _e192;
+                                    phi_365_ = _e197;
                                 }
-                                let _e195 = phi_358_;
-                                let _e196 = (_e86 - _e195);
-                                if (_e196 < _e191) {
-                                    phi_364_ = _e196;
+                                let _e200 = phi_365_;
+                                let _e201 = (_e91 - _e200);
+                                if (_e201 < _e196) {
+                                    phi_371_ = _e201;
                                 } else {
-                                    phi_364_ = _e191;
+                                    phi_371_ = _e196;
                                 }
-                                let _e199 = phi_364_;
-                                let _e200 = (_e199 - _e150);
-                                if (_e146 < _e200) {
-                                    phi_370_ = _e146;
+                                let _e204 = phi_371_;
+                                let _e205 = (_e204 - _e155);
+                                if (_e151 < _e205) {
+                                    phi_377_ = _e151;
                                 } else {
-                                    phi_370_ = _e200;
+                                    phi_377_ = _e205;
                                 }
-                                let _e203 = phi_370_;
-                                atomicStore((&shared_[3u]), (_e195 + _e150));
+                                let _e208 = phi_377_;
+                                atomicStore((&shared_[3u]), (_e200 + _e155));
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), (_e150 + _e203));
-                                phi_430_ = _e203;
+                                atomicStore((&shared_[5u]), (_e155 + _e208));
+                                phi_437_ = _e208;
                             } else {
-                                if (_e150 == 0u) {
-                                    let _e157 = (_e86 >> bitcast<u32>(((_e76.member_7 + 2u) & 31u)));
-                                    if (_e76.member_8 < _e157) {
-                                        phi_391_ = _e157;
+                                if (_e155 == 0u) {
+                                    let _e162 = (_e91 >> bitcast<u32>(((_e81.member_7 + 2u) & 31u)));
+                                    if (_e81.member_8 < _e162) {
+                                        phi_398_ = _e162;
                                     } else {
-                                        phi_391_ = _e76.member_8;
+                                        phi_398_ = _e81.member_8;
                                     }
-                                    let _e160 = phi_391_;
-                                    if (128u < _e160) {
-                                        phi_396_ = 128u;
+                                    let _e165 = phi_398_;
+                                    if (128u < _e165) {
+                                        phi_403_ = 128u;
                                     } else {
-                                        phi_396_ = _e160;
+                                        phi_403_ = _e165;
                                     }
-                                    let _e163 = phi_396_;
-                                    if (_e146 < _e163) {
-                                        phi_401_ = _e146;
+                                    let _e168 = phi_403_;
+                                    if (_e151 < _e168) {
+                                        phi_408_ = _e151;
                                     } else {
-                                        phi_401_ = _e163;
+                                        phi_408_ = _e168;
                                     }
-                                    let _e166 = phi_401_;
-                                    let _e169 = atomicAdd((&control.member[(512u + _e78.member_1)]), _e166);
-                                    if (_e86 < _e169) {
-                                        phi_414_ = _e86;
+                                    let _e171 = phi_408_;
+                                    let _e174 = atomicAdd((&control.member[(512u + _e83.member_1)]), _e171);
+                                    if (_e91 < _e174) {
+                                        phi_421_ = _e91;
                                     } else {
-                                        phi_414_ = _e169;
+                                        phi_421_ = _e174;
                                     }
-                                    let _e172 = phi_414_;
-                                    let _e173 = (_e86 - _e172);
-                                    if (_e166 < _e173) {
-                                        phi_420_ = _e166;
+                                    let _e177 = phi_421_;
+                                    let _e178 = (_e91 - _e177);
+                                    if (_e171 < _e178) {
+                                        phi_427_ = _e171;
                                     } else {
-                                        phi_420_ = _e173;
+                                        phi_427_ = _e178;
                                     }
-                                    let _e176 = phi_420_;
-                                    atomicStore((&shared_[3u]), _e169);
+                                    let _e181 = phi_427_;
+                                    atomicStore((&shared_[3u]), _e174);
                                     atomicStore((&shared_[4u]), 1u);
-                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e176 < _e166)));
-                                    phi_429_ = _e176;
+                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e181 < _e171)));
+                                    phi_436_ = _e181;
                                 } else {
-                                    phi_429_ = 0u;
+                                    phi_436_ = 0u;
                                 }
-                                let _e183 = phi_429_;
-                                phi_430_ = _e183;
+                                let _e188 = phi_436_;
+                                phi_437_ = _e188;
                             }
-                            let _e210 = phi_430_;
-                            phi_431_ = _e210;
+                            let _e215 = phi_437_;
+                            phi_438_ = _e215;
                         }
-                        let _e236 = phi_431_;
-                        phi_432_ = _e236;
+                        let _e241 = phi_438_;
+                        phi_439_ = _e241;
                     } else {
-                        phi_432_ = 0u;
+                        phi_439_ = 0u;
                     }
-                    let _e238 = phi_432_;
-                    phi_433_ = _e238;
+                    let _e243 = phi_439_;
+                    phi_440_ = _e243;
                 } else {
-                    phi_433_ = 0u;
+                    phi_440_ = 0u;
                 }
-                let _e240 = phi_433_;
-                if (_e145 == 0u) {
-                    if ((_e126 + _e240) == 0u) {
-                        if (_e76.member_9 > 0u) {
-                            let _e247 = atomicAdd((&control.member[(1024u + _e78.member_1)]), 1u);
+                let _e245 = phi_440_;
+                if (_e150 == 0u) {
+                    if ((_e131 + _e245) == 0u) {
+                        if (_e81.member_9 > 0u) {
+                            let _e252 = atomicAdd((&control.member[(1024u + _e83.member_1)]), 1u);
                         }
-                        phi_453_ = 1u;
+                        phi_460_ = 1u;
                     } else {
-                        phi_453_ = _e145;
+                        phi_460_ = _e150;
                     }
-                    let _e249 = phi_453_;
-                    phi_454_ = _e249;
+                    let _e254 = phi_460_;
+                    phi_461_ = _e254;
                 } else {
-                    phi_454_ = _e145;
+                    phi_461_ = _e150;
                 }
-                let _e251 = phi_454_;
-                atomicStore((&shared_[1u]), _e126);
-                atomicStore((&shared_[2u]), _e240);
+                let _e256 = phi_461_;
+                atomicStore((&shared_[1u]), _e131);
+                atomicStore((&shared_[2u]), _e245);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                phi_468_ = type_9(0u, 4u);
+                phi_475_ = type_9(0u, 4u);
                 loop {
-                    let _e258 = phi_468_;
-                    if (_e258.member < _e258.member_1) {
-                        phi_469_ = type_9((_e258.member + 1u), _e258.member_1);
-                        phi_492_ = type_9(1u, _e258.member);
+                    let _e263 = phi_475_;
+                    if (_e263.member < _e263.member_1) {
+                        phi_476_ = type_9((_e263.member + 1u), _e263.member_1);
+                        phi_499_ = type_9(1u, _e263.member);
                     } else {
-                        phi_469_ = _e258;
-                        phi_492_ = type_9(0u, type_9().member_1);
+                        phi_476_ = _e263;
+                        phi_499_ = type_9(0u, type_9().member_1);
                     }
-                    let _e270 = phi_469_;
-                    let _e272 = phi_492_;
-                    let _e276 = (bitcast<i32>(_e272.member) != 0i);
-                    if _e276 {
-                        atomicStore((&shared_[(18u + _e272.member_1)]), 0u);
+                    let _e275 = phi_476_;
+                    let _e277 = phi_499_;
+                    let _e281 = (bitcast<i32>(_e277.member) != 0i);
+                    if _e281 {
+                        atomicStore((&shared_[(18u + _e277.member_1)]), 0u);
                     }
                     continue;
                     continuing {
-                        phi_468_ = _e270;
-                        break if !(_e276);
+                        phi_475_ = _e275;
+                        break if !(_e281);
                     }
                 }
-                state[0u] = _e251;
+                state[0u] = _e256;
             }
-            let _e282 = workgroupUniformLoad((&state[0u]));
-            if (_e282 != 0u) {
-                phi_1350_ = false;
+            let _e287 = workgroupUniformLoad((&state[0u]));
+            if (_e287 != 0u) {
+                phi_1572_ = false;
             } else {
-                let _e284 = (_e62 / 32u);
-                let _e286 = atomicLoad((&shared_[1u]));
-                let _e288 = atomicLoad((&shared_[2u]));
-                if (_e284 < _e286) {
-                    let _e311 = atomicLoad((&shared_[0u]));
-                    let _e314 = (2u * ((_e311 - 1u) - _e284));
-                    let _e316 = stack[_e314];
-                    let _e319 = stack[(_e314 + 1u)];
-                    phi_576_ = array<u32, 2>(_e316, _e319);
+                let _e289 = (_e67 / 32u);
+                let _e291 = atomicLoad((&shared_[1u]));
+                let _e293 = atomicLoad((&shared_[2u]));
+                if (_e289 < _e291) {
+                    let _e316 = atomicLoad((&shared_[0u]));
+                    let _e319 = (2u * ((_e316 - 1u) - _e289));
+                    let _e321 = stack[_e319];
+                    let _e324 = stack[(_e319 + 1u)];
+                    phi_583_ = array<u32, 2>(_e321, _e324);
                 } else {
-                    if (_e284 < (_e286 + _e288)) {
-                        let _e293 = atomicLoad((&shared_[3u]));
-                        let _e296 = atomicLoad((&shared_[4u]));
-                        let _e300 = (2u * (_e87 + (_e293 + ((_e284 - _e286) * _e296))));
-                        let _e303 = atomicLoad((&nodes.member[(4u + _e300)]));
-                        let _e306 = atomicLoad((&nodes.member[(_e300 + 5u)]));
-                        phi_575_ = array<u32, 2>(_e303, _e306);
+                    if (_e289 < (_e291 + _e293)) {
+                        let _e298 = atomicLoad((&shared_[3u]));
+                        let _e301 = atomicLoad((&shared_[4u]));
+                        let _e305 = (2u * (_e92 + (_e298 + ((_e289 - _e291) * _e301))));
+                        let _e308 = atomicLoad((&nodes.member[(4u + _e305)]));
+                        let _e311 = atomicLoad((&nodes.member[(_e305 + 5u)]));
+                        phi_582_ = array<u32, 2>(_e308, _e311);
                     } else {
-                        phi_575_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_582_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e309 = phi_575_;
-                    phi_576_ = _e309;
+                    let _e314 = phi_582_;
+                    phi_583_ = _e314;
                 }
-                let _e322 = phi_576_;
-                let _e323 = (_e62 / 32u);
-                let _e324 = (_e62 % 32u);
-                let _e326 = (_e322[0] != 4294967295u);
-                if _e326 {
-                    phi_593_ = _e322;
+                let _e327 = phi_583_;
+                let _e328 = (_e67 / 32u);
+                let _e329 = (_e67 % 32u);
+                let _e331 = (_e327[0] != 4294967295u);
+                if _e331 {
+                    phi_600_ = _e327;
                 } else {
-                    phi_593_ = array<u32, 2>(134217728u, 0u);
+                    phi_600_ = array<u32, 2>(134217728u, 0u);
                 }
-                let _e328 = phi_593_;
-                let _e332 = (_e328[0] >> bitcast<u32>(27u));
-                let _e333 = (_e328[0] & 134217727u);
-                let _e334 = (_e332 - 1u);
-                let _e336 = ((_e333 * 32u) + _e324);
-                let _e337 = (_e328[1] * 32u);
-                let _e341 = params.member.member_2.member.member;
-                if (_e341 == 0u) {
-                    phi_611_ = array<u32, 2>(0u, 2u);
+                let _e333 = phi_600_;
+                let _e337 = (_e333[0] >> bitcast<u32>(27u));
+                let _e338 = (_e333[0] & 134217727u);
+                let _e339 = (_e337 - 1u);
+                let _e341 = ((_e338 * 32u) + _e329);
+                let _e342 = (_e333[1] * 32u);
+                let _e346 = params.member.member_2.member.member;
+                if (_e346 == 0u) {
+                    phi_618_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_611_ = array<u32, 2>(1u, 1u);
+                    phi_618_ = array<u32, 2>(1u, 1u);
                 }
-                let _e344 = phi_611_;
-                let _e350 = params.member.member.member[_e344[1]];
-                let _e351 = (5u * _e334);
-                if (_e350 > 0u) {
-                    if (_e351 < 32u) {
-                        phi_634_ = (((_e350 - 1u) >> bitcast<u32>((_e351 & 31u))) + 1u);
-                        phi_635_ = false;
+                let _e349 = phi_618_;
+                let _e355 = params.member.member.member[_e349[1]];
+                let _e356 = (5u * _e339);
+                if (_e355 > 0u) {
+                    if (_e356 < 32u) {
+                        phi_641_ = (((_e355 - 1u) >> bitcast<u32>((_e356 & 31u))) + 1u);
+                        phi_642_ = false;
                     } else {
-                        phi_634_ = u32();
-                        phi_635_ = true;
+                        phi_641_ = u32();
+                        phi_642_ = true;
                     }
-                    let _e360 = phi_634_;
-                    let _e362 = phi_635_;
-                    phi_636_ = _e360;
-                    phi_637_ = _e362;
+                    let _e365 = phi_641_;
+                    let _e367 = phi_642_;
+                    phi_643_ = _e365;
+                    phi_644_ = _e367;
                 } else {
-                    phi_636_ = u32();
-                    phi_637_ = true;
+                    phi_643_ = u32();
+                    phi_644_ = true;
                 }
-                let _e364 = phi_636_;
-                let _e366 = phi_637_;
-                if _e366 {
-                    phi_643_ = select(0u, 1u, (_e350 > 0u));
+                let _e369 = phi_643_;
+                let _e371 = phi_644_;
+                if _e371 {
+                    phi_650_ = select(0u, 1u, (_e355 > 0u));
                 } else {
-                    phi_643_ = _e364;
+                    phi_650_ = _e369;
                 }
-                let _e370 = phi_643_;
-                let _e371 = (_e328[1] * 32u);
-                if (_e371 < _e370) {
-                    phi_649_ = _e370;
+                let _e375 = phi_650_;
+                let _e376 = (_e333[1] * 32u);
+                if (_e376 < _e375) {
+                    phi_656_ = _e375;
                 } else {
-                    phi_649_ = _e371;
+                    phi_656_ = _e376;
                 }
-                let _e374 = phi_649_;
-                let _e375 = (_e374 - _e371);
-                if (_e375 >= 32u) {
-                    phi_658_ = 4294967295u;
+                let _e379 = phi_656_;
+                let _e380 = (_e379 - _e376);
+                if (_e380 >= 32u) {
+                    phi_665_ = 4294967295u;
                 } else {
-                    phi_658_ = ((1u << bitcast<u32>((_e375 & 31u))) - 1u);
+                    phi_665_ = ((1u << bitcast<u32>((_e380 & 31u))) - 1u);
                 }
-                let _e382 = phi_658_;
-                let _e387 = params.member.member_2.member_1[_e334][1u];
-                let _e388 = (_e387 + _e337);
-                if _e326 {
-                    if (((_e382 >> bitcast<u32>((_e324 & 31u))) & 1u) == 1u) {
-                        let _e396 = boxes.member[(_e388 + _e324)];
-                        let _e413 = params.member.member_2.member_1[_e332][0u];
-                        let _e416 = boxes.member[(_e413 + _e333)];
-                        if ((((((_e396.member.x <= _e416.member_1.y) && (_e416.member.x <= _e396.member_1.y)) && (_e396.member.y <= _e416.member_2.x)) && (_e416.member.y <= _e396.member_2.x)) && (_e396.member_1.x <= _e416.member_2.y)) && (_e416.member_1.x <= _e396.member_2.y)) {
-                            let _e445 = atomicOr((&shared_[(18u + _e323)]), (1u << bitcast<u32>((_e324 & 31u))));
+                let _e387 = phi_665_;
+                let _e392 = params.member.member_2.member_1[_e339][1u];
+                let _e393 = (_e392 + _e342);
+                if _e331 {
+                    if (((_e387 >> bitcast<u32>((_e329 & 31u))) & 1u) == 1u) {
+                        let _e401 = boxes.member[(_e393 + _e329)];
+                        let _e418 = params.member.member_2.member_1[_e337][0u];
+                        let _e421 = boxes.member[(_e418 + _e338)];
+                        if ((((((_e401.member.x <= _e421.member_1.y) && (_e421.member.x <= _e401.member_1.y)) && (_e401.member.y <= _e421.member_2.x)) && (_e421.member.y <= _e401.member_2.x)) && (_e401.member_1.x <= _e421.member_2.y)) && (_e421.member_1.x <= _e401.member_2.y)) {
+                            let _e450 = atomicOr((&shared_[(18u + _e328)]), (1u << bitcast<u32>((_e329 & 31u))));
                         }
                     }
-                    let _e449 = params.member.member.member[_e344[0]];
-                    let _e450 = (5u * _e334);
-                    if (_e449 > 0u) {
-                        if (_e450 < 32u) {
-                            phi_775_ = (((_e449 - 1u) >> bitcast<u32>((_e450 & 31u))) + 1u);
-                            phi_776_ = false;
+                    let _e454 = params.member.member.member[_e349[0]];
+                    let _e455 = (5u * _e339);
+                    if (_e454 > 0u) {
+                        if (_e455 < 32u) {
+                            phi_782_ = (((_e454 - 1u) >> bitcast<u32>((_e455 & 31u))) + 1u);
+                            phi_783_ = false;
                         } else {
-                            phi_775_ = u32();
-                            phi_776_ = true;
+                            phi_782_ = u32();
+                            phi_783_ = true;
                         }
-                        let _e459 = phi_775_;
-                        let _e461 = phi_776_;
-                        phi_777_ = _e459;
-                        phi_778_ = _e461;
+                        let _e464 = phi_782_;
+                        let _e466 = phi_783_;
+                        phi_784_ = _e464;
+                        phi_785_ = _e466;
                     } else {
-                        phi_777_ = u32();
-                        phi_778_ = true;
+                        phi_784_ = u32();
+                        phi_785_ = true;
                     }
-                    let _e463 = phi_777_;
-                    let _e465 = phi_778_;
-                    if _e465 {
-                        phi_784_ = select(0u, 1u, (_e449 > 0u));
+                    let _e468 = phi_784_;
+                    let _e470 = phi_785_;
+                    if _e470 {
+                        phi_791_ = select(0u, 1u, (_e454 > 0u));
                     } else {
-                        phi_784_ = _e463;
+                        phi_791_ = _e468;
                     }
-                    let _e469 = phi_784_;
-                    if (_e336 < _e469) {
-                        let _e475 = params.member.member_2.member_1[_e334][0u];
-                        let _e478 = boxes.member[(_e475 + _e336)];
-                        phi_825_ = type_20(array<f32, 3>(_e478.member.x, _e478.member.y, _e478.member_1.x), array<f32, 3>(_e478.member_1.y, _e478.member_2.x, _e478.member_2.y));
-                        phi_826_ = true;
+                    let _e474 = phi_791_;
+                    if (_e341 < _e474) {
+                        let _e480 = params.member.member_2.member_1[_e339][0u];
+                        let _e483 = boxes.member[(_e480 + _e341)];
+                        phi_832_ = type_21(array<f32, 3>(_e483.member.x, _e483.member.y, _e483.member_1.x), array<f32, 3>(_e483.member_1.y, _e483.member_2.x, _e483.member_2.y));
+                        phi_833_ = true;
                     } else {
-                        phi_825_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_826_ = false;
+                        phi_832_ = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_833_ = false;
                     }
-                    let _e495 = phi_825_;
-                    let _e497 = phi_826_;
-                    phi_827_ = _e495;
-                    phi_828_ = _e497;
+                    let _e500 = phi_832_;
+                    let _e502 = phi_833_;
+                    phi_834_ = _e500;
+                    phi_835_ = _e502;
                 } else {
-                    phi_827_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                    phi_828_ = false;
+                    phi_834_ = type_21(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                    phi_835_ = false;
                 }
-                let _e499 = phi_827_;
-                let _e501 = phi_828_;
+                let _e504 = phi_834_;
+                let _e506 = phi_835_;
                 workgroupBarrier();
-                if _e501 {
-                    let _e505 = params.member.member_2.member.member;
-                    if (_e505 == 1u) {
-                        phi_840_ = (_e333 == _e328[1]);
+                if _e506 {
+                    let _e510 = params.member.member_2.member.member;
+                    if (_e510 == 1u) {
+                        phi_847_ = (_e338 == _e333[1]);
                     } else {
-                        phi_840_ = false;
+                        phi_847_ = false;
                     }
-                    let _e509 = phi_840_;
-                    if _e509 {
-                        phi_846_ = (4294967295u << bitcast<u32>((_e324 & 31u)));
+                    let _e514 = phi_847_;
+                    if _e514 {
+                        phi_853_ = (4294967295u << bitcast<u32>((_e329 & 31u)));
                     } else {
-                        phi_846_ = 4294967295u;
+                        phi_853_ = 4294967295u;
                     }
-                    let _e514 = phi_846_;
-                    let _e519 = params.member.member_2.member_1[_e332][1u];
-                    let _e522 = boxes.member[(_e519 + _e328[1])];
-                    if ((((((_e499.member[0] <= _e522.member_1.y) && (_e522.member.x <= _e499.member_1[0])) && (_e499.member[1] <= _e522.member_2.x)) && (_e522.member.y <= _e499.member_1[1])) && (_e499.member[2] <= _e522.member_2.y)) && (_e522.member_1.x <= _e499.member_1[2])) {
-                        let _e560 = atomicLoad((&shared_[(18u + _e323)]));
-                        phi_906_ = type_9(0u, 32u);
-                        phi_909_ = 0u;
-                        phi_911_ = (_e560 & _e514);
+                    let _e519 = phi_853_;
+                    let _e524 = params.member.member_2.member_1[_e337][1u];
+                    let _e527 = boxes.member[(_e524 + _e333[1])];
+                    if ((((((_e504.member[0] <= _e527.member_1.y) && (_e527.member.x <= _e504.member_1[0])) && (_e504.member[1] <= _e527.member_2.x)) && (_e527.member.y <= _e504.member_1[1])) && (_e504.member[2] <= _e527.member_2.y)) && (_e527.member_1.x <= _e504.member_1[2])) {
+                        let _e565 = atomicLoad((&shared_[(18u + _e328)]));
+                        phi_913_ = type_9(0u, 32u);
+                        phi_916_ = 0u;
+                        phi_918_ = (_e565 & _e519);
                         loop {
-                            let _e563 = phi_906_;
-                            let _e565 = phi_909_;
-                            let _e567 = phi_911_;
-                            local = _e565;
-                            if (_e563.member < _e563.member_1) {
-                                phi_907_ = type_9((_e563.member + 1u), _e563.member_1);
-                                phi_934_ = type_9(1u, _e563.member);
+                            let _e568 = phi_913_;
+                            let _e570 = phi_916_;
+                            let _e572 = phi_918_;
+                            local_2 = _e570;
+                            if (_e568.member < _e568.member_1) {
+                                phi_914_ = type_9((_e568.member + 1u), _e568.member_1);
+                                phi_941_ = type_9(1u, _e568.member);
                             } else {
-                                phi_907_ = _e563;
-                                phi_934_ = type_9(0u, type_9().member_1);
+                                phi_914_ = _e568;
+                                phi_941_ = type_9(0u, type_9().member_1);
                             }
-                            let _e579 = phi_907_;
-                            let _e581 = phi_934_;
-                            if (bitcast<i32>(_e581.member) != 0i) {
-                                if (_e567 == 0u) {
-                                    phi_991_ = u32();
-                                    phi_992_ = u32();
-                                    phi_993_ = false;
+                            let _e584 = phi_914_;
+                            let _e586 = phi_941_;
+                            if (bitcast<i32>(_e586.member) != 0i) {
+                                if (_e572 == 0u) {
+                                    phi_998_ = u32();
+                                    phi_999_ = u32();
+                                    phi_1000_ = false;
                                 } else {
-                                    let _e588 = select(firstTrailingBit(_e567), 32u, (_e567 == 0u));
-                                    let _e593 = boxes.member[(_e388 + _e588)];
-                                    if ((((((_e499.member[0] <= _e593.member_1.y) && (_e593.member.x <= _e499.member_1[0])) && (_e499.member[1] <= _e593.member_2.x)) && (_e593.member.y <= _e499.member_1[1])) && (_e499.member[2] <= _e593.member_2.y)) && (_e593.member_1.x <= _e499.member_1[2])) {
-                                        phi_990_ = (_e565 | (1u << bitcast<u32>((_e588 & 31u))));
+                                    let _e593 = select(firstTrailingBit(_e572), 32u, (_e572 == 0u));
+                                    let _e598 = boxes.member[(_e393 + _e593)];
+                                    if ((((((_e504.member[0] <= _e598.member_1.y) && (_e598.member.x <= _e504.member_1[0])) && (_e504.member[1] <= _e598.member_2.x)) && (_e598.member.y <= _e504.member_1[1])) && (_e504.member[2] <= _e598.member_2.y)) && (_e598.member_1.x <= _e504.member_1[2])) {
+                                        phi_997_ = (_e570 | (1u << bitcast<u32>((_e593 & 31u))));
                                     } else {
-                                        phi_990_ = _e565;
+                                        phi_997_ = _e570;
                                     }
-                                    let _e634 = phi_990_;
-                                    phi_991_ = _e634;
-                                    phi_992_ = (_e567 & (_e567 - 1u));
-                                    phi_993_ = true;
+                                    let _e639 = phi_997_;
+                                    phi_998_ = _e639;
+                                    phi_999_ = (_e572 & (_e572 - 1u));
+                                    phi_1000_ = true;
                                 }
-                                let _e636 = phi_991_;
-                                let _e638 = phi_992_;
-                                let _e640 = phi_993_;
-                                phi_910_ = _e636;
-                                phi_912_ = _e638;
-                                phi_994_ = _e640;
+                                let _e641 = phi_998_;
+                                let _e643 = phi_999_;
+                                let _e645 = phi_1000_;
+                                phi_917_ = _e641;
+                                phi_919_ = _e643;
+                                phi_1001_ = _e645;
                             } else {
-                                phi_910_ = u32();
-                                phi_912_ = u32();
-                                phi_994_ = false;
+                                phi_917_ = u32();
+                                phi_919_ = u32();
+                                phi_1001_ = false;
                             }
-                            let _e642 = phi_910_;
-                            let _e644 = phi_912_;
-                            let _e646 = phi_994_;
+                            let _e647 = phi_917_;
+                            let _e649 = phi_919_;
+                            let _e651 = phi_1001_;
                             continue;
                             continuing {
-                                phi_906_ = _e579;
-                                phi_909_ = _e642;
-                                phi_911_ = _e644;
-                                break if !(_e646);
+                                phi_913_ = _e584;
+                                phi_916_ = _e647;
+                                phi_918_ = _e649;
+                                break if !(_e651);
                             }
                         }
-                        let _e1234 = local;
-                        phi_995_ = _e1234;
+                        let _e1413 = local_2;
+                        phi_1002_ = _e1413;
                     } else {
-                        phi_995_ = 0u;
+                        phi_1002_ = 0u;
                     }
-                    let _e649 = phi_995_;
-                    let _e653 = params.member.member_2.member.member_4;
-                    if (_e653 > 0u) {
-                        phi_1006_ = ((_e382 & _e514) & ~(_e649));
+                    let _e654 = phi_1002_;
+                    let _e658 = params.member.member_2.member.member_4;
+                    if (_e658 > 0u) {
+                        phi_1013_ = ((_e387 & _e519) & ~(_e654));
                     } else {
-                        phi_1006_ = 0u;
+                        phi_1013_ = 0u;
                     }
-                    let _e659 = phi_1006_;
-                    phi_1007_ = _e649;
-                    phi_1008_ = _e659;
+                    let _e664 = phi_1013_;
+                    phi_1014_ = _e654;
+                    phi_1015_ = _e664;
                 } else {
-                    phi_1007_ = 0u;
-                    phi_1008_ = 0u;
+                    phi_1014_ = 0u;
+                    phi_1015_ = 0u;
                 }
-                let _e661 = phi_1007_;
-                let _e663 = phi_1008_;
-                let _e665 = countOneBits(_e663);
-                let _e666 = countOneBits(_e661);
-                if (_e666 > 0u) {
-                    if (_e334 > 1u) {
-                        phi_1022_ = 1u;
+                let _e666 = phi_1014_;
+                let _e668 = phi_1015_;
+                if (_e81.member_11 == 1u) {
+                    let _e729 = countOneBits(_e666);
+                    if (_e339 > 1u) {
+                        phi_1030_ = 1u;
                     } else {
-                        phi_1022_ = 2u;
+                        phi_1030_ = 2u;
                     }
-                    let _e670 = phi_1022_;
-                    if (_e670 == 1u) {
-                        let _e677 = atomicAdd((&shared_[6u]), _e666);
-                        phi_1034_ = _e665;
-                        phi_1035_ = array<u32, 2>(_e677, 0u);
+                    let _e735 = phi_1030_;
+                    if (_e735 == 1u) {
+                        phi_1037_ = array<u32, 3>(_e729, 0u, countOneBits(_e668));
                     } else {
-                        let _e673 = atomicAdd((&shared_[7u]), _e666);
-                        phi_1034_ = (_e665 + _e666);
-                        phi_1035_ = array<u32, 2>(_e673, 0u);
+                        phi_1037_ = array<u32, 3>(0u, _e729, (countOneBits(_e668) + _e729));
                     }
-                    let _e680 = phi_1034_;
-                    let _e682 = phi_1035_;
-                    phi_1036_ = _e680;
-                    phi_1037_ = _e682;
-                } else {
-                    phi_1036_ = _e665;
-                    phi_1037_ = array<u32, 2>(0u, 0u);
-                }
-                let _e684 = phi_1036_;
-                let _e686 = phi_1037_;
-                if (_e76.member_4 > 0u) {
-                    if (_e684 > 0u) {
-                        let _e690 = atomicAdd((&shared_[8u]), _e684);
-                        phi_1049_ = array<u32, 2>(_e686[0], _e690);
+                    let _e740 = phi_1037_;
+                    if (_e81.member_4 == 0u) {
+                        phi_1043_ = array<u32, 3>(_e740[0], _e740[1], 0u);
                     } else {
-                        phi_1049_ = _e686;
+                        phi_1043_ = _e740;
                     }
-                    let _e694 = phi_1049_;
-                    phi_1050_ = _e694;
-                } else {
-                    phi_1050_ = _e686;
-                }
-                let _e696 = phi_1050_;
-                workgroupBarrier();
-                if (_e62 == 0u) {
-                    let _e699 = atomicLoad((&shared_[6u]));
-                    let _e701 = atomicLoad((&shared_[7u]));
-                    let _e703 = atomicLoad((&shared_[8u]));
-                    let _e705 = atomicLoad((&shared_[1u]));
-                    let _e707 = atomicLoad((&shared_[2u]));
-                    let _e709 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e709 + 1u));
-                    let _e713 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e713 + _e705) + _e707));
-                    let _e718 = atomicLoad((&shared_[0u]));
-                    let _e719 = (_e718 - _e705);
-                    let _e721 = (_e76.member_10 - _e719);
-                    if (_e721 < _e699) {
-                        phi_1094_ = _e721;
-                    } else {
-                        phi_1094_ = _e699;
-                    }
-                    let _e724 = phi_1094_;
-                    atomicStore((&shared_[9u]), _e719);
-                    atomicStore((&shared_[10u]), _e724);
-                    atomicStore((&shared_[0u]), (_e719 + _e724));
-                    if (_e699 > _e724) {
-                        let _e730 = (_e699 - _e724);
-                        if (_e76.member_12 == 0u) {
+                    let _e746 = phi_1043_;
+                    let _e751 = (_e746[0] | (_e746[1] << bitcast<u32>(16i)));
+                    sums[_e67] = _e751;
+                    phi_1052_ = type_9(0u, 7u);
+                    phi_1055_ = 0u;
+                    phi_1057_ = 1u;
+                    phi_1059_ = _e751;
+                    phi_1056_ = 128u;
+                    loop {
+                        let _e754 = phi_1052_;
+                        let _e756 = phi_1055_;
+                        let _e758 = phi_1057_;
+                        let _e760 = phi_1059_;
+                        let _e762 = phi_1056_;
+                        local = _e760;
+                        if (_e754.member < _e754.member_1) {
+                            phi_1053_ = type_9((_e754.member + 1u), _e754.member_1);
+                            phi_1082_ = type_9(1u, _e754.member);
                         } else {
-                            let _e734 = atomicMax((&control.member[1536u]), 4294967295u);
+                            phi_1053_ = _e754;
+                            phi_1082_ = type_9(0u, type_9().member_1);
                         }
-                        let _e737 = atomicAdd((&control.member[(_e78.member_1 + 1u)]), _e730);
-                        let _e740 = atomicMax((&nodes.member[0u]), (_e737 + _e730));
-                        if ((_e737 + _e730) < _e737) {
-                            let _e744 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e774 = phi_1053_;
+                        let _e776 = phi_1082_;
+                        let _e779 = (bitcast<i32>(_e776.member) != 0i);
+                        if _e779 {
+                            workgroupBarrier();
+                            if (_e67 >= _e758) {
+                                let _e784 = sums[((_e756 + _e67) - _e758)];
+                                phi_1098_ = (_e760 + _e784);
+                            } else {
+                                phi_1098_ = _e760;
+                            }
+                            let _e787 = phi_1098_;
+                            sums[(_e762 + _e67)] = _e787;
+                            phi_1058_ = (_e758 * 2u);
+                            phi_1060_ = _e787;
+                        } else {
+                            phi_1058_ = u32();
+                            phi_1060_ = u32();
                         }
-                        atomicStore((&shared_[11u]), _e737);
+                        let _e792 = phi_1058_;
+                        let _e794 = phi_1060_;
+                        continue;
+                        continuing {
+                            phi_1052_ = _e774;
+                            phi_1055_ = _e762;
+                            phi_1057_ = _e792;
+                            phi_1059_ = _e794;
+                            phi_1056_ = _e756;
+                            break if !(_e779);
+                        }
                     }
-                    if (_e701 > 0u) {
-                        let _e748 = atomicAdd((&pairs.member[0u]), _e701);
-                        if ((_e748 + _e701) < _e748) {
-                            let _e752 = atomicAdd((&pairs.member[2u]), 1u);
-                        }
-                        atomicStore((&shared_[12u]), _e748);
+                    workgroupBarrier();
+                    let _e797 = local;
+                    let _e798 = (_e797 - _e751);
+                    if (_e67 == 0u) {
+                        let _e801 = sums[255u];
+                        atomicStore((&shared_[6u]), (_e801 & 65535u));
+                        atomicStore((&shared_[7u]), (_e801 >> bitcast<u32>(16i)));
                     }
-                    if (_e703 > 0u) {
-                        let _e756 = atomicAdd((&control.member[1537u]), _e703);
-                        if ((_e756 + _e703) < _e756) {
-                            let _e760 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e81.member_4 > 0u) {
+                        sums[_e67] = _e746[2];
+                        phi_1126_ = type_9(0u, 7u);
+                        phi_1129_ = 0u;
+                        phi_1131_ = 1u;
+                        phi_1133_ = _e746[2];
+                        phi_1130_ = 128u;
+                        loop {
+                            let _e812 = phi_1126_;
+                            let _e814 = phi_1129_;
+                            let _e816 = phi_1131_;
+                            let _e818 = phi_1133_;
+                            let _e820 = phi_1130_;
+                            local_1 = _e818;
+                            if (_e812.member < _e812.member_1) {
+                                phi_1127_ = type_9((_e812.member + 1u), _e812.member_1);
+                                phi_1156_ = type_9(1u, _e812.member);
+                            } else {
+                                phi_1127_ = _e812;
+                                phi_1156_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e832 = phi_1127_;
+                            let _e834 = phi_1156_;
+                            let _e837 = (bitcast<i32>(_e834.member) != 0i);
+                            if _e837 {
+                                workgroupBarrier();
+                                if (_e67 >= _e816) {
+                                    let _e842 = sums[((_e814 + _e67) - _e816)];
+                                    phi_1172_ = (_e818 + _e842);
+                                } else {
+                                    phi_1172_ = _e818;
+                                }
+                                let _e845 = phi_1172_;
+                                sums[(_e820 + _e67)] = _e845;
+                                phi_1132_ = (_e816 * 2u);
+                                phi_1134_ = _e845;
+                            } else {
+                                phi_1132_ = u32();
+                                phi_1134_ = u32();
+                            }
+                            let _e850 = phi_1132_;
+                            let _e852 = phi_1134_;
+                            continue;
+                            continuing {
+                                phi_1126_ = _e832;
+                                phi_1129_ = _e820;
+                                phi_1131_ = _e850;
+                                phi_1133_ = _e852;
+                                phi_1130_ = _e814;
+                                break if !(_e837);
+                            }
                         }
-                        atomicStore((&shared_[13u]), _e756);
+                        workgroupBarrier();
+                        let _e856 = local_1;
+                        if (_e67 == 0u) {
+                            let _e860 = sums[255u];
+                            atomicStore((&shared_[8u]), _e860);
+                        }
+                        phi_1187_ = (_e856 - _e746[2]);
+                    } else {
+                        phi_1187_ = 0u;
+                    }
+                    let _e863 = phi_1187_;
+                    if (_e339 > 1u) {
+                        phi_1194_ = 1u;
+                    } else {
+                        phi_1194_ = 2u;
+                    }
+                    let _e869 = phi_1194_;
+                    if (_e869 == 1u) {
+                        phi_1199_ = (_e798 & 65535u);
+                    } else {
+                        phi_1199_ = (_e798 >> bitcast<u32>(16i));
+                    }
+                    let _e872 = phi_1199_;
+                    phi_1272_ = array<u32, 2>(_e872, _e863);
+                } else {
+                    let _e672 = countOneBits(_e666);
+                    if (_e339 > 1u) {
+                        phi_1210_ = 1u;
+                    } else {
+                        phi_1210_ = 2u;
+                    }
+                    let _e678 = phi_1210_;
+                    if (_e678 == 1u) {
+                        phi_1217_ = array<u32, 3>(_e672, 0u, countOneBits(_e668));
+                    } else {
+                        phi_1217_ = array<u32, 3>(0u, _e672, (countOneBits(_e668) + _e672));
+                    }
+                    let _e683 = phi_1217_;
+                    if (_e81.member_4 == 0u) {
+                        phi_1223_ = array<u32, 3>(_e683[0], _e683[1], 0u);
+                    } else {
+                        phi_1223_ = _e683;
+                    }
+                    let _e689 = phi_1223_;
+                    if (_e689[0] > 0u) {
+                        let _e694 = atomicAdd((&shared_[6u]), _e689[0]);
+                        phi_1235_ = array<u32, 3>(_e694, 0u, 0u);
+                    } else {
+                        phi_1235_ = array<u32, 3>(0u, 0u, 0u);
+                    }
+                    let _e697 = phi_1235_;
+                    if (_e689[1] > 0u) {
+                        let _e702 = atomicAdd((&shared_[7u]), _e689[1]);
+                        phi_1246_ = array<u32, 3>(_e697[0], _e702, _e697[2]);
+                    } else {
+                        phi_1246_ = _e697;
+                    }
+                    let _e707 = phi_1246_;
+                    if (_e689[2] > 0u) {
+                        let _e712 = atomicAdd((&shared_[8u]), _e689[2]);
+                        phi_1257_ = array<u32, 3>(_e707[0], _e707[1], _e712);
+                    } else {
+                        phi_1257_ = _e707;
+                    }
+                    let _e717 = phi_1257_;
+                    if (_e339 > 1u) {
+                        phi_1262_ = 1u;
+                    } else {
+                        phi_1262_ = 2u;
+                    }
+                    let _e720 = phi_1262_;
+                    if (_e720 == 1u) {
+                        phi_1269_ = _e717[0];
+                    } else {
+                        phi_1269_ = _e717[1];
+                    }
+                    let _e725 = phi_1269_;
+                    phi_1272_ = array<u32, 2>(_e725, _e717[2]);
+                }
+                let _e875 = phi_1272_;
+                workgroupBarrier();
+                if (_e67 == 0u) {
+                    let _e878 = atomicLoad((&shared_[6u]));
+                    let _e880 = atomicLoad((&shared_[7u]));
+                    let _e882 = atomicLoad((&shared_[8u]));
+                    let _e884 = atomicLoad((&shared_[1u]));
+                    let _e886 = atomicLoad((&shared_[2u]));
+                    let _e888 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e888 + 1u));
+                    let _e892 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e892 + _e884) + _e886));
+                    let _e897 = atomicLoad((&shared_[0u]));
+                    let _e898 = (_e897 - _e884);
+                    let _e900 = (_e81.member_10 - _e898);
+                    if (_e900 < _e878) {
+                        phi_1316_ = _e900;
+                    } else {
+                        phi_1316_ = _e878;
+                    }
+                    let _e903 = phi_1316_;
+                    atomicStore((&shared_[9u]), _e898);
+                    atomicStore((&shared_[10u]), _e903);
+                    atomicStore((&shared_[0u]), (_e898 + _e903));
+                    if (_e878 > _e903) {
+                        let _e909 = (_e878 - _e903);
+                        if (_e81.member_13 == 0u) {
+                        } else {
+                            let _e913 = atomicMax((&control.member[1536u]), 4294967295u);
+                        }
+                        let _e916 = atomicAdd((&control.member[(_e83.member_1 + 1u)]), _e909);
+                        let _e919 = atomicMax((&nodes.member[0u]), (_e916 + _e909));
+                        if ((_e916 + _e909) < _e916) {
+                            let _e923 = atomicAdd((&nodes.member[2u]), 1u);
+                        }
+                        atomicStore((&shared_[11u]), _e916);
+                    }
+                    if (_e880 > 0u) {
+                        let _e927 = atomicAdd((&pairs.member[0u]), _e880);
+                        if ((_e927 + _e880) < _e927) {
+                            let _e931 = atomicAdd((&pairs.member[2u]), 1u);
+                        }
+                        atomicStore((&shared_[12u]), _e927);
+                    }
+                    if (_e882 > 0u) {
+                        let _e935 = atomicAdd((&control.member[1537u]), _e882);
+                        if ((_e935 + _e882) < _e935) {
+                            let _e939 = atomicAdd((&control.member[1538u]), 1u);
+                        }
+                        atomicStore((&shared_[13u]), _e935);
                     }
                 }
                 workgroupBarrier();
-                if (_e334 > 1u) {
-                    phi_1181_ = 1u;
+                if (_e339 > 1u) {
+                    phi_1403_ = 1u;
                 } else {
-                    phi_1181_ = 2u;
+                    phi_1403_ = 2u;
                 }
-                let _e767 = phi_1181_;
-                phi_1184_ = type_9(0u, 32u);
-                phi_1187_ = _e696[1];
-                phi_1189_ = _e696[0];
-                phi_1191_ = (_e661 | _e663);
+                let _e946 = phi_1403_;
+                phi_1406_ = type_9(0u, 32u);
+                phi_1409_ = _e875[1];
+                phi_1411_ = _e875[0];
+                phi_1413_ = (_e666 | _e668);
                 loop {
-                    let _e769 = phi_1184_;
-                    let _e771 = phi_1187_;
-                    let _e773 = phi_1189_;
-                    let _e775 = phi_1191_;
-                    if (_e769.member < _e769.member_1) {
-                        phi_1185_ = type_9((_e769.member + 1u), _e769.member_1);
-                        phi_1214_ = type_9(1u, _e769.member);
+                    let _e948 = phi_1406_;
+                    let _e950 = phi_1409_;
+                    let _e952 = phi_1411_;
+                    let _e954 = phi_1413_;
+                    if (_e948.member < _e948.member_1) {
+                        phi_1407_ = type_9((_e948.member + 1u), _e948.member_1);
+                        phi_1436_ = type_9(1u, _e948.member);
                     } else {
-                        phi_1185_ = _e769;
-                        phi_1214_ = type_9(0u, type_9().member_1);
+                        phi_1407_ = _e948;
+                        phi_1436_ = type_9(0u, type_9().member_1);
                     }
-                    let _e787 = phi_1185_;
-                    let _e789 = phi_1214_;
-                    if (bitcast<i32>(_e789.member) != 0i) {
-                        if (_e775 == 0u) {
-                            phi_1345_ = u32();
-                            phi_1346_ = u32();
-                            phi_1347_ = u32();
-                            phi_1348_ = false;
+                    let _e966 = phi_1407_;
+                    let _e968 = phi_1436_;
+                    if (bitcast<i32>(_e968.member) != 0i) {
+                        if (_e954 == 0u) {
+                            phi_1567_ = u32();
+                            phi_1568_ = u32();
+                            phi_1569_ = u32();
+                            phi_1570_ = false;
                         } else {
-                            let _e796 = select(firstTrailingBit(_e775), 32u, (_e775 == 0u));
-                            let _e799 = (_e337 + _e796);
-                            let _e802 = ((_e334 << bitcast<u32>(27u)) | _e336);
-                            if (((_e663 >> bitcast<u32>((_e796 & 31u))) & 1u) == 1u) {
-                                phi_1240_ = 3u;
+                            let _e975 = select(firstTrailingBit(_e954), 32u, (_e954 == 0u));
+                            let _e978 = (_e342 + _e975);
+                            let _e981 = ((_e339 << bitcast<u32>(27u)) | _e341);
+                            if (((_e668 >> bitcast<u32>((_e975 & 31u))) & 1u) == 1u) {
+                                phi_1462_ = 3u;
                             } else {
-                                phi_1240_ = _e767;
+                                phi_1462_ = _e946;
                             }
-                            let _e809 = phi_1240_;
-                            if (_e809 == 1u) {
-                                let _e842 = atomicLoad((&shared_[10u]));
-                                if (_e773 < _e842) {
-                                    let _e858 = atomicLoad((&shared_[9u]));
-                                    let _e860 = (2u * (_e858 + _e773));
-                                    stack[_e860] = _e802;
-                                    stack[(_e860 + 1u)] = _e799;
+                            let _e988 = phi_1462_;
+                            if (_e988 == 1u) {
+                                let _e1021 = atomicLoad((&shared_[10u]));
+                                if (_e952 < _e1021) {
+                                    let _e1037 = atomicLoad((&shared_[9u]));
+                                    let _e1039 = (2u * (_e1037 + _e952));
+                                    stack[_e1039] = _e981;
+                                    stack[(_e1039 + 1u)] = _e978;
                                 } else {
-                                    let _e845 = atomicLoad((&shared_[11u]));
-                                    let _e847 = ((_e845 + _e773) - _e842);
-                                    if (_e847 < _e76.member_3) {
-                                        let _e850 = (_e89 + _e847);
-                                        if (_e850 < 4294967295u) {
-                                            let _e852 = (2u * _e850);
-                                            atomicStore((&nodes.member[(4u + _e852)]), _e802);
-                                            atomicStore((&nodes.member[(_e852 + 5u)]), _e799);
+                                    let _e1024 = atomicLoad((&shared_[11u]));
+                                    let _e1026 = ((_e1024 + _e952) - _e1021);
+                                    if (_e1026 < _e81.member_3) {
+                                        let _e1029 = (_e94 + _e1026);
+                                        if (_e1029 < 4294967295u) {
+                                            let _e1031 = (2u * _e1029);
+                                            atomicStore((&nodes.member[(4u + _e1031)]), _e981);
+                                            atomicStore((&nodes.member[(_e1031 + 5u)]), _e978);
                                         }
                                     }
                                 }
                             } else {
-                                if (_e809 == 0u) {
+                                if (_e988 == 0u) {
                                 } else {
-                                    if (_e809 == 2u) {
-                                        let _e815 = params.member.member_1;
-                                        let _e818 = atomicLoad((&shared_[12u]));
-                                        let _e819 = (_e818 + _e773);
-                                        if (_e819 < _e815.member_3) {
-                                            let _e821 = (2u * _e819);
-                                            atomicStore((&pairs.member[(4u + _e821)]), (_e802 & 134217727u));
-                                            atomicStore((&pairs.member[(_e821 + 5u)]), _e799);
+                                    if (_e988 == 2u) {
+                                        let _e994 = params.member.member_1;
+                                        let _e997 = atomicLoad((&shared_[12u]));
+                                        let _e998 = (_e997 + _e952);
+                                        if (_e998 < _e994.member_3) {
+                                            let _e1000 = (2u * _e998);
+                                            atomicStore((&pairs.member[(4u + _e1000)]), (_e981 & 134217727u));
+                                            atomicStore((&pairs.member[(_e1000 + 5u)]), _e978);
                                         }
                                     }
-                                    if (_e76.member_4 > 0u) {
-                                        let _e829 = atomicLoad((&shared_[13u]));
-                                        let _e830 = (_e829 + _e771);
-                                        if (_e830 < _e76.member_4) {
-                                            let _e837 = (2u * ((_e76.member_5 * _e76.member_4) + _e830));
-                                            front.member[_e837] = _e802;
-                                            front.member[(_e837 + 1u)] = _e799;
+                                    if (_e81.member_4 > 0u) {
+                                        let _e1008 = atomicLoad((&shared_[13u]));
+                                        let _e1009 = (_e1008 + _e950);
+                                        if (_e1009 < _e81.member_4) {
+                                            let _e1016 = (2u * ((_e81.member_5 * _e81.member_4) + _e1009));
+                                            front.member[_e1016] = _e981;
+                                            front.member[(_e1016 + 1u)] = _e978;
                                         }
                                     }
                                 }
                             }
-                            phi_1345_ = (_e771 + select(0u, 1u, (_e809 != 1u)));
-                            phi_1346_ = (_e773 + select(0u, 1u, (_e809 != 3u)));
-                            phi_1347_ = (_e775 & (_e775 - 1u));
-                            phi_1348_ = true;
+                            phi_1567_ = (_e950 + select(0u, 1u, (_e988 != 1u)));
+                            phi_1568_ = (_e952 + select(0u, 1u, (_e988 != 3u)));
+                            phi_1569_ = (_e954 & (_e954 - 1u));
+                            phi_1570_ = true;
                         }
-                        let _e871 = phi_1345_;
-                        let _e873 = phi_1346_;
-                        let _e875 = phi_1347_;
-                        let _e877 = phi_1348_;
-                        phi_1188_ = _e871;
-                        phi_1190_ = _e873;
-                        phi_1192_ = _e875;
-                        phi_1349_ = _e877;
+                        let _e1050 = phi_1567_;
+                        let _e1052 = phi_1568_;
+                        let _e1054 = phi_1569_;
+                        let _e1056 = phi_1570_;
+                        phi_1410_ = _e1050;
+                        phi_1412_ = _e1052;
+                        phi_1414_ = _e1054;
+                        phi_1571_ = _e1056;
                     } else {
-                        phi_1188_ = u32();
-                        phi_1190_ = u32();
-                        phi_1192_ = u32();
-                        phi_1349_ = false;
+                        phi_1410_ = u32();
+                        phi_1412_ = u32();
+                        phi_1414_ = u32();
+                        phi_1571_ = false;
                     }
-                    let _e879 = phi_1188_;
-                    let _e881 = phi_1190_;
-                    let _e883 = phi_1192_;
-                    let _e885 = phi_1349_;
+                    let _e1058 = phi_1410_;
+                    let _e1060 = phi_1412_;
+                    let _e1062 = phi_1414_;
+                    let _e1064 = phi_1571_;
                     continue;
                     continuing {
-                        phi_1184_ = _e787;
-                        phi_1187_ = _e879;
-                        phi_1189_ = _e881;
-                        phi_1191_ = _e883;
-                        break if !(_e885);
+                        phi_1406_ = _e966;
+                        phi_1409_ = _e1058;
+                        phi_1411_ = _e1060;
+                        phi_1413_ = _e1062;
+                        break if !(_e1064);
                     }
                 }
-                phi_1350_ = true;
+                phi_1572_ = true;
             }
-            let _e888 = phi_1350_;
-            phi_1351_ = _e888;
+            let _e1067 = phi_1572_;
+            phi_1573_ = _e1067;
         } else {
-            phi_1351_ = false;
+            phi_1573_ = false;
         }
-        let _e890 = phi_1351_;
+        let _e1069 = phi_1573_;
         continue;
         continuing {
-            phi_208_ = _e110;
-            break if !(_e890);
+            phi_215_ = _e115;
+            break if !(_e1069);
         }
     }
-    if (_e62 == 0u) {
-        if (_e76.member_6 == 0u) {
-            if (_e73 < _e86) {
-                phi_1374_ = ((((_e86 - 1u) - _e73) >> bitcast<u32>((_e76.member_7 & 31u))) + 1u);
+    if (_e67 == 0u) {
+        if (_e81.member_6 == 0u) {
+            if (_e78 < _e91) {
+                phi_1596_ = ((((_e91 - 1u) - _e78) >> bitcast<u32>((_e81.member_7 & 31u))) + 1u);
             } else {
-                phi_1374_ = 0u;
+                phi_1596_ = 0u;
             }
-            let _e904 = phi_1374_;
-            let _e906 = atomicLoad((&shared_[5u]));
-            phi_1379_ = (_e904 - _e906);
+            let _e1083 = phi_1596_;
+            let _e1085 = atomicLoad((&shared_[5u]));
+            phi_1601_ = (_e1083 - _e1085);
         } else {
-            phi_1379_ = 0u;
+            phi_1601_ = 0u;
         }
-        let _e909 = phi_1379_;
-        atomicStore((&shared_[14u]), _e909);
-        let _e912 = atomicLoad((&shared_[0u]));
-        let _e913 = (_e912 + _e909);
-        if (_e76.member_6 == 2u) {
-            let _e940 = (((_e86 + (1u << bitcast<u32>((_e76.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e76.member_7 & 31u)));
-            let _e941 = (_e73 * _e940);
-            if (_e86 < _e941) {
-                phi_1405_ = _e86;
+        let _e1088 = phi_1601_;
+        atomicStore((&shared_[14u]), _e1088);
+        let _e1091 = atomicLoad((&shared_[0u]));
+        let _e1092 = (_e1091 + _e1088);
+        if (_e81.member_6 == 2u) {
+            let _e1119 = (((_e91 + (1u << bitcast<u32>((_e81.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e81.member_7 & 31u)));
+            let _e1120 = (_e78 * _e1119);
+            if (_e91 < _e1120) {
+                phi_1627_ = _e91;
             } else {
-                phi_1405_ = _e941;
+                phi_1627_ = _e1120;
             }
-            let _e944 = phi_1405_;
-            let _e945 = (_e86 - _e944);
-            if (_e945 < _e940) {
-                phi_1411_ = _e945;
+            let _e1123 = phi_1627_;
+            let _e1124 = (_e91 - _e1123);
+            if (_e1124 < _e1119) {
+                phi_1633_ = _e1124;
             } else {
-                phi_1411_ = _e940;
+                phi_1633_ = _e1119;
             }
-            let _e948 = phi_1411_;
-            let _e955 = ((1540u + (2u * (1u << bitcast<u32>((_e76.member_7 & 31u))))) + (2u * _e73));
-            let _e957 = atomicLoad((&shared_[0u]));
-            atomicStore((&control.member[_e955]), _e957);
-            let _e961 = atomicLoad((&shared_[5u]));
-            atomicStore((&control.member[(_e955 + 1u)]), (_e948 - _e961));
+            let _e1127 = phi_1633_;
+            let _e1134 = ((1540u + (2u * (1u << bitcast<u32>((_e81.member_7 & 31u))))) + (2u * _e78));
+            let _e1136 = atomicLoad((&shared_[0u]));
+            atomicStore((&control.member[_e1134]), _e1136);
+            let _e1140 = atomicLoad((&shared_[5u]));
+            atomicStore((&control.member[(_e1134 + 1u)]), (_e1127 - _e1140));
         } else {
-            if (_e913 > 0u) {
-                if (_e76.member_12 == 0u) {
+            if (_e1092 > 0u) {
+                if (_e81.member_13 == 0u) {
                 } else {
-                    let _e920 = atomicMax((&control.member[1536u]), 4294967295u);
+                    let _e1099 = atomicMax((&control.member[1536u]), 4294967295u);
                 }
-                let _e923 = atomicAdd((&control.member[(_e78.member_1 + 1u)]), _e913);
-                let _e926 = atomicMax((&nodes.member[0u]), (_e923 + _e913));
-                if ((_e923 + _e913) < _e923) {
-                    let _e930 = atomicAdd((&nodes.member[2u]), 1u);
+                let _e1102 = atomicAdd((&control.member[(_e83.member_1 + 1u)]), _e1092);
+                let _e1105 = atomicMax((&nodes.member[0u]), (_e1102 + _e1092));
+                if ((_e1102 + _e1092) < _e1102) {
+                    let _e1109 = atomicAdd((&nodes.member[2u]), 1u);
                 }
-                atomicStore((&shared_[17u]), _e923);
+                atomicStore((&shared_[17u]), _e1102);
             }
         }
-        let _e967 = atomicLoad((&shared_[15u]));
-        let _e969 = atomicAdd((&control.member[(1540u + (2u * _e73))]), _e967);
-        let _e973 = atomicLoad((&shared_[16u]));
-        let _e975 = atomicAdd((&control.member[((2u * _e73) + 1541u)]), _e973);
+        let _e1146 = atomicLoad((&shared_[15u]));
+        let _e1148 = atomicAdd((&control.member[(1540u + (2u * _e78))]), _e1146);
+        let _e1152 = atomicLoad((&shared_[16u]));
+        let _e1154 = atomicAdd((&control.member[((2u * _e78) + 1541u)]), _e1152);
     }
     workgroupBarrier();
-    let _e977 = atomicLoad((&shared_[0u]));
-    let _e979 = atomicLoad((&shared_[17u]));
-    let _e981 = atomicLoad((&shared_[14u]));
-    phi_1499_ = type_9(0u, 8u);
+    let _e1156 = atomicLoad((&shared_[0u]));
+    let _e1158 = atomicLoad((&shared_[17u]));
+    let _e1160 = atomicLoad((&shared_[14u]));
+    phi_1721_ = type_9(0u, 8u);
     loop {
-        let _e983 = phi_1499_;
-        if (_e983.member < _e983.member_1) {
-            phi_1500_ = type_9((_e983.member + 1u), _e983.member_1);
-            phi_1523_ = type_9(1u, _e983.member);
+        let _e1162 = phi_1721_;
+        if (_e1162.member < _e1162.member_1) {
+            phi_1722_ = type_9((_e1162.member + 1u), _e1162.member_1);
+            phi_1745_ = type_9(1u, _e1162.member);
         } else {
-            phi_1500_ = _e983;
-            phi_1523_ = type_9(0u, type_9().member_1);
+            phi_1722_ = _e1162;
+            phi_1745_ = type_9(0u, type_9().member_1);
         }
-        let _e995 = phi_1500_;
-        let _e997 = phi_1523_;
-        let _e1001 = (bitcast<i32>(_e997.member) != 0i);
-        if _e1001 {
-            let _e1003 = ((_e997.member_1 * 128u) + _e62);
-            if (_e1003 < _e977) {
-                let _e1007 = stack[(2u * _e1003)];
-                let _e1011 = stack[((2u * _e1003) + 1u)];
-                if (_e76.member_6 == 2u) {
-                    let _e1043 = ((((((1540u + (2u * (1u << bitcast<u32>((_e76.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e76.member_7 & 31u))))) + (1u << bitcast<u32>((_e76.member_7 & 31u)))) + 1u) + (_e73 * 2048u)) + (2u * _e1003));
-                    atomicStore((&control.member[_e1043]), _e1007);
-                    atomicStore((&control.member[(_e1043 + 1u)]), _e1011);
+        let _e1174 = phi_1722_;
+        let _e1176 = phi_1745_;
+        let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+        if _e1180 {
+            let _e1182 = ((_e1176.member_1 * 128u) + _e67);
+            if (_e1182 < _e1156) {
+                let _e1186 = stack[(2u * _e1182)];
+                let _e1190 = stack[((2u * _e1182) + 1u)];
+                if (_e81.member_6 == 2u) {
+                    let _e1222 = ((((((1540u + (2u * (1u << bitcast<u32>((_e81.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e81.member_7 & 31u))))) + (1u << bitcast<u32>((_e81.member_7 & 31u)))) + 1u) + (_e78 * 2048u)) + (2u * _e1182));
+                    atomicStore((&control.member[_e1222]), _e1186);
+                    atomicStore((&control.member[(_e1222 + 1u)]), _e1190);
                 } else {
-                    let _e1014 = (_e979 + _e1003);
-                    if (_e1014 < _e76.member_3) {
-                        let _e1017 = (_e89 + _e1014);
-                        if (_e1017 < 4294967295u) {
-                            let _e1019 = (2u * _e1017);
-                            atomicStore((&nodes.member[(4u + _e1019)]), _e1007);
-                            atomicStore((&nodes.member[(_e1019 + 5u)]), _e1011);
+                    let _e1193 = (_e1158 + _e1182);
+                    if (_e1193 < _e81.member_3) {
+                        let _e1196 = (_e94 + _e1193);
+                        if (_e1196 < 4294967295u) {
+                            let _e1198 = (2u * _e1196);
+                            atomicStore((&nodes.member[(4u + _e1198)]), _e1186);
+                            atomicStore((&nodes.member[(_e1198 + 5u)]), _e1190);
                         }
                     }
                 }
@@ -1007,105 +1210,105 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_1499_ = _e995;
-            break if !(_e1001);
+            phi_1721_ = _e1174;
+            break if !(_e1180);
         }
     }
-    let _e1049 = atomicLoad((&shared_[5u]));
-    let _e1050 = (_e981 / 128u);
-    if ((_e981 % 128u) > 0u) {
-        phi_1614_ = (_e1050 + 1u);
+    let _e1228 = atomicLoad((&shared_[5u]));
+    let _e1229 = (_e1160 / 128u);
+    if ((_e1160 % 128u) > 0u) {
+        phi_1836_ = (_e1229 + 1u);
     } else {
-        phi_1614_ = _e1050;
+        phi_1836_ = _e1229;
     }
-    let _e1055 = phi_1614_;
-    phi_1617_ = type_9(0u, _e1055);
+    let _e1234 = phi_1836_;
+    phi_1839_ = type_9(0u, _e1234);
     loop {
-        let _e1058 = phi_1617_;
-        if (_e1058.member < _e1058.member_1) {
-            phi_1618_ = type_9((_e1058.member + 1u), _e1058.member_1);
-            phi_1641_ = type_9(1u, _e1058.member);
+        let _e1237 = phi_1839_;
+        if (_e1237.member < _e1237.member_1) {
+            phi_1840_ = type_9((_e1237.member + 1u), _e1237.member_1);
+            phi_1863_ = type_9(1u, _e1237.member);
         } else {
-            phi_1618_ = _e1058;
-            phi_1641_ = type_9(0u, type_9().member_1);
+            phi_1840_ = _e1237;
+            phi_1863_ = type_9(0u, type_9().member_1);
         }
-        let _e1070 = phi_1618_;
-        let _e1072 = phi_1641_;
-        let _e1076 = (bitcast<i32>(_e1072.member) != 0i);
-        if _e1076 {
-            let _e1078 = ((_e1072.member_1 * 128u) + _e62);
-            if (_e1078 < _e981) {
-                let _e1087 = (2u * ((_e87 + _e73) + ((_e1049 + _e1078) << bitcast<u32>((_e76.member_7 & 31u)))));
-                let _e1090 = atomicLoad((&nodes.member[(4u + _e1087)]));
-                let _e1093 = atomicLoad((&nodes.member[(_e1087 + 5u)]));
-                let _e1095 = ((_e979 + _e977) + _e1078);
-                if (_e1095 < _e76.member_3) {
-                    let _e1098 = (_e89 + _e1095);
-                    if (_e1098 < 4294967295u) {
-                        let _e1100 = (2u * _e1098);
-                        atomicStore((&nodes.member[(4u + _e1100)]), _e1090);
-                        atomicStore((&nodes.member[(_e1100 + 5u)]), _e1093);
+        let _e1249 = phi_1840_;
+        let _e1251 = phi_1863_;
+        let _e1255 = (bitcast<i32>(_e1251.member) != 0i);
+        if _e1255 {
+            let _e1257 = ((_e1251.member_1 * 128u) + _e67);
+            if (_e1257 < _e1160) {
+                let _e1266 = (2u * ((_e92 + _e78) + ((_e1228 + _e1257) << bitcast<u32>((_e81.member_7 & 31u)))));
+                let _e1269 = atomicLoad((&nodes.member[(4u + _e1266)]));
+                let _e1272 = atomicLoad((&nodes.member[(_e1266 + 5u)]));
+                let _e1274 = ((_e1158 + _e1156) + _e1257);
+                if (_e1274 < _e81.member_3) {
+                    let _e1277 = (_e94 + _e1274);
+                    if (_e1277 < 4294967295u) {
+                        let _e1279 = (2u * _e1277);
+                        atomicStore((&nodes.member[(4u + _e1279)]), _e1269);
+                        atomicStore((&nodes.member[(_e1279 + 5u)]), _e1272);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_1617_ = _e1070;
-            break if !(_e1076);
+            phi_1839_ = _e1249;
+            break if !(_e1255);
         }
     }
-    if (_e76.member_6 == 1u) {
-        if (_e1049 == 0u) {
-            phi_1722_ = type_9(0u, _e86);
+    if (_e81.member_6 == 1u) {
+        if (_e1228 == 0u) {
+            phi_1944_ = type_9(0u, _e91);
             loop {
-                let _e1111 = phi_1722_;
-                if (_e1111.member < _e1111.member_1) {
-                    phi_1723_ = type_9((_e1111.member + 1u), _e1111.member_1);
-                    phi_1746_ = type_9(1u, _e1111.member);
+                let _e1290 = phi_1944_;
+                if (_e1290.member < _e1290.member_1) {
+                    phi_1945_ = type_9((_e1290.member + 1u), _e1290.member_1);
+                    phi_1968_ = type_9(1u, _e1290.member);
                 } else {
-                    phi_1723_ = _e1111;
-                    phi_1746_ = type_9(0u, type_9().member_1);
+                    phi_1945_ = _e1290;
+                    phi_1968_ = type_9(0u, type_9().member_1);
                 }
-                let _e1123 = phi_1723_;
-                let _e1125 = phi_1746_;
-                if (bitcast<i32>(_e1125.member) != 0i) {
-                    let _e1131 = atomicAdd((&control.member[(512u + _e78.member_1)]), 1u);
-                    if (_e1131 >= _e86) {
-                        phi_1838_ = false;
+                let _e1302 = phi_1945_;
+                let _e1304 = phi_1968_;
+                if (bitcast<i32>(_e1304.member) != 0i) {
+                    let _e1310 = atomicAdd((&control.member[(512u + _e83.member_1)]), 1u);
+                    if (_e1310 >= _e91) {
+                        phi_2060_ = false;
                     } else {
-                        let _e1134 = (2u * (_e87 + _e1131));
-                        let _e1137 = atomicLoad((&nodes.member[(4u + _e1134)]));
-                        let _e1140 = atomicLoad((&nodes.member[(_e1134 + 5u)]));
-                        if (_e76.member_12 == 0u) {
+                        let _e1313 = (2u * (_e92 + _e1310));
+                        let _e1316 = atomicLoad((&nodes.member[(4u + _e1313)]));
+                        let _e1319 = atomicLoad((&nodes.member[(_e1313 + 5u)]));
+                        if (_e81.member_13 == 0u) {
                         } else {
-                            let _e1144 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e1323 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1147 = atomicAdd((&control.member[(_e78.member_1 + 1u)]), 1u);
-                        let _e1150 = atomicMax((&nodes.member[0u]), (_e1147 + 1u));
-                        if ((_e1147 + 1u) < _e1147) {
-                            let _e1154 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e1326 = atomicAdd((&control.member[(_e83.member_1 + 1u)]), 1u);
+                        let _e1329 = atomicMax((&nodes.member[0u]), (_e1326 + 1u));
+                        if ((_e1326 + 1u) < _e1326) {
+                            let _e1333 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e1147 < _e76.member_3) {
-                            let _e1157 = (_e89 + _e1147);
-                            if (_e1157 < 4294967295u) {
-                                let _e1159 = (2u * _e1157);
-                                atomicStore((&nodes.member[(4u + _e1159)]), _e1137);
-                                atomicStore((&nodes.member[(_e1159 + 5u)]), _e1140);
+                        if (_e1326 < _e81.member_3) {
+                            let _e1336 = (_e94 + _e1326);
+                            if (_e1336 < 4294967295u) {
+                                let _e1338 = (2u * _e1336);
+                                atomicStore((&nodes.member[(4u + _e1338)]), _e1316);
+                                atomicStore((&nodes.member[(_e1338 + 5u)]), _e1319);
                             }
                         }
-                        phi_1838_ = true;
+                        phi_2060_ = true;
                     }
-                    let _e1165 = phi_1838_;
-                    phi_1839_ = _e1165;
+                    let _e1344 = phi_2060_;
+                    phi_2061_ = _e1344;
                 } else {
-                    phi_1839_ = false;
+                    phi_2061_ = false;
                 }
-                let _e1167 = phi_1839_;
+                let _e1346 = phi_2061_;
                 continue;
                 continuing {
-                    phi_1722_ = _e1123;
-                    break if !(_e1167);
+                    phi_1944_ = _e1302;
+                    break if !(_e1346);
                 }
             }
         }

@@ -60,6 +60,7 @@ struct type_16 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_17 {

@@ -71,6 +71,7 @@ struct type_20 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_21 {
@@ -1648,7 +1649,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
     }
-    let _e1799 = params.member.member_2.member_11;
+    let _e1799 = params.member.member_2.member_12;
     phi_3091_ = type_9(0u, _e1799);
     loop {
         let _e1802 = phi_3091_;

@@ -65,6 +65,7 @@ struct type_18 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_19 {

@@ -35,18 +35,18 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_18 {
-    member: array<type_16>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_20 {
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -65,193 +65,223 @@ struct type_20 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-}
-
-struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
+    member_18: u32,
 }
 
 struct type_22 {
-    member: type_21,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_21,
 }
 
-struct type_24 {
+struct type_23 {
+    member: type_22,
+}
+
+struct type_25 {
     member: array<array<u32, 2>, 4>,
     member_1: array<array<u32, 2>, 4>,
 }
 
-struct type_25 {
+struct type_26 {
     member: array<u32, 2>,
     member_1: u32,
 }
 
-struct type_28 {
+struct type_27 {
+    member: array<u32, 2>,
+    member_1: array<u32, 2>,
+    member_2: array<u32, 2>,
+    member_3: array<u32, 2>,
+}
+
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_23;
 @group(0) @binding(6) 
 var<storage, read_write> front: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> pairs: type_28;
+var<storage, read_write> pairs: type_30;
 @group(0) @binding(1) 
-var<storage> a: type_18;
+var<storage> a: type_19;
 @group(0) @binding(2) 
-var<storage> b: type_18;
+var<storage> b: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> control: type_28;
+var<storage, read_write> control: type_30;
 @group(0) @binding(4) 
-var<storage, read_write> nodes: type_28;
+var<storage, read_write> nodes: type_30;
 var<workgroup> shared_: array<atomic<u32>, 22>;
 var<workgroup> state: array<u32, 1>;
 var<workgroup> stack: array<u32, 2048>;
+var<workgroup> sums: array<u32, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_166_: u32;
-    var phi_204_: type_9;
-    var phi_205_: type_9;
-    var phi_228_: type_9;
-    var phi_252_: u32;
-    var phi_283_: bool;
-    var phi_287_: u32;
-    var phi_288_: u32;
-    var phi_289_: u32;
-    var phi_387_: u32;
-    var phi_392_: u32;
-    var phi_397_: u32;
-    var phi_410_: u32;
-    var phi_416_: u32;
-    var phi_425_: u32;
-    var phi_354_: u32;
-    var phi_360_: u32;
-    var phi_366_: u32;
-    var phi_426_: u32;
-    var phi_317_: u32;
-    var phi_323_: u32;
-    var phi_427_: u32;
-    var phi_428_: u32;
-    var phi_429_: u32;
-    var phi_449_: u32;
-    var phi_450_: u32;
-    var phi_533_: array<u32, 2>;
-    var phi_534_: array<u32, 2>;
-    var phi_551_: array<u32, 2>;
-    var phi_580_: u32;
-    var phi_654_: array<u32, 2>;
-    var phi_668_: array<u32, 2>;
-    var phi_705_: array<u32, 2>;
-    var phi_707_: type_24;
-    var phi_708_: type_24;
-    var phi_709_: bool;
-    var phi_710_: type_24;
-    var phi_711_: bool;
-    var phi_727_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_882_: array<u32, 2>;
-    var phi_911_: array<u32, 2>;
-    var phi_940_: array<u32, 2>;
-    var phi_969_: array<u32, 2>;
-    var phi_971_: type_24;
-    var phi_972_: bool;
-    var phi_973_: type_24;
-    var phi_974_: bool;
-    var phi_1147_: array<u32, 2>;
-    var phi_1179_: array<u32, 2>;
-    var phi_1047_: array<u32, 2>;
-    var phi_1079_: array<u32, 2>;
-    var phi_1181_: type_24;
-    var phi_1182_: type_24;
-    var phi_1183_: type_24;
-    var phi_1184_: bool;
-    var phi_1185_: type_24;
-    var phi_1186_: type_24;
-    var phi_1187_: bool;
-    var phi_1191_: type_24;
-    var phi_1202_: array<array<u32, 2>, 4>;
-    var phi_1220_: bool;
-    var phi_1221_: bool;
-    var phi_1225_: u32;
-    var phi_1226_: u32;
-    var phi_1238_: type_25;
-    var phi_1239_: type_25;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1262_: u32;
-    var phi_1263_: u32;
-    var phi_1275_: type_25;
-    var phi_1276_: type_25;
-    var phi_1294_: bool;
-    var phi_1295_: bool;
-    var phi_1299_: u32;
-    var phi_1300_: u32;
-    var phi_1312_: type_25;
-    var phi_1313_: type_25;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: u32;
-    var phi_1337_: u32;
-    var phi_1349_: type_25;
-    var phi_1350_: type_25;
-    var phi_1366_: bool;
-    var phi_1367_: bool;
-    var phi_1371_: u32;
-    var phi_1372_: u32;
-    var phi_1378_: type_25;
-    var phi_1379_: type_25;
-    var phi_1380_: type_25;
-    var phi_1381_: type_25;
-    var phi_1382_: type_25;
-    var phi_1402_: array<u32, 2>;
-    var phi_1403_: array<u32, 2>;
-    var phi_1415_: array<u32, 2>;
-    var phi_1416_: array<u32, 2>;
-    var phi_1433_: array<u32, 2>;
-    var phi_1434_: array<u32, 2>;
-    var phi_1446_: array<u32, 2>;
-    var phi_1447_: array<u32, 2>;
-    var phi_1464_: array<u32, 2>;
-    var phi_1465_: array<u32, 2>;
-    var phi_1477_: array<u32, 2>;
-    var phi_1478_: array<u32, 2>;
-    var phi_1495_: array<u32, 2>;
-    var phi_1496_: array<u32, 2>;
-    var phi_1508_: array<u32, 2>;
-    var phi_1509_: array<u32, 2>;
-    var phi_1553_: u32;
-    var phi_1738_: type_9;
-    var phi_1743_: type_9;
-    var phi_1901_: type_9;
-    var phi_1906_: type_9;
-    var phi_2064_: type_9;
-    var phi_2069_: type_9;
-    var phi_2227_: type_9;
-    var phi_2232_: type_9;
-    var phi_2285_: bool;
-    var phi_2286_: bool;
-    var phi_2309_: u32;
-    var phi_2314_: u32;
-    var phi_2340_: u32;
-    var phi_2346_: u32;
-    var phi_2434_: type_9;
-    var phi_2435_: type_9;
-    var phi_2458_: type_9;
-    var phi_2549_: u32;
-    var phi_2552_: type_9;
-    var phi_2553_: type_9;
-    var phi_2576_: type_9;
-    var phi_2657_: type_9;
-    var phi_2658_: type_9;
-    var phi_2681_: type_9;
-    var phi_2773_: bool;
-    var phi_2774_: bool;
+    var phi_174_: u32;
+    var phi_212_: type_9;
+    var phi_213_: type_9;
+    var phi_236_: type_9;
+    var phi_260_: u32;
+    var phi_291_: bool;
+    var phi_295_: u32;
+    var phi_296_: u32;
+    var phi_297_: u32;
+    var phi_395_: u32;
+    var phi_400_: u32;
+    var phi_405_: u32;
+    var phi_418_: u32;
+    var phi_424_: u32;
+    var phi_433_: u32;
+    var phi_362_: u32;
+    var phi_368_: u32;
+    var phi_374_: u32;
+    var phi_434_: u32;
+    var phi_325_: u32;
+    var phi_331_: u32;
+    var phi_435_: u32;
+    var phi_436_: u32;
+    var phi_437_: u32;
+    var phi_457_: u32;
+    var phi_458_: u32;
+    var phi_541_: array<u32, 2>;
+    var phi_542_: array<u32, 2>;
+    var phi_559_: array<u32, 2>;
+    var phi_588_: u32;
+    var phi_662_: array<u32, 2>;
+    var phi_676_: array<u32, 2>;
+    var phi_713_: array<u32, 2>;
+    var phi_715_: type_25;
+    var phi_716_: type_25;
+    var phi_717_: bool;
+    var phi_718_: type_25;
+    var phi_719_: bool;
+    var phi_735_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_890_: array<u32, 2>;
+    var phi_919_: array<u32, 2>;
+    var phi_948_: array<u32, 2>;
+    var phi_977_: array<u32, 2>;
+    var phi_979_: type_25;
+    var phi_980_: bool;
+    var phi_981_: type_25;
+    var phi_982_: bool;
+    var phi_1155_: array<u32, 2>;
+    var phi_1187_: array<u32, 2>;
+    var phi_1055_: array<u32, 2>;
+    var phi_1087_: array<u32, 2>;
+    var phi_1189_: type_25;
+    var phi_1190_: type_25;
+    var phi_1191_: type_25;
+    var phi_1192_: bool;
+    var phi_1193_: type_25;
+    var phi_1194_: type_25;
+    var phi_1195_: bool;
+    var phi_1199_: type_25;
+    var phi_1210_: array<array<u32, 2>, 4>;
+    var phi_1228_: bool;
+    var phi_1229_: bool;
+    var phi_1233_: u32;
+    var phi_1234_: u32;
+    var phi_1246_: type_26;
+    var phi_1247_: type_26;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1270_: u32;
+    var phi_1271_: u32;
+    var phi_1283_: type_26;
+    var phi_1284_: type_26;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1307_: u32;
+    var phi_1308_: u32;
+    var phi_1320_: type_26;
+    var phi_1321_: type_26;
+    var phi_1339_: bool;
+    var phi_1340_: bool;
+    var phi_1344_: u32;
+    var phi_1345_: u32;
+    var phi_1357_: type_26;
+    var phi_1358_: type_26;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1379_: u32;
+    var phi_1380_: u32;
+    var phi_1386_: type_26;
+    var phi_1387_: type_26;
+    var phi_1388_: type_26;
+    var phi_1389_: type_26;
+    var phi_1390_: type_26;
+    var phi_1710_: u32;
+    var phi_1720_: array<u32, 3>;
+    var phi_1729_: array<u32, 3>;
+    var phi_1738_: array<u32, 3>;
+    var phi_1746_: u32;
+    var phi_1771_: u32;
+    var phi_1790_: u32;
+    var phi_1809_: u32;
+    var phi_1449_: u32;
+    var phi_1456_: type_9;
+    var phi_1459_: u32;
+    var phi_1461_: u32;
+    var phi_1463_: u32;
+    var phi_1460_: u32;
+    var phi_1457_: type_9;
+    var phi_1486_: type_9;
+    var phi_1502_: u32;
+    var phi_1462_: u32;
+    var phi_1464_: u32;
+    var local: u32;
+    var phi_1529_: type_9;
+    var phi_1532_: u32;
+    var phi_1534_: u32;
+    var phi_1536_: u32;
+    var phi_1533_: u32;
+    var phi_1530_: type_9;
+    var phi_1559_: type_9;
+    var phi_1575_: u32;
+    var phi_1535_: u32;
+    var phi_1537_: u32;
+    var local_1: u32;
+    var phi_1589_: u32;
+    var phi_1597_: u32;
+    var phi_1616_: u32;
+    var phi_1635_: u32;
+    var phi_1654_: u32;
+    var phi_1812_: type_27;
+    var phi_1856_: u32;
+    var phi_2042_: type_9;
+    var phi_2047_: type_9;
+    var phi_2206_: type_9;
+    var phi_2211_: type_9;
+    var phi_2370_: type_9;
+    var phi_2375_: type_9;
+    var phi_2534_: type_9;
+    var phi_2539_: type_9;
+    var phi_2592_: bool;
+    var phi_2593_: bool;
+    var phi_2616_: u32;
+    var phi_2621_: u32;
+    var phi_2647_: u32;
+    var phi_2653_: u32;
+    var phi_2741_: type_9;
+    var phi_2742_: type_9;
+    var phi_2765_: type_9;
+    var phi_2856_: u32;
+    var phi_2859_: type_9;
+    var phi_2860_: type_9;
+    var phi_2883_: type_9;
+    var phi_2964_: type_9;
+    var phi_2965_: type_9;
+    var phi_2988_: type_9;
+    var phi_3080_: bool;
+    var phi_3081_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -259,898 +289,958 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e55 = id_2;
-    let _e56 = n_2;
-    let _e57 = lane_2;
-    let _e69 = ((_e55.y * _e56.x) + _e55.x);
-    let _e71 = params.member.member_2;
-    let _e73 = params.member.member_1;
-    let _e76 = (_e73.member_1 % 2u);
-    let _e78 = atomicLoad((&control.member[_e73.member_1]));
-    if (_e71.member_3 < _e78) {
-        phi_166_ = _e71.member_3;
+    let _e61 = id_2;
+    let _e62 = n_2;
+    let _e63 = lane_2;
+    let _e75 = ((_e61.y * _e62.x) + _e61.x);
+    let _e77 = params.member.member_2;
+    let _e79 = params.member.member_1;
+    let _e82 = (_e79.member_1 % 2u);
+    let _e84 = atomicLoad((&control.member[_e79.member_1]));
+    if (_e77.member_3 < _e84) {
+        phi_174_ = _e77.member_3;
     } else {
-        phi_166_ = _e78;
+        phi_174_ = _e84;
     }
-    let _e81 = phi_166_;
-    let _e82 = (_e76 * _e71.member_3);
-    let _e84 = ((1u - _e76) * _e71.member_3);
-    if (_e57 == 0u) {
+    let _e87 = phi_174_;
+    let _e88 = (_e82 * _e77.member_3);
+    let _e90 = ((1u - _e82) * _e77.member_3);
+    if (_e63 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_204_ = type_9(0u, _e71.member_11);
+    phi_212_ = type_9(0u, _e77.member_12);
     loop {
-        let _e93 = phi_204_;
-        if (_e93.member < _e93.member_1) {
-            phi_205_ = type_9((_e93.member + 1u), _e93.member_1);
-            phi_228_ = type_9(1u, _e93.member);
+        let _e99 = phi_212_;
+        if (_e99.member < _e99.member_1) {
+            phi_213_ = type_9((_e99.member + 1u), _e99.member_1);
+            phi_236_ = type_9(1u, _e99.member);
         } else {
-            phi_205_ = _e93;
-            phi_228_ = type_9(0u, type_9().member_1);
+            phi_213_ = _e99;
+            phi_236_ = type_9(0u, type_9().member_1);
         }
-        let _e105 = phi_205_;
-        let _e107 = phi_228_;
-        if (bitcast<i32>(_e107.member) != 0i) {
-            if (_e57 == 0u) {
-                let _e118 = atomicLoad((&shared_[0u]));
-                if (128u < _e118) {
-                    phi_252_ = 128u;
+        let _e111 = phi_213_;
+        let _e113 = phi_236_;
+        if (bitcast<i32>(_e113.member) != 0i) {
+            if (_e63 == 0u) {
+                let _e124 = atomicLoad((&shared_[0u]));
+                if (128u < _e124) {
+                    phi_260_ = 128u;
                 } else {
-                    phi_252_ = _e118;
+                    phi_260_ = _e124;
                 }
-                let _e121 = phi_252_;
-                if (_e71.member_9 > 0u) {
-                    if (_e107.member_1 >= 16u) {
-                        let _e126 = atomicLoad((&control.member[(1024u + _e73.member_1)]));
-                        if (_e71.member_9 > 0u) {
-                            phi_283_ = ((_e126 * 100u) >= (_e71.member_9 << bitcast<u32>((_e71.member_7 & 31u))));
+                let _e127 = phi_260_;
+                if (_e77.member_9 > 0u) {
+                    if (_e113.member_1 >= 16u) {
+                        let _e132 = atomicLoad((&control.member[(1024u + _e79.member_1)]));
+                        if (_e77.member_9 > 0u) {
+                            phi_291_ = ((_e132 * 100u) >= (_e77.member_9 << bitcast<u32>((_e77.member_7 & 31u))));
                         } else {
-                            phi_283_ = false;
+                            phi_291_ = false;
                         }
-                        let _e134 = phi_283_;
-                        if _e134 {
-                            phi_287_ = 2u;
+                        let _e140 = phi_291_;
+                        if _e140 {
+                            phi_295_ = 2u;
                         } else {
-                            phi_287_ = 0u;
+                            phi_295_ = 0u;
                         }
-                        let _e136 = phi_287_;
-                        phi_288_ = _e136;
+                        let _e142 = phi_295_;
+                        phi_296_ = _e142;
                     } else {
-                        phi_288_ = 0u;
+                        phi_296_ = 0u;
                     }
-                    let _e138 = phi_288_;
-                    phi_289_ = _e138;
+                    let _e144 = phi_296_;
+                    phi_297_ = _e144;
                 } else {
-                    phi_289_ = 0u;
+                    phi_297_ = 0u;
                 }
-                let _e140 = phi_289_;
-                let _e141 = (128u - _e121);
-                if (_e140 == 0u) {
-                    if (_e141 > 0u) {
-                        let _e145 = atomicLoad((&shared_[5u]));
-                        if (_e71.member_6 == 0u) {
-                            if (_e69 < _e81) {
-                                phi_317_ = ((((_e81 - 1u) - _e69) >> bitcast<u32>((_e71.member_7 & 31u))) + 1u);
+                let _e146 = phi_297_;
+                let _e147 = (128u - _e127);
+                if (_e146 == 0u) {
+                    if (_e147 > 0u) {
+                        let _e151 = atomicLoad((&shared_[5u]));
+                        if (_e77.member_6 == 0u) {
+                            if (_e75 < _e87) {
+                                phi_325_ = ((((_e87 - 1u) - _e75) >> bitcast<u32>((_e77.member_7 & 31u))) + 1u);
                             } else {
-                                phi_317_ = 0u;
+                                phi_325_ = 0u;
                             }
-                            let _e214 = phi_317_;
-                            let _e215 = (_e214 - _e145);
-                            if (_e141 < _e215) {
-                                phi_323_ = _e141;
+                            let _e220 = phi_325_;
+                            let _e221 = (_e220 - _e151);
+                            if (_e147 < _e221) {
+                                phi_331_ = _e147;
                             } else {
-                                phi_323_ = _e215;
+                                phi_331_ = _e221;
                             }
-                            let _e218 = phi_323_;
-                            atomicStore((&shared_[3u]), (_e69 + (_e145 << bitcast<u32>((_e71.member_7 & 31u)))));
-                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e71.member_7 & 31u))));
-                            atomicStore((&shared_[5u]), (_e145 + _e218));
-                            phi_427_ = _e218;
+                            let _e224 = phi_331_;
+                            atomicStore((&shared_[3u]), (_e75 + (_e151 << bitcast<u32>((_e77.member_7 & 31u)))));
+                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e77.member_7 & 31u))));
+                            atomicStore((&shared_[5u]), (_e151 + _e224));
+                            phi_435_ = _e224;
                         } else {
-                            if (_e71.member_6 == 2u) {
-                                let _e186 = (((_e81 + (1u << bitcast<u32>((_e71.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e71.member_7 & 31u)));
-                                let _e187 = (_e69 * _e186);
-                                if (_e81 < _e187) {
-                                    phi_354_ = _e81;
+                            if (_e77.member_6 == 2u) {
+                                let _e192 = (((_e87 + (1u << bitcast<u32>((_e77.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e77.member_7 & 31u)));
+                                let _e193 = (_e75 * _e192);
+                                if (_e87 < _e193) {
+                                    phi_362_ = _e87;
                                 } else {
-                                    phi_354_ = _e187;
+                                    phi_362_ = _e193;
                                 }
-                                let _e190 = phi_354_;
-                                let _e191 = (_e81 - _e190);
-                                if (_e191 < _e186) {
-                                    phi_360_ = _e191;
+                                let _e196 = phi_362_;
+                                let _e197 = (_e87 - _e196);
+                                if (_e197 < _e192) {
+                                    phi_368_ = _e197;
                                 } else {
-                                    phi_360_ = _e186;
+                                    phi_368_ = _e192;
                                 }
-                                let _e194 = phi_360_;
-                                let _e195 = (_e194 - _e145);
-                                if (_e141 < _e195) {
-                                    phi_366_ = _e141;
+                                let _e200 = phi_368_;
+                                let _e201 = (_e200 - _e151);
+                                if (_e147 < _e201) {
+                                    phi_374_ = _e147;
                                 } else {
-                                    phi_366_ = _e195;
+                                    phi_374_ = _e201;
                                 }
-                                let _e198 = phi_366_;
-                                atomicStore((&shared_[3u]), (_e190 + _e145));
+                                let _e204 = phi_374_;
+                                atomicStore((&shared_[3u]), (_e196 + _e151));
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), (_e145 + _e198));
-                                phi_426_ = _e198;
+                                atomicStore((&shared_[5u]), (_e151 + _e204));
+                                phi_434_ = _e204;
                             } else {
-                                if (_e145 == 0u) {
-                                    let _e152 = (_e81 >> bitcast<u32>(((_e71.member_7 + 2u) & 31u)));
-                                    if (_e71.member_8 < _e152) {
-                                        phi_387_ = _e152;
+                                if (_e151 == 0u) {
+                                    let _e158 = (_e87 >> bitcast<u32>(((_e77.member_7 + 2u) & 31u)));
+                                    if (_e77.member_8 < _e158) {
+                                        phi_395_ = _e158;
                                     } else {
-                                        phi_387_ = _e71.member_8;
+                                        phi_395_ = _e77.member_8;
                                     }
-                                    let _e155 = phi_387_;
-                                    if (128u < _e155) {
-                                        phi_392_ = 128u;
+                                    let _e161 = phi_395_;
+                                    if (128u < _e161) {
+                                        phi_400_ = 128u;
                                     } else {
-                                        phi_392_ = _e155;
+                                        phi_400_ = _e161;
                                     }
-                                    let _e158 = phi_392_;
-                                    if (_e141 < _e158) {
-                                        phi_397_ = _e141;
+                                    let _e164 = phi_400_;
+                                    if (_e147 < _e164) {
+                                        phi_405_ = _e147;
                                     } else {
-                                        phi_397_ = _e158;
+                                        phi_405_ = _e164;
                                     }
-                                    let _e161 = phi_397_;
-                                    let _e164 = atomicAdd((&control.member[(512u + _e73.member_1)]), _e161);
-                                    if (_e81 < _e164) {
-                                        phi_410_ = _e81;
+                                    let _e167 = phi_405_;
+                                    let _e170 = atomicAdd((&control.member[(512u + _e79.member_1)]), _e167);
+                                    if (_e87 < _e170) {
+                                        phi_418_ = _e87;
                                     } else {
-                                        phi_410_ = _e164;
+                                        phi_418_ = _e170;
                                     }
-                                    let _e167 = phi_410_;
-                                    let _e168 = (_e81 - _e167);
-                                    if (_e161 < _e168) {
-                                        phi_416_ = _e161;
+                                    let _e173 = phi_418_;
+                                    let _e174 = (_e87 - _e173);
+                                    if (_e167 < _e174) {
+                                        phi_424_ = _e167;
                                     } else {
-                                        phi_416_ = _e168;
+                                        phi_424_ = _e174;
                                     }
-                                    let _e171 = phi_416_;
-                                    atomicStore((&shared_[3u]), _e164);
+                                    let _e177 = phi_424_;
+                                    atomicStore((&shared_[3u]), _e170);
                                     atomicStore((&shared_[4u]), 1u);
-                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e171 < _e161)));
-                                    phi_425_ = _e171;
+                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e177 < _e167)));
+                                    phi_433_ = _e177;
                                 } else {
-                                    phi_425_ = 0u;
+                                    phi_433_ = 0u;
                                 }
-                                let _e178 = phi_425_;
-                                phi_426_ = _e178;
+                                let _e184 = phi_433_;
+                                phi_434_ = _e184;
                             }
-                            let _e205 = phi_426_;
-                            phi_427_ = _e205;
+                            let _e211 = phi_434_;
+                            phi_435_ = _e211;
                         }
-                        let _e231 = phi_427_;
-                        phi_428_ = _e231;
+                        let _e237 = phi_435_;
+                        phi_436_ = _e237;
                     } else {
-                        phi_428_ = 0u;
+                        phi_436_ = 0u;
                     }
-                    let _e233 = phi_428_;
-                    phi_429_ = _e233;
+                    let _e239 = phi_436_;
+                    phi_437_ = _e239;
                 } else {
-                    phi_429_ = 0u;
+                    phi_437_ = 0u;
                 }
-                let _e235 = phi_429_;
-                if (_e140 == 0u) {
-                    if ((_e121 + _e235) == 0u) {
-                        if (_e71.member_9 > 0u) {
-                            let _e242 = atomicAdd((&control.member[(1024u + _e73.member_1)]), 1u);
+                let _e241 = phi_437_;
+                if (_e146 == 0u) {
+                    if ((_e127 + _e241) == 0u) {
+                        if (_e77.member_9 > 0u) {
+                            let _e248 = atomicAdd((&control.member[(1024u + _e79.member_1)]), 1u);
                         }
-                        phi_449_ = 1u;
+                        phi_457_ = 1u;
                     } else {
-                        phi_449_ = _e140;
+                        phi_457_ = _e146;
                     }
-                    let _e244 = phi_449_;
-                    phi_450_ = _e244;
+                    let _e250 = phi_457_;
+                    phi_458_ = _e250;
                 } else {
-                    phi_450_ = _e140;
+                    phi_458_ = _e146;
                 }
-                let _e246 = phi_450_;
-                atomicStore((&shared_[1u]), _e121);
-                atomicStore((&shared_[2u]), _e235);
+                let _e252 = phi_458_;
+                atomicStore((&shared_[1u]), _e127);
+                atomicStore((&shared_[2u]), _e241);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                state[0u] = _e246;
+                state[0u] = _e252;
             }
-            let _e254 = workgroupUniformLoad((&state[0u]));
-            if (_e254 != 0u) {
-                phi_2285_ = false;
+            let _e260 = workgroupUniformLoad((&state[0u]));
+            if (_e260 != 0u) {
+                phi_2592_ = false;
             } else {
-                let _e257 = atomicLoad((&shared_[1u]));
-                let _e259 = atomicLoad((&shared_[2u]));
-                if (_e57 < _e257) {
-                    let _e282 = atomicLoad((&shared_[0u]));
-                    let _e285 = (2u * ((_e282 - 1u) - _e57));
-                    let _e287 = stack[_e285];
-                    let _e290 = stack[(_e285 + 1u)];
-                    phi_534_ = array<u32, 2>(_e287, _e290);
+                let _e263 = atomicLoad((&shared_[1u]));
+                let _e265 = atomicLoad((&shared_[2u]));
+                if (_e63 < _e263) {
+                    let _e288 = atomicLoad((&shared_[0u]));
+                    let _e291 = (2u * ((_e288 - 1u) - _e63));
+                    let _e293 = stack[_e291];
+                    let _e296 = stack[(_e291 + 1u)];
+                    phi_542_ = array<u32, 2>(_e293, _e296);
                 } else {
-                    if (_e57 < (_e257 + _e259)) {
-                        let _e264 = atomicLoad((&shared_[3u]));
-                        let _e267 = atomicLoad((&shared_[4u]));
-                        let _e271 = (2u * (_e82 + (_e264 + ((_e57 - _e257) * _e267))));
-                        let _e274 = atomicLoad((&nodes.member[(4u + _e271)]));
-                        let _e277 = atomicLoad((&nodes.member[(_e271 + 5u)]));
-                        phi_533_ = array<u32, 2>(_e274, _e277);
+                    if (_e63 < (_e263 + _e265)) {
+                        let _e270 = atomicLoad((&shared_[3u]));
+                        let _e273 = atomicLoad((&shared_[4u]));
+                        let _e277 = (2u * (_e88 + (_e270 + ((_e63 - _e263) * _e273))));
+                        let _e280 = atomicLoad((&nodes.member[(4u + _e277)]));
+                        let _e283 = atomicLoad((&nodes.member[(_e277 + 5u)]));
+                        phi_541_ = array<u32, 2>(_e280, _e283);
                     } else {
-                        phi_533_ = array<u32, 2>(4294967295u, 4294967295u);
+                        phi_541_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e280 = phi_533_;
-                    phi_534_ = _e280;
+                    let _e286 = phi_541_;
+                    phi_542_ = _e286;
                 }
-                let _e293 = phi_534_;
-                let _e296 = params.member.member_2.member;
-                let _e300 = params.member.member_2.member;
-                if (_e300 == 0u) {
-                    phi_551_ = array<u32, 2>(0u, 2u);
+                let _e299 = phi_542_;
+                let _e302 = params.member.member_2.member;
+                let _e306 = params.member.member_2.member;
+                if (_e306 == 0u) {
+                    phi_559_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_551_ = array<u32, 2>(1u, 1u);
+                    phi_559_ = array<u32, 2>(1u, 1u);
                 }
-                let _e303 = phi_551_;
-                let _e309 = params.member.member.member[_e303[0]];
-                let _e310 = (_e309 - 1u);
-                let _e314 = params.member.member.member[_e303[1]];
-                let _e315 = (_e314 - 1u);
-                let _e318 = params.member.member_2.member_1;
-                if (_e318 == 0u) {
-                    phi_580_ = 1u;
+                let _e309 = phi_559_;
+                let _e315 = params.member.member.member[_e309[0]];
+                let _e316 = (_e315 - 1u);
+                let _e320 = params.member.member.member[_e309[1]];
+                let _e321 = (_e320 - 1u);
+                let _e324 = params.member.member_2.member_1;
+                if (_e324 == 0u) {
+                    phi_588_ = 1u;
                 } else {
-                    phi_580_ = 0u;
+                    phi_588_ = 0u;
                 }
-                let _e321 = phi_580_;
-                if (_e293[0] != 4294967295u) {
-                    let _e327 = a.member[_e293[0]];
-                    let _e329 = b.member[_e293[1]];
-                    if (_e296 == 1u) {
-                        if (_e293[0] == _e293[1]) {
-                            if (_e327.member_3 == 4294967295u) {
-                                phi_707_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                let _e327 = phi_588_;
+                if (_e299[0] != 4294967295u) {
+                    let _e333 = a.member[_e299[0]];
+                    let _e335 = b.member[_e299[1]];
+                    if (_e302 == 1u) {
+                        if (_e299[0] == _e299[1]) {
+                            if (_e333.member_3 == 4294967295u) {
+                                phi_715_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
-                                let _e335 = a.member[_e327.member_1];
-                                let _e338 = a.member[_e327.member_3];
-                                if !((_e335.member_3 == 4294967295u)) {
-                                    phi_654_ = array<u32, 2>(_e327.member_1, _e327.member_1);
+                                let _e341 = a.member[_e333.member_1];
+                                let _e344 = a.member[_e333.member_3];
+                                if !((_e341.member_3 == 4294967295u)) {
+                                    phi_662_ = array<u32, 2>(_e333.member_1, _e333.member_1);
                                 } else {
-                                    phi_654_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_662_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e345 = phi_654_;
-                                let _e352 = type_24(array<array<u32, 2>, 4>(_e345, type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e364 = type_24(array<array<u32, 2>, 4>(_e352.member[0], array<u32, 2>(_e327.member_1, _e352.member[1][1]), _e352.member[2], _e352.member[3]), _e352.member_1);
-                                let _e365 = array<u32, 2>(_e327.member_1, _e327.member_3);
-                                let _e372 = type_24(array<array<u32, 2>, 4>(_e364.member[0], _e365, _e364.member[2], _e364.member[3]), _e364.member_1);
-                                if !((_e338.member_3 == 4294967295u)) {
-                                    phi_668_ = array<u32, 2>(_e327.member_3, _e327.member_3);
+                                let _e351 = phi_662_;
+                                let _e358 = type_25(array<array<u32, 2>, 4>(_e351, type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e370 = type_25(array<array<u32, 2>, 4>(_e358.member[0], array<u32, 2>(_e333.member_1, _e358.member[1][1]), _e358.member[2], _e358.member[3]), _e358.member_1);
+                                let _e371 = array<u32, 2>(_e333.member_1, _e333.member_3);
+                                let _e378 = type_25(array<array<u32, 2>, 4>(_e370.member[0], _e371, _e370.member[2], _e370.member[3]), _e370.member_1);
+                                if !((_e344.member_3 == 4294967295u)) {
+                                    phi_676_ = array<u32, 2>(_e333.member_3, _e333.member_3);
                                 } else {
-                                    phi_668_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_676_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e379 = phi_668_;
-                                let _e386 = type_24(array<array<u32, 2>, 4>(_e372.member[0], _e372.member[1], _e379, _e372.member[3]), _e372.member_1);
-                                let _e389 = type_24(_e386.member, _e386.member);
-                                if ((((((_e335.member[0] <= _e338.member_2[0]) && (_e338.member[0] <= _e335.member_2[0])) && (_e335.member[1] <= _e338.member_2[1])) && (_e338.member[1] <= _e335.member_2[1])) && (_e335.member[2] <= _e338.member_2[2])) && (_e338.member[2] <= _e335.member_2[2])) {
-                                    phi_705_ = _e365;
+                                let _e385 = phi_676_;
+                                let _e392 = type_25(array<array<u32, 2>, 4>(_e378.member[0], _e378.member[1], _e385, _e378.member[3]), _e378.member_1);
+                                let _e395 = type_25(_e392.member, _e392.member);
+                                if ((((((_e341.member[0] <= _e344.member_2[0]) && (_e344.member[0] <= _e341.member_2[0])) && (_e341.member[1] <= _e344.member_2[1])) && (_e344.member[1] <= _e341.member_2[1])) && (_e341.member[2] <= _e344.member_2[2])) && (_e344.member[2] <= _e341.member_2[2])) {
+                                    phi_713_ = _e371;
                                 } else {
-                                    phi_705_ = array<u32, 2>(4294967295u, 4294967295u);
+                                    phi_713_ = array<u32, 2>(4294967295u, 4294967295u);
                                 }
-                                let _e418 = phi_705_;
-                                phi_707_ = type_24(_e389.member, array<array<u32, 2>, 4>(_e389.member_1[0], _e418, _e389.member_1[2], _e389.member_1[3]));
+                                let _e424 = phi_713_;
+                                phi_715_ = type_25(_e395.member, array<array<u32, 2>, 4>(_e395.member_1[0], _e424, _e395.member_1[2], _e395.member_1[3]));
                             }
-                            let _e427 = phi_707_;
-                            phi_708_ = _e427;
-                            phi_709_ = false;
+                            let _e433 = phi_715_;
+                            phi_716_ = _e433;
+                            phi_717_ = false;
                         } else {
-                            phi_708_ = type_24();
-                            phi_709_ = true;
+                            phi_716_ = type_25();
+                            phi_717_ = true;
                         }
-                        let _e429 = phi_708_;
-                        let _e431 = phi_709_;
-                        phi_710_ = _e429;
-                        phi_711_ = _e431;
+                        let _e435 = phi_716_;
+                        let _e437 = phi_717_;
+                        phi_718_ = _e435;
+                        phi_719_ = _e437;
                     } else {
-                        phi_710_ = type_24();
-                        phi_711_ = true;
+                        phi_718_ = type_25();
+                        phi_719_ = true;
                     }
-                    let _e433 = phi_710_;
-                    let _e435 = phi_711_;
-                    if _e435 {
-                        let _e438 = !((_e327.member_3 == 4294967295u));
-                        let _e441 = !((_e329.member_3 == 4294967295u));
-                        if _e438 {
-                            phi_727_ = true;
+                    let _e439 = phi_718_;
+                    let _e441 = phi_719_;
+                    if _e441 {
+                        let _e444 = !((_e333.member_3 == 4294967295u));
+                        let _e447 = !((_e335.member_3 == 4294967295u));
+                        if _e444 {
+                            phi_735_ = true;
                         } else {
-                            phi_727_ = _e441;
+                            phi_735_ = _e447;
                         }
-                        let _e443 = phi_727_;
-                        if _e443 {
-                            if _e438 {
-                                if _e441 {
-                                    if (_e321 == 0u) {
-                                        let _e471 = ((((_e329.member_2[0] - _e329.member[0]) * (_e329.member_2[1] - _e329.member[1])) * (_e329.member_2[2] - _e329.member[2])) > (((_e327.member_2[0] - _e327.member[0]) * (_e327.member_2[1] - _e327.member[1])) * (_e327.member_2[2] - _e327.member[2])));
-                                        phi_771_ = _e471;
-                                        phi_772_ = !(_e471);
+                        let _e449 = phi_735_;
+                        if _e449 {
+                            if _e444 {
+                                if _e447 {
+                                    if (_e327 == 0u) {
+                                        let _e477 = ((((_e335.member_2[0] - _e335.member[0]) * (_e335.member_2[1] - _e335.member[1])) * (_e335.member_2[2] - _e335.member[2])) > (((_e333.member_2[0] - _e333.member[0]) * (_e333.member_2[1] - _e333.member[1])) * (_e333.member_2[2] - _e333.member[2])));
+                                        phi_779_ = _e477;
+                                        phi_780_ = !(_e477);
                                     } else {
-                                        phi_771_ = _e441;
-                                        phi_772_ = _e438;
+                                        phi_779_ = _e447;
+                                        phi_780_ = _e444;
                                     }
-                                    let _e474 = phi_771_;
-                                    let _e476 = phi_772_;
-                                    phi_773_ = _e474;
-                                    phi_774_ = _e476;
+                                    let _e480 = phi_779_;
+                                    let _e482 = phi_780_;
+                                    phi_781_ = _e480;
+                                    phi_782_ = _e482;
                                 } else {
-                                    phi_773_ = _e441;
-                                    phi_774_ = _e438;
+                                    phi_781_ = _e447;
+                                    phi_782_ = _e444;
                                 }
-                                let _e478 = phi_773_;
-                                let _e480 = phi_774_;
-                                phi_775_ = _e478;
-                                phi_776_ = _e480;
+                                let _e484 = phi_781_;
+                                let _e486 = phi_782_;
+                                phi_783_ = _e484;
+                                phi_784_ = _e486;
                             } else {
-                                phi_775_ = _e441;
-                                phi_776_ = _e438;
+                                phi_783_ = _e447;
+                                phi_784_ = _e444;
                             }
-                            let _e482 = phi_775_;
-                            let _e484 = phi_776_;
-                            if _e484 {
-                                if _e482 {
-                                    let _e487 = a.member[_e327.member_1];
-                                    let _e492 = a.member[_e327.member_3];
-                                    let _e497 = b.member[_e329.member_1];
-                                    let _e502 = b.member[_e329.member_3];
-                                    let _e507 = array<u32, 2>(_e327.member_1, _e329.member_1);
-                                    let _e510 = array<u32, 2>(_e327.member_1, _e329.member_3);
-                                    let _e513 = array<u32, 2>(_e327.member_3, _e329.member_1);
-                                    let _e516 = array<u32, 2>(_e327.member_3, _e329.member_3);
-                                    if ((((((_e487.member[0] <= _e497.member_2[0]) && (_e497.member[0] <= _e487.member_2[0])) && (_e487.member[1] <= _e497.member_2[1])) && (_e497.member[1] <= _e487.member_2[1])) && (_e487.member[2] <= _e497.member_2[2])) && (_e497.member[2] <= _e487.member_2[2])) {
-                                        phi_882_ = _e507;
+                            let _e488 = phi_783_;
+                            let _e490 = phi_784_;
+                            if _e490 {
+                                if _e488 {
+                                    let _e493 = a.member[_e333.member_1];
+                                    let _e498 = a.member[_e333.member_3];
+                                    let _e503 = b.member[_e335.member_1];
+                                    let _e508 = b.member[_e335.member_3];
+                                    let _e513 = array<u32, 2>(_e333.member_1, _e335.member_1);
+                                    let _e516 = array<u32, 2>(_e333.member_1, _e335.member_3);
+                                    let _e519 = array<u32, 2>(_e333.member_3, _e335.member_1);
+                                    let _e522 = array<u32, 2>(_e333.member_3, _e335.member_3);
+                                    if ((((((_e493.member[0] <= _e503.member_2[0]) && (_e503.member[0] <= _e493.member_2[0])) && (_e493.member[1] <= _e503.member_2[1])) && (_e503.member[1] <= _e493.member_2[1])) && (_e493.member[2] <= _e503.member_2[2])) && (_e503.member[2] <= _e493.member_2[2])) {
+                                        phi_890_ = _e513;
                                     } else {
-                                        phi_882_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_890_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e542 = phi_882_;
-                                    if ((((((_e487.member[0] <= _e502.member_2[0]) && (_e502.member[0] <= _e487.member_2[0])) && (_e487.member[1] <= _e502.member_2[1])) && (_e502.member[1] <= _e487.member_2[1])) && (_e487.member[2] <= _e502.member_2[2])) && (_e502.member[2] <= _e487.member_2[2])) {
-                                        phi_911_ = _e510;
+                                    let _e548 = phi_890_;
+                                    if ((((((_e493.member[0] <= _e508.member_2[0]) && (_e508.member[0] <= _e493.member_2[0])) && (_e493.member[1] <= _e508.member_2[1])) && (_e508.member[1] <= _e493.member_2[1])) && (_e493.member[2] <= _e508.member_2[2])) && (_e508.member[2] <= _e493.member_2[2])) {
+                                        phi_919_ = _e516;
                                     } else {
-                                        phi_911_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_919_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e567 = phi_911_;
-                                    if ((((((_e492.member[0] <= _e497.member_2[0]) && (_e497.member[0] <= _e492.member_2[0])) && (_e492.member[1] <= _e497.member_2[1])) && (_e497.member[1] <= _e492.member_2[1])) && (_e492.member[2] <= _e497.member_2[2])) && (_e497.member[2] <= _e492.member_2[2])) {
-                                        phi_940_ = _e513;
+                                    let _e573 = phi_919_;
+                                    if ((((((_e498.member[0] <= _e503.member_2[0]) && (_e503.member[0] <= _e498.member_2[0])) && (_e498.member[1] <= _e503.member_2[1])) && (_e503.member[1] <= _e498.member_2[1])) && (_e498.member[2] <= _e503.member_2[2])) && (_e503.member[2] <= _e498.member_2[2])) {
+                                        phi_948_ = _e519;
                                     } else {
-                                        phi_940_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_948_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e592 = phi_940_;
-                                    if ((((((_e492.member[0] <= _e502.member_2[0]) && (_e502.member[0] <= _e492.member_2[0])) && (_e492.member[1] <= _e502.member_2[1])) && (_e502.member[1] <= _e492.member_2[1])) && (_e492.member[2] <= _e502.member_2[2])) && (_e502.member[2] <= _e492.member_2[2])) {
-                                        phi_969_ = _e516;
+                                    let _e598 = phi_948_;
+                                    if ((((((_e498.member[0] <= _e508.member_2[0]) && (_e508.member[0] <= _e498.member_2[0])) && (_e498.member[1] <= _e508.member_2[1])) && (_e508.member[1] <= _e498.member_2[1])) && (_e498.member[2] <= _e508.member_2[2])) && (_e508.member[2] <= _e498.member_2[2])) {
+                                        phi_977_ = _e522;
                                     } else {
-                                        phi_969_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_977_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e617 = phi_969_;
-                                    phi_971_ = type_24(array<array<u32, 2>, 4>(_e507, _e510, _e513, _e516), array<array<u32, 2>, 4>(_e542, _e567, _e592, _e617));
-                                    phi_972_ = false;
+                                    let _e623 = phi_977_;
+                                    phi_979_ = type_25(array<array<u32, 2>, 4>(_e513, _e516, _e519, _e522), array<array<u32, 2>, 4>(_e548, _e573, _e598, _e623));
+                                    phi_980_ = false;
                                 } else {
-                                    phi_971_ = type_24();
-                                    phi_972_ = true;
+                                    phi_979_ = type_25();
+                                    phi_980_ = true;
                                 }
-                                let _e621 = phi_971_;
-                                let _e623 = phi_972_;
-                                phi_973_ = _e621;
-                                phi_974_ = _e623;
+                                let _e627 = phi_979_;
+                                let _e629 = phi_980_;
+                                phi_981_ = _e627;
+                                phi_982_ = _e629;
                             } else {
-                                phi_973_ = type_24();
-                                phi_974_ = true;
+                                phi_981_ = type_25();
+                                phi_982_ = true;
                             }
-                            let _e625 = phi_973_;
-                            let _e627 = phi_974_;
-                            if _e627 {
-                                if _e484 {
-                                    let _e715 = a.member[_e327.member_1];
-                                    let _e720 = a.member[_e327.member_3];
-                                    let _e724 = array<u32, 2>(_e327.member_1, _e293[1]);
-                                    let _e726 = array<u32, 2>(_e327.member_3, _e293[1]);
-                                    let _e729 = type_24(array<array<u32, 2>, 4>(_e724, _e726, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e715.member[0] <= _e329.member_2[0]) && (_e329.member[0] <= _e715.member_2[0])) && (_e715.member[1] <= _e329.member_2[1])) && (_e329.member[1] <= _e715.member_2[1])) && (_e715.member[2] <= _e329.member_2[2])) && (_e329.member[2] <= _e715.member_2[2])) {
-                                        phi_1047_ = _e724;
+                            let _e631 = phi_981_;
+                            let _e633 = phi_982_;
+                            if _e633 {
+                                if _e490 {
+                                    let _e721 = a.member[_e333.member_1];
+                                    let _e726 = a.member[_e333.member_3];
+                                    let _e730 = array<u32, 2>(_e333.member_1, _e299[1]);
+                                    let _e732 = array<u32, 2>(_e333.member_3, _e299[1]);
+                                    let _e735 = type_25(array<array<u32, 2>, 4>(_e730, _e732, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    if ((((((_e721.member[0] <= _e335.member_2[0]) && (_e335.member[0] <= _e721.member_2[0])) && (_e721.member[1] <= _e335.member_2[1])) && (_e335.member[1] <= _e721.member_2[1])) && (_e721.member[2] <= _e335.member_2[2])) && (_e335.member[2] <= _e721.member_2[2])) {
+                                        phi_1055_ = _e730;
                                     } else {
-                                        phi_1047_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1055_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e756 = phi_1047_;
-                                    let _e763 = type_24(_e729.member, array<array<u32, 2>, 4>(_e756, _e729.member_1[1], _e729.member_1[2], _e729.member_1[3]));
-                                    if ((((((_e720.member[0] <= _e329.member_2[0]) && (_e329.member[0] <= _e720.member_2[0])) && (_e720.member[1] <= _e329.member_2[1])) && (_e329.member[1] <= _e720.member_2[1])) && (_e720.member[2] <= _e329.member_2[2])) && (_e329.member[2] <= _e720.member_2[2])) {
-                                        phi_1079_ = _e726;
+                                    let _e762 = phi_1055_;
+                                    let _e769 = type_25(_e735.member, array<array<u32, 2>, 4>(_e762, _e735.member_1[1], _e735.member_1[2], _e735.member_1[3]));
+                                    if ((((((_e726.member[0] <= _e335.member_2[0]) && (_e335.member[0] <= _e726.member_2[0])) && (_e726.member[1] <= _e335.member_2[1])) && (_e335.member[1] <= _e726.member_2[1])) && (_e726.member[2] <= _e335.member_2[2])) && (_e335.member[2] <= _e726.member_2[2])) {
+                                        phi_1087_ = _e732;
                                     } else {
-                                        phi_1079_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1087_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e790 = phi_1079_;
-                                    phi_1181_ = type_24(_e763.member, array<array<u32, 2>, 4>(_e763.member_1[0], _e790, _e763.member_1[2], _e763.member_1[3]));
+                                    let _e796 = phi_1087_;
+                                    phi_1189_ = type_25(_e769.member, array<array<u32, 2>, 4>(_e769.member_1[0], _e796, _e769.member_1[2], _e769.member_1[3]));
                                 } else {
-                                    let _e630 = b.member[_e329.member_1];
-                                    let _e635 = b.member[_e329.member_3];
-                                    let _e639 = array<u32, 2>(_e293[0], _e329.member_1);
-                                    let _e641 = array<u32, 2>(_e293[0], _e329.member_3);
-                                    let _e644 = type_24(array<array<u32, 2>, 4>(_e639, _e641, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e327.member[0] <= _e630.member_2[0]) && (_e630.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e630.member_2[1])) && (_e630.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e630.member_2[2])) && (_e630.member[2] <= _e327.member_2[2])) {
-                                        phi_1147_ = _e639;
+                                    let _e636 = b.member[_e335.member_1];
+                                    let _e641 = b.member[_e335.member_3];
+                                    let _e645 = array<u32, 2>(_e299[0], _e335.member_1);
+                                    let _e647 = array<u32, 2>(_e299[0], _e335.member_3);
+                                    let _e650 = type_25(array<array<u32, 2>, 4>(_e645, _e647, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    if ((((((_e333.member[0] <= _e636.member_2[0]) && (_e636.member[0] <= _e333.member_2[0])) && (_e333.member[1] <= _e636.member_2[1])) && (_e636.member[1] <= _e333.member_2[1])) && (_e333.member[2] <= _e636.member_2[2])) && (_e636.member[2] <= _e333.member_2[2])) {
+                                        phi_1155_ = _e645;
                                     } else {
-                                        phi_1147_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1155_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e671 = phi_1147_;
-                                    let _e678 = type_24(_e644.member, array<array<u32, 2>, 4>(_e671, _e644.member_1[1], _e644.member_1[2], _e644.member_1[3]));
-                                    if ((((((_e327.member[0] <= _e635.member_2[0]) && (_e635.member[0] <= _e327.member_2[0])) && (_e327.member[1] <= _e635.member_2[1])) && (_e635.member[1] <= _e327.member_2[1])) && (_e327.member[2] <= _e635.member_2[2])) && (_e635.member[2] <= _e327.member_2[2])) {
-                                        phi_1179_ = _e641;
+                                    let _e677 = phi_1155_;
+                                    let _e684 = type_25(_e650.member, array<array<u32, 2>, 4>(_e677, _e650.member_1[1], _e650.member_1[2], _e650.member_1[3]));
+                                    if ((((((_e333.member[0] <= _e641.member_2[0]) && (_e641.member[0] <= _e333.member_2[0])) && (_e333.member[1] <= _e641.member_2[1])) && (_e641.member[1] <= _e333.member_2[1])) && (_e333.member[2] <= _e641.member_2[2])) && (_e641.member[2] <= _e333.member_2[2])) {
+                                        phi_1187_ = _e647;
                                     } else {
-                                        phi_1179_ = array<u32, 2>(4294967295u, 4294967295u);
+                                        phi_1187_ = array<u32, 2>(4294967295u, 4294967295u);
                                     }
-                                    let _e705 = phi_1179_;
-                                    phi_1181_ = type_24(_e678.member, array<array<u32, 2>, 4>(_e678.member_1[0], _e705, _e678.member_1[2], _e678.member_1[3]));
+                                    let _e711 = phi_1187_;
+                                    phi_1189_ = type_25(_e684.member, array<array<u32, 2>, 4>(_e684.member_1[0], _e711, _e684.member_1[2], _e684.member_1[3]));
                                 }
-                                let _e799 = phi_1181_;
-                                phi_1182_ = _e799;
+                                let _e805 = phi_1189_;
+                                phi_1190_ = _e805;
                             } else {
-                                phi_1182_ = _e625;
+                                phi_1190_ = _e631;
                             }
-                            let _e801 = phi_1182_;
-                            phi_1183_ = _e801;
-                            phi_1184_ = false;
+                            let _e807 = phi_1190_;
+                            phi_1191_ = _e807;
+                            phi_1192_ = false;
                         } else {
-                            phi_1183_ = type_24();
-                            phi_1184_ = true;
+                            phi_1191_ = type_25();
+                            phi_1192_ = true;
                         }
-                        let _e803 = phi_1183_;
-                        let _e805 = phi_1184_;
-                        phi_1185_ = _e803;
-                        phi_1186_ = type_24(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                        phi_1187_ = _e805;
+                        let _e809 = phi_1191_;
+                        let _e811 = phi_1192_;
+                        phi_1193_ = _e809;
+                        phi_1194_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
+                        phi_1195_ = _e811;
                     } else {
-                        phi_1185_ = type_24();
-                        phi_1186_ = _e433;
-                        phi_1187_ = true;
+                        phi_1193_ = type_25();
+                        phi_1194_ = _e439;
+                        phi_1195_ = true;
                     }
-                    let _e807 = phi_1185_;
-                    let _e809 = phi_1186_;
-                    let _e811 = phi_1187_;
-                    if _e811 {
-                        phi_1191_ = _e809;
+                    let _e813 = phi_1193_;
+                    let _e815 = phi_1194_;
+                    let _e817 = phi_1195_;
+                    if _e817 {
+                        phi_1199_ = _e815;
                     } else {
-                        phi_1191_ = _e807;
+                        phi_1199_ = _e813;
                     }
-                    let _e813 = phi_1191_;
-                    let _e817 = params.member.member_2.member_4;
-                    if (_e817 > 0u) {
-                        phi_1202_ = _e813.member;
+                    let _e819 = phi_1199_;
+                    let _e823 = params.member.member_2.member_4;
+                    if (_e823 > 0u) {
+                        phi_1210_ = _e819.member;
                     } else {
-                        phi_1202_ = _e813.member_1;
+                        phi_1210_ = _e819.member_1;
                     }
-                    let _e821 = phi_1202_;
-                    if (_e813.member_1[0][0] == 4294967295u) {
-                        phi_1226_ = 0u;
+                    let _e827 = phi_1210_;
+                    if (_e819.member_1[0][0] == 4294967295u) {
+                        phi_1234_ = 0u;
                     } else {
-                        if (_e813.member_1[0][0] >= _e310) {
-                            if (_e813.member_1[0][1] >= _e315) {
-                                phi_1220_ = false;
+                        if (_e819.member_1[0][0] >= _e316) {
+                            if (_e819.member_1[0][1] >= _e321) {
+                                phi_1228_ = false;
                             } else {
-                                phi_1220_ = true;
+                                phi_1228_ = true;
                             }
-                            let _e831 = phi_1220_;
-                            phi_1221_ = _e831;
+                            let _e837 = phi_1228_;
+                            phi_1229_ = _e837;
                         } else {
-                            phi_1221_ = true;
+                            phi_1229_ = true;
                         }
-                        let _e833 = phi_1221_;
-                        if _e833 {
-                            phi_1225_ = 1u;
+                        let _e839 = phi_1229_;
+                        if _e839 {
+                            phi_1233_ = 1u;
                         } else {
-                            phi_1225_ = 2u;
+                            phi_1233_ = 2u;
                         }
-                        let _e835 = phi_1225_;
-                        phi_1226_ = _e835;
+                        let _e841 = phi_1233_;
+                        phi_1234_ = _e841;
                     }
-                    let _e837 = phi_1226_;
-                    let _e838 = type_25(_e813.member_1[0], _e837);
-                    if (_e837 == 0u) {
-                        if (_e821[0][0] != 4294967295u) {
-                            phi_1238_ = type_25(_e821[0], 3u);
+                    let _e843 = phi_1234_;
+                    let _e844 = type_26(_e819.member_1[0], _e843);
+                    if (_e843 == 0u) {
+                        if (_e827[0][0] != 4294967295u) {
+                            phi_1246_ = type_26(_e827[0], 3u);
                         } else {
-                            phi_1238_ = _e838;
+                            phi_1246_ = _e844;
                         }
-                        let _e844 = phi_1238_;
-                        phi_1239_ = _e844;
+                        let _e850 = phi_1246_;
+                        phi_1247_ = _e850;
                     } else {
-                        phi_1239_ = _e838;
+                        phi_1247_ = _e844;
                     }
-                    let _e846 = phi_1239_;
-                    if (_e813.member_1[1][0] == 4294967295u) {
-                        phi_1263_ = 0u;
+                    let _e852 = phi_1247_;
+                    if (_e819.member_1[1][0] == 4294967295u) {
+                        phi_1271_ = 0u;
                     } else {
-                        if (_e813.member_1[1][0] >= _e310) {
-                            if (_e813.member_1[1][1] >= _e315) {
-                                phi_1257_ = false;
+                        if (_e819.member_1[1][0] >= _e316) {
+                            if (_e819.member_1[1][1] >= _e321) {
+                                phi_1265_ = false;
                             } else {
-                                phi_1257_ = true;
+                                phi_1265_ = true;
                             }
-                            let _e856 = phi_1257_;
-                            phi_1258_ = _e856;
+                            let _e862 = phi_1265_;
+                            phi_1266_ = _e862;
                         } else {
-                            phi_1258_ = true;
+                            phi_1266_ = true;
                         }
-                        let _e858 = phi_1258_;
-                        if _e858 {
-                            phi_1262_ = 1u;
+                        let _e864 = phi_1266_;
+                        if _e864 {
+                            phi_1270_ = 1u;
                         } else {
-                            phi_1262_ = 2u;
+                            phi_1270_ = 2u;
                         }
-                        let _e860 = phi_1262_;
-                        phi_1263_ = _e860;
+                        let _e866 = phi_1270_;
+                        phi_1271_ = _e866;
                     }
-                    let _e862 = phi_1263_;
-                    let _e863 = type_25(_e813.member_1[1], _e862);
-                    if (_e862 == 0u) {
-                        if (_e821[1][0] != 4294967295u) {
-                            phi_1275_ = type_25(_e821[1], 3u);
+                    let _e868 = phi_1271_;
+                    let _e869 = type_26(_e819.member_1[1], _e868);
+                    if (_e868 == 0u) {
+                        if (_e827[1][0] != 4294967295u) {
+                            phi_1283_ = type_26(_e827[1], 3u);
                         } else {
-                            phi_1275_ = _e863;
+                            phi_1283_ = _e869;
                         }
-                        let _e869 = phi_1275_;
-                        phi_1276_ = _e869;
+                        let _e875 = phi_1283_;
+                        phi_1284_ = _e875;
                     } else {
-                        phi_1276_ = _e863;
+                        phi_1284_ = _e869;
                     }
-                    let _e871 = phi_1276_;
-                    if (_e813.member_1[2][0] == 4294967295u) {
-                        phi_1300_ = 0u;
+                    let _e877 = phi_1284_;
+                    if (_e819.member_1[2][0] == 4294967295u) {
+                        phi_1308_ = 0u;
                     } else {
-                        if (_e813.member_1[2][0] >= _e310) {
-                            if (_e813.member_1[2][1] >= _e315) {
-                                phi_1294_ = false;
+                        if (_e819.member_1[2][0] >= _e316) {
+                            if (_e819.member_1[2][1] >= _e321) {
+                                phi_1302_ = false;
                             } else {
-                                phi_1294_ = true;
+                                phi_1302_ = true;
                             }
-                            let _e881 = phi_1294_;
-                            phi_1295_ = _e881;
+                            let _e887 = phi_1302_;
+                            phi_1303_ = _e887;
                         } else {
-                            phi_1295_ = true;
+                            phi_1303_ = true;
                         }
-                        let _e883 = phi_1295_;
-                        if _e883 {
-                            phi_1299_ = 1u;
+                        let _e889 = phi_1303_;
+                        if _e889 {
+                            phi_1307_ = 1u;
                         } else {
-                            phi_1299_ = 2u;
+                            phi_1307_ = 2u;
                         }
-                        let _e885 = phi_1299_;
-                        phi_1300_ = _e885;
+                        let _e891 = phi_1307_;
+                        phi_1308_ = _e891;
                     }
-                    let _e887 = phi_1300_;
-                    let _e888 = type_25(_e813.member_1[2], _e887);
-                    if (_e887 == 0u) {
-                        if (_e821[2][0] != 4294967295u) {
-                            phi_1312_ = type_25(_e821[2], 3u);
+                    let _e893 = phi_1308_;
+                    let _e894 = type_26(_e819.member_1[2], _e893);
+                    if (_e893 == 0u) {
+                        if (_e827[2][0] != 4294967295u) {
+                            phi_1320_ = type_26(_e827[2], 3u);
                         } else {
-                            phi_1312_ = _e888;
+                            phi_1320_ = _e894;
                         }
-                        let _e894 = phi_1312_;
-                        phi_1313_ = _e894;
+                        let _e900 = phi_1320_;
+                        phi_1321_ = _e900;
                     } else {
-                        phi_1313_ = _e888;
+                        phi_1321_ = _e894;
                     }
-                    let _e896 = phi_1313_;
-                    if (_e813.member_1[3][0] == 4294967295u) {
-                        phi_1337_ = 0u;
+                    let _e902 = phi_1321_;
+                    if (_e819.member_1[3][0] == 4294967295u) {
+                        phi_1345_ = 0u;
                     } else {
-                        if (_e813.member_1[3][0] >= _e310) {
-                            if (_e813.member_1[3][1] >= _e315) {
-                                phi_1331_ = false;
+                        if (_e819.member_1[3][0] >= _e316) {
+                            if (_e819.member_1[3][1] >= _e321) {
+                                phi_1339_ = false;
                             } else {
-                                phi_1331_ = true;
+                                phi_1339_ = true;
                             }
-                            let _e906 = phi_1331_;
-                            phi_1332_ = _e906;
+                            let _e912 = phi_1339_;
+                            phi_1340_ = _e912;
                         } else {
-                            phi_1332_ = true;
+                            phi_1340_ = true;
                         }
-                        let _e908 = phi_1332_;
-                        if _e908 {
-                            phi_1336_ = 1u;
+                        let _e914 = phi_1340_;
+                        if _e914 {
+                            phi_1344_ = 1u;
                         } else {
-                            phi_1336_ = 2u;
+                            phi_1344_ = 2u;
                         }
-                        let _e910 = phi_1336_;
-                        phi_1337_ = _e910;
+                        let _e916 = phi_1344_;
+                        phi_1345_ = _e916;
                     }
-                    let _e912 = phi_1337_;
-                    let _e913 = type_25(_e813.member_1[3], _e912);
-                    if (_e912 == 0u) {
-                        if (_e821[3][0] != 4294967295u) {
-                            phi_1349_ = type_25(_e821[3], 3u);
+                    let _e918 = phi_1345_;
+                    let _e919 = type_26(_e819.member_1[3], _e918);
+                    if (_e918 == 0u) {
+                        if (_e827[3][0] != 4294967295u) {
+                            phi_1357_ = type_26(_e827[3], 3u);
                         } else {
-                            phi_1349_ = _e913;
+                            phi_1357_ = _e919;
                         }
-                        let _e919 = phi_1349_;
-                        phi_1350_ = _e919;
+                        let _e925 = phi_1357_;
+                        phi_1358_ = _e925;
                     } else {
-                        phi_1350_ = _e913;
+                        phi_1358_ = _e919;
                     }
-                    let _e921 = phi_1350_;
-                    if (_e293[0] == 4294967295u) {
-                        phi_1372_ = 0u;
+                    let _e927 = phi_1358_;
+                    if (_e299[0] == 4294967295u) {
+                        phi_1380_ = 0u;
                     } else {
-                        if (_e293[0] >= _e310) {
-                            if (_e293[1] >= _e315) {
-                                phi_1366_ = false;
+                        if (_e299[0] >= _e316) {
+                            if (_e299[1] >= _e321) {
+                                phi_1374_ = false;
                             } else {
-                                phi_1366_ = true;
+                                phi_1374_ = true;
                             }
-                            let _e929 = phi_1366_;
-                            phi_1367_ = _e929;
+                            let _e935 = phi_1374_;
+                            phi_1375_ = _e935;
                         } else {
-                            phi_1367_ = true;
+                            phi_1375_ = true;
                         }
-                        let _e931 = phi_1367_;
-                        if _e931 {
-                            phi_1371_ = 1u;
+                        let _e937 = phi_1375_;
+                        if _e937 {
+                            phi_1379_ = 1u;
                         } else {
-                            phi_1371_ = 2u;
+                            phi_1379_ = 2u;
                         }
-                        let _e933 = phi_1371_;
-                        phi_1372_ = _e933;
+                        let _e939 = phi_1379_;
+                        phi_1380_ = _e939;
                     }
-                    let _e935 = phi_1372_;
-                    if (_e935 == 2u) {
-                        phi_1378_ = type_25(_e293, 2u);
+                    let _e941 = phi_1380_;
+                    if (_e941 == 2u) {
+                        phi_1386_ = type_26(_e299, 2u);
                     } else {
-                        phi_1378_ = _e846;
+                        phi_1386_ = _e852;
                     }
-                    let _e939 = phi_1378_;
-                    phi_1379_ = _e939;
-                    phi_1380_ = _e921;
-                    phi_1381_ = _e896;
-                    phi_1382_ = _e871;
+                    let _e945 = phi_1386_;
+                    phi_1387_ = _e945;
+                    phi_1388_ = _e927;
+                    phi_1389_ = _e902;
+                    phi_1390_ = _e877;
                 } else {
-                    phi_1379_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1380_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1381_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
-                    phi_1382_ = type_25(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1387_ = type_26(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1388_ = type_26(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1389_ = type_26(array<u32, 2>(4294967295u, 4294967295u), 0u);
+                    phi_1390_ = type_26(array<u32, 2>(4294967295u, 4294967295u), 0u);
                 }
-                let _e941 = phi_1379_;
-                let _e943 = phi_1380_;
-                let _e945 = phi_1381_;
-                let _e947 = phi_1382_;
-                if (_e941.member_1 == 1u) {
-                    let _e958 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1403_ = array<u32, 2>(_e958, 0u);
-                } else {
-                    if (_e941.member_1 == 2u) {
-                        let _e953 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1402_ = array<u32, 2>(_e953, 0u);
+                let _e947 = phi_1387_;
+                let _e949 = phi_1388_;
+                let _e951 = phi_1389_;
+                let _e953 = phi_1390_;
+                if (_e77.member_11 == 1u) {
+                    if (_e77.member_4 > 0u) {
+                        phi_1449_ = (((select(0u, 1u, (_e947.member_1 >= 2u)) + select(0u, 1u, (_e953.member_1 >= 2u))) + select(0u, 1u, (_e951.member_1 >= 2u))) + select(0u, 1u, (_e949.member_1 >= 2u)));
                     } else {
-                        phi_1402_ = array<u32, 2>(0u, 0u);
+                        phi_1449_ = 0u;
                     }
-                    let _e956 = phi_1402_;
-                    phi_1403_ = _e956;
-                }
-                let _e961 = phi_1403_;
-                if (_e941.member_1 >= 2u) {
-                    if (_e71.member_4 > 0u) {
-                        let _e965 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1415_ = array<u32, 2>(_e961[0], _e965);
+                    let _e1138 = phi_1449_;
+                    let _e1141 = ((((select(0u, 1u, (_e947.member_1 == 1u)) + select(0u, 1u, (_e953.member_1 == 1u))) + select(0u, 1u, (_e951.member_1 == 1u))) + select(0u, 1u, (_e949.member_1 == 1u))) | ((((select(0u, 1u, (_e947.member_1 == 2u)) + select(0u, 1u, (_e953.member_1 == 2u))) + select(0u, 1u, (_e951.member_1 == 2u))) + select(0u, 1u, (_e949.member_1 == 2u))) << bitcast<u32>(16i)));
+                    sums[_e63] = _e1141;
+                    phi_1456_ = type_9(0u, 7u);
+                    phi_1459_ = 0u;
+                    phi_1461_ = 1u;
+                    phi_1463_ = _e1141;
+                    phi_1460_ = 128u;
+                    loop {
+                        let _e1144 = phi_1456_;
+                        let _e1146 = phi_1459_;
+                        let _e1148 = phi_1461_;
+                        let _e1150 = phi_1463_;
+                        let _e1152 = phi_1460_;
+                        local = _e1150;
+                        if (_e1144.member < _e1144.member_1) {
+                            phi_1457_ = type_9((_e1144.member + 1u), _e1144.member_1);
+                            phi_1486_ = type_9(1u, _e1144.member);
+                        } else {
+                            phi_1457_ = _e1144;
+                            phi_1486_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e1164 = phi_1457_;
+                        let _e1166 = phi_1486_;
+                        let _e1169 = (bitcast<i32>(_e1166.member) != 0i);
+                        if _e1169 {
+                            workgroupBarrier();
+                            if (_e63 >= _e1148) {
+                                let _e1174 = sums[((_e1146 + _e63) - _e1148)];
+                                phi_1502_ = (_e1150 + _e1174);
+                            } else {
+                                phi_1502_ = _e1150;
+                            }
+                            let _e1177 = phi_1502_;
+                            sums[(_e1152 + _e63)] = _e1177;
+                            phi_1462_ = (_e1148 * 2u);
+                            phi_1464_ = _e1177;
+                        } else {
+                            phi_1462_ = u32();
+                            phi_1464_ = u32();
+                        }
+                        let _e1182 = phi_1462_;
+                        let _e1184 = phi_1464_;
+                        continue;
+                        continuing {
+                            phi_1456_ = _e1164;
+                            phi_1459_ = _e1152;
+                            phi_1461_ = _e1182;
+                            phi_1463_ = _e1184;
+                            phi_1460_ = _e1146;
+                            break if !(_e1169);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e1187 = local;
+                    let _e1188 = (_e1187 - _e1141);
+                    if (_e63 == 0u) {
+                        let _e1191 = sums[255u];
+                        atomicStore((&shared_[6u]), (_e1191 & 65535u));
+                        atomicStore((&shared_[7u]), (_e1191 >> bitcast<u32>(16i)));
+                    }
+                    if (_e77.member_4 > 0u) {
+                        sums[_e63] = _e1138;
+                        phi_1529_ = type_9(0u, 7u);
+                        phi_1532_ = 0u;
+                        phi_1534_ = 1u;
+                        phi_1536_ = _e1138;
+                        phi_1533_ = 128u;
+                        loop {
+                            let _e1201 = phi_1529_;
+                            let _e1203 = phi_1532_;
+                            let _e1205 = phi_1534_;
+                            let _e1207 = phi_1536_;
+                            let _e1209 = phi_1533_;
+                            local_1 = _e1207;
+                            if (_e1201.member < _e1201.member_1) {
+                                phi_1530_ = type_9((_e1201.member + 1u), _e1201.member_1);
+                                phi_1559_ = type_9(1u, _e1201.member);
+                            } else {
+                                phi_1530_ = _e1201;
+                                phi_1559_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e1221 = phi_1530_;
+                            let _e1223 = phi_1559_;
+                            let _e1226 = (bitcast<i32>(_e1223.member) != 0i);
+                            if _e1226 {
+                                workgroupBarrier();
+                                if (_e63 >= _e1205) {
+                                    let _e1231 = sums[((_e1203 + _e63) - _e1205)];
+                                    phi_1575_ = (_e1207 + _e1231);
+                                } else {
+                                    phi_1575_ = _e1207;
+                                }
+                                let _e1234 = phi_1575_;
+                                sums[(_e1209 + _e63)] = _e1234;
+                                phi_1535_ = (_e1205 * 2u);
+                                phi_1537_ = _e1234;
+                            } else {
+                                phi_1535_ = u32();
+                                phi_1537_ = u32();
+                            }
+                            let _e1239 = phi_1535_;
+                            let _e1241 = phi_1537_;
+                            continue;
+                            continuing {
+                                phi_1529_ = _e1221;
+                                phi_1532_ = _e1209;
+                                phi_1534_ = _e1239;
+                                phi_1536_ = _e1241;
+                                phi_1533_ = _e1203;
+                                break if !(_e1226);
+                            }
+                        }
+                        workgroupBarrier();
+                        let _e1244 = local_1;
+                        if (_e63 == 0u) {
+                            let _e1248 = sums[255u];
+                            atomicStore((&shared_[8u]), _e1248);
+                        }
+                        phi_1589_ = (_e1244 - _e1138);
                     } else {
-                        phi_1415_ = _e961;
+                        phi_1589_ = 0u;
                     }
-                    let _e969 = phi_1415_;
-                    phi_1416_ = _e969;
-                } else {
-                    phi_1416_ = _e961;
-                }
-                let _e971 = phi_1416_;
-                if (_e947.member_1 == 1u) {
-                    let _e981 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1434_ = array<u32, 2>(_e981, 0u);
-                } else {
-                    if (_e947.member_1 == 2u) {
-                        let _e976 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1433_ = array<u32, 2>(_e976, 0u);
+                    let _e1251 = phi_1589_;
+                    let _e1252 = (_e1188 & 65535u);
+                    let _e1254 = (_e1188 >> bitcast<u32>(16i));
+                    if (_e947.member_1 == 1u) {
+                        phi_1597_ = _e1252;
                     } else {
-                        phi_1433_ = array<u32, 2>(0u, 0u);
+                        phi_1597_ = _e1254;
                     }
-                    let _e979 = phi_1433_;
-                    phi_1434_ = _e979;
-                }
-                let _e984 = phi_1434_;
-                if (_e947.member_1 >= 2u) {
-                    if (_e71.member_4 > 0u) {
-                        let _e988 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1446_ = array<u32, 2>(_e984[0], _e988);
+                    let _e1258 = phi_1597_;
+                    let _e1263 = (_e1252 + select(0u, 1u, (_e947.member_1 == 1u)));
+                    let _e1267 = (_e1254 + select(0u, 1u, (_e947.member_1 == 2u)));
+                    let _e1271 = (_e1251 + select(0u, 1u, (_e947.member_1 >= 2u)));
+                    if (_e953.member_1 == 1u) {
+                        phi_1616_ = _e1263;
                     } else {
-                        phi_1446_ = _e984;
+                        phi_1616_ = _e1267;
                     }
-                    let _e992 = phi_1446_;
-                    phi_1447_ = _e992;
-                } else {
-                    phi_1447_ = _e984;
-                }
-                let _e994 = phi_1447_;
-                if (_e945.member_1 == 1u) {
-                    let _e1004 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1465_ = array<u32, 2>(_e1004, 0u);
-                } else {
-                    if (_e945.member_1 == 2u) {
-                        let _e999 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1464_ = array<u32, 2>(_e999, 0u);
+                    let _e1275 = phi_1616_;
+                    let _e1280 = (_e1263 + select(0u, 1u, (_e953.member_1 == 1u)));
+                    let _e1284 = (_e1267 + select(0u, 1u, (_e953.member_1 == 2u)));
+                    let _e1288 = (_e1271 + select(0u, 1u, (_e953.member_1 >= 2u)));
+                    if (_e951.member_1 == 1u) {
+                        phi_1635_ = _e1280;
                     } else {
-                        phi_1464_ = array<u32, 2>(0u, 0u);
+                        phi_1635_ = _e1284;
                     }
-                    let _e1002 = phi_1464_;
-                    phi_1465_ = _e1002;
-                }
-                let _e1007 = phi_1465_;
-                if (_e945.member_1 >= 2u) {
-                    if (_e71.member_4 > 0u) {
-                        let _e1011 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1477_ = array<u32, 2>(_e1007[0], _e1011);
+                    let _e1292 = phi_1635_;
+                    if (_e949.member_1 == 1u) {
+                        phi_1654_ = (_e1280 + select(0u, 1u, (_e951.member_1 == 1u)));
                     } else {
-                        phi_1477_ = _e1007;
+                        phi_1654_ = (_e1284 + select(0u, 1u, (_e951.member_1 == 2u)));
                     }
-                    let _e1015 = phi_1477_;
-                    phi_1478_ = _e1015;
+                    let _e1309 = phi_1654_;
+                    phi_1812_ = type_27(array<u32, 2>(_e1258, _e1251), array<u32, 2>(_e1275, _e1271), array<u32, 2>(_e1292, _e1288), array<u32, 2>(_e1309, (_e1288 + select(0u, 1u, (_e951.member_1 >= 2u)))));
                 } else {
-                    phi_1478_ = _e1007;
-                }
-                let _e1017 = phi_1478_;
-                if (_e943.member_1 == 1u) {
-                    let _e1027 = atomicAdd((&shared_[6u]), 1u);
-                    phi_1496_ = array<u32, 2>(_e1027, 0u);
-                } else {
-                    if (_e943.member_1 == 2u) {
-                        let _e1022 = atomicAdd((&shared_[7u]), 1u);
-                        phi_1495_ = array<u32, 2>(_e1022, 0u);
+                    let _e993 = (((select(0u, 1u, (_e947.member_1 == 1u)) + select(0u, 1u, (_e953.member_1 == 1u))) + select(0u, 1u, (_e951.member_1 == 1u))) + select(0u, 1u, (_e949.member_1 == 1u)));
+                    let _e997 = (((select(0u, 1u, (_e947.member_1 == 2u)) + select(0u, 1u, (_e953.member_1 == 2u))) + select(0u, 1u, (_e951.member_1 == 2u))) + select(0u, 1u, (_e949.member_1 == 2u)));
+                    if (_e77.member_4 > 0u) {
+                        phi_1710_ = (((select(0u, 1u, (_e947.member_1 >= 2u)) + select(0u, 1u, (_e953.member_1 >= 2u))) + select(0u, 1u, (_e951.member_1 >= 2u))) + select(0u, 1u, (_e949.member_1 >= 2u)));
                     } else {
-                        phi_1495_ = array<u32, 2>(0u, 0u);
+                        phi_1710_ = 0u;
                     }
-                    let _e1025 = phi_1495_;
-                    phi_1496_ = _e1025;
-                }
-                let _e1030 = phi_1496_;
-                if (_e943.member_1 >= 2u) {
-                    if (_e71.member_4 > 0u) {
-                        let _e1034 = atomicAdd((&shared_[8u]), 1u);
-                        phi_1508_ = array<u32, 2>(_e1030[0], _e1034);
+                    let _e1004 = phi_1710_;
+                    if (_e993 > 0u) {
+                        let _e1007 = atomicAdd((&shared_[6u]), _e993);
+                        phi_1720_ = array<u32, 3>(_e1007, 0u, 0u);
                     } else {
-                        phi_1508_ = _e1030;
+                        phi_1720_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e1038 = phi_1508_;
-                    phi_1509_ = _e1038;
-                } else {
-                    phi_1509_ = _e1030;
+                    let _e1010 = phi_1720_;
+                    if (_e997 > 0u) {
+                        let _e1013 = atomicAdd((&shared_[7u]), _e997);
+                        phi_1729_ = array<u32, 3>(_e1010[0], _e1013, _e1010[2]);
+                    } else {
+                        phi_1729_ = _e1010;
+                    }
+                    let _e1018 = phi_1729_;
+                    if (_e1004 > 0u) {
+                        let _e1021 = atomicAdd((&shared_[8u]), _e1004);
+                        phi_1738_ = array<u32, 3>(_e1018[0], _e1018[1], _e1021);
+                    } else {
+                        phi_1738_ = _e1018;
+                    }
+                    let _e1026 = phi_1738_;
+                    if (_e947.member_1 == 1u) {
+                        phi_1746_ = _e1026[0];
+                    } else {
+                        phi_1746_ = _e1026[1];
+                    }
+                    let _e1032 = phi_1746_;
+                    let _e1039 = (_e1026[0] + select(0u, 1u, (_e947.member_1 == 1u)));
+                    let _e1044 = (_e1026[1] + select(0u, 1u, (_e947.member_1 == 2u)));
+                    let _e1049 = (_e1026[2] + select(0u, 1u, (_e947.member_1 >= 2u)));
+                    if (_e953.member_1 == 1u) {
+                        phi_1771_ = _e1039;
+                    } else {
+                        phi_1771_ = _e1044;
+                    }
+                    let _e1053 = phi_1771_;
+                    let _e1058 = (_e1039 + select(0u, 1u, (_e953.member_1 == 1u)));
+                    let _e1062 = (_e1044 + select(0u, 1u, (_e953.member_1 == 2u)));
+                    let _e1066 = (_e1049 + select(0u, 1u, (_e953.member_1 >= 2u)));
+                    if (_e951.member_1 == 1u) {
+                        phi_1790_ = _e1058;
+                    } else {
+                        phi_1790_ = _e1062;
+                    }
+                    let _e1070 = phi_1790_;
+                    if (_e949.member_1 == 1u) {
+                        phi_1809_ = (_e1058 + select(0u, 1u, (_e951.member_1 == 1u)));
+                    } else {
+                        phi_1809_ = (_e1062 + select(0u, 1u, (_e951.member_1 == 2u)));
+                    }
+                    let _e1087 = phi_1809_;
+                    phi_1812_ = type_27(array<u32, 2>(_e1032, _e1026[2]), array<u32, 2>(_e1053, _e1049), array<u32, 2>(_e1070, _e1066), array<u32, 2>(_e1087, (_e1066 + select(0u, 1u, (_e951.member_1 >= 2u)))));
                 }
-                let _e1040 = phi_1509_;
+                let _e1313 = phi_1812_;
                 workgroupBarrier();
-                if (_e57 == 0u) {
-                    let _e1043 = atomicLoad((&shared_[6u]));
-                    let _e1045 = atomicLoad((&shared_[7u]));
-                    let _e1047 = atomicLoad((&shared_[8u]));
-                    let _e1049 = atomicLoad((&shared_[1u]));
-                    let _e1051 = atomicLoad((&shared_[2u]));
-                    let _e1053 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e1053 + 1u));
-                    let _e1057 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e1057 + _e1049) + _e1051));
-                    let _e1062 = atomicLoad((&shared_[0u]));
-                    let _e1063 = (_e1062 - _e1049);
-                    let _e1065 = (_e71.member_10 - _e1063);
-                    if (_e1065 < _e1043) {
-                        phi_1553_ = _e1065;
+                if (_e63 == 0u) {
+                    let _e1316 = atomicLoad((&shared_[6u]));
+                    let _e1318 = atomicLoad((&shared_[7u]));
+                    let _e1320 = atomicLoad((&shared_[8u]));
+                    let _e1322 = atomicLoad((&shared_[1u]));
+                    let _e1324 = atomicLoad((&shared_[2u]));
+                    let _e1326 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e1326 + 1u));
+                    let _e1330 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e1330 + _e1322) + _e1324));
+                    let _e1335 = atomicLoad((&shared_[0u]));
+                    let _e1336 = (_e1335 - _e1322);
+                    let _e1338 = (_e77.member_10 - _e1336);
+                    if (_e1338 < _e1316) {
+                        phi_1856_ = _e1338;
                     } else {
-                        phi_1553_ = _e1043;
+                        phi_1856_ = _e1316;
                     }
-                    let _e1068 = phi_1553_;
-                    atomicStore((&shared_[9u]), _e1063);
-                    atomicStore((&shared_[10u]), _e1068);
-                    atomicStore((&shared_[0u]), (_e1063 + _e1068));
-                    if (_e1043 > _e1068) {
-                        let _e1074 = (_e1043 - _e1068);
-                        if (_e71.member_12 == 0u) {
+                    let _e1341 = phi_1856_;
+                    atomicStore((&shared_[9u]), _e1336);
+                    atomicStore((&shared_[10u]), _e1341);
+                    atomicStore((&shared_[0u]), (_e1336 + _e1341));
+                    if (_e1316 > _e1341) {
+                        let _e1347 = (_e1316 - _e1341);
+                        if (_e77.member_13 == 0u) {
                         } else {
-                            let _e1078 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e1351 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1081 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), _e1074);
-                        let _e1084 = atomicMax((&nodes.member[0u]), (_e1081 + _e1074));
-                        if ((_e1081 + _e1074) < _e1081) {
-                            let _e1088 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e1354 = atomicAdd((&control.member[(_e79.member_1 + 1u)]), _e1347);
+                        let _e1357 = atomicMax((&nodes.member[0u]), (_e1354 + _e1347));
+                        if ((_e1354 + _e1347) < _e1354) {
+                            let _e1361 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[11u]), _e1081);
+                        atomicStore((&shared_[11u]), _e1354);
                     }
-                    if (_e1045 > 0u) {
-                        let _e1092 = atomicAdd((&pairs.member[0u]), _e1045);
-                        if ((_e1092 + _e1045) < _e1092) {
-                            let _e1096 = atomicAdd((&pairs.member[2u]), 1u);
+                    if (_e1318 > 0u) {
+                        let _e1365 = atomicAdd((&pairs.member[0u]), _e1318);
+                        if ((_e1365 + _e1318) < _e1365) {
+                            let _e1369 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[12u]), _e1092);
+                        atomicStore((&shared_[12u]), _e1365);
                     }
-                    if (_e1047 > 0u) {
-                        let _e1100 = atomicAdd((&control.member[1537u]), _e1047);
-                        if ((_e1100 + _e1047) < _e1100) {
-                            let _e1104 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e1320 > 0u) {
+                        let _e1373 = atomicAdd((&control.member[1537u]), _e1320);
+                        if ((_e1373 + _e1320) < _e1373) {
+                            let _e1377 = atomicAdd((&control.member[1538u]), 1u);
                         }
-                        atomicStore((&shared_[13u]), _e1100);
+                        atomicStore((&shared_[13u]), _e1373);
                     }
                 }
                 workgroupBarrier();
-                if (_e941.member_1 == 1u) {
-                    let _e1167 = atomicLoad((&shared_[10u]));
-                    if (_e971[0] < _e1167) {
-                        let _e1187 = atomicLoad((&shared_[9u]));
-                        let _e1190 = (2u * (_e1187 + _e971[0]));
-                        stack[_e1190] = _e941.member[0];
-                        stack[(_e1190 + 1u)] = _e941.member[1];
-                    } else {
-                        let _e1171 = atomicLoad((&shared_[11u]));
-                        let _e1174 = ((_e1171 + _e971[0]) - _e1167);
-                        if (_e1174 < _e71.member_3) {
-                            let _e1177 = (_e84 + _e1174);
-                            if (_e1177 < 4294967295u) {
-                                let _e1181 = (2u * _e1177);
-                                atomicStore((&nodes.member[(4u + _e1181)]), _e941.member[0]);
-                                atomicStore((&nodes.member[(_e1181 + 5u)]), _e941.member[1]);
-                            }
-                        }
-                    }
-                } else {
-                    if (_e941.member_1 == 0u) {
-                    } else {
-                        if (_e941.member_1 == 2u) {
-                            let _e1115 = a.member[_e941.member[0]];
-                            let _e1119 = b.member[_e941.member[1]];
-                            let _e1123 = params.member.member_2.member;
-                            if (_e1123 == 1u) {
-                                if (_e1115.member_1 < _e1119.member_1) {
-                                    phi_1738_ = type_9(_e1115.member_1, _e1119.member_1);
-                                } else {
-                                    phi_1738_ = type_9(_e1119.member_1, _e1115.member_1);
-                                }
-                                let _e1130 = phi_1738_;
-                                phi_1743_ = _e1130;
-                            } else {
-                                phi_1743_ = type_9(_e1115.member_1, _e1119.member_1);
-                            }
-                            let _e1132 = phi_1743_;
-                            let _e1136 = params.member.member_1;
-                            let _e1139 = atomicLoad((&shared_[12u]));
-                            let _e1141 = (_e1139 + _e971[0]);
-                            if (_e1141 < _e1136.member_3) {
-                                let _e1143 = (2u * _e1141);
-                                atomicStore((&pairs.member[(4u + _e1143)]), _e1132.member);
-                                atomicStore((&pairs.member[(_e1143 + 5u)]), _e1132.member_1);
-                            }
-                        }
-                        if (_e71.member_4 > 0u) {
-                            let _e1151 = atomicLoad((&shared_[13u]));
-                            let _e1153 = (_e1151 + _e971[1]);
-                            if (_e1153 < _e71.member_4) {
-                                let _e1160 = (2u * ((_e71.member_5 * _e71.member_4) + _e1153));
-                                front.member[_e1160] = _e941.member[0];
-                                front.member[(_e1160 + 1u)] = _e941.member[1];
-                            }
-                        }
-                    }
-                }
                 if (_e947.member_1 == 1u) {
-                    let _e1257 = atomicLoad((&shared_[10u]));
-                    if (_e994[0] < _e1257) {
-                        let _e1277 = atomicLoad((&shared_[9u]));
-                        let _e1280 = (2u * (_e1277 + _e994[0]));
-                        stack[_e1280] = _e947.member[0];
-                        stack[(_e1280 + 1u)] = _e947.member[1];
+                    let _e1441 = atomicLoad((&shared_[10u]));
+                    if (_e1313.member[0] < _e1441) {
+                        let _e1461 = atomicLoad((&shared_[9u]));
+                        let _e1464 = (2u * (_e1461 + _e1313.member[0]));
+                        stack[_e1464] = _e947.member[0];
+                        stack[(_e1464 + 1u)] = _e947.member[1];
                     } else {
-                        let _e1261 = atomicLoad((&shared_[11u]));
-                        let _e1264 = ((_e1261 + _e994[0]) - _e1257);
-                        if (_e1264 < _e71.member_3) {
-                            let _e1267 = (_e84 + _e1264);
-                            if (_e1267 < 4294967295u) {
-                                let _e1271 = (2u * _e1267);
-                                atomicStore((&nodes.member[(4u + _e1271)]), _e947.member[0]);
-                                atomicStore((&nodes.member[(_e1271 + 5u)]), _e947.member[1]);
+                        let _e1445 = atomicLoad((&shared_[11u]));
+                        let _e1448 = ((_e1445 + _e1313.member[0]) - _e1441);
+                        if (_e1448 < _e77.member_3) {
+                            let _e1451 = (_e90 + _e1448);
+                            if (_e1451 < 4294967295u) {
+                                let _e1455 = (2u * _e1451);
+                                atomicStore((&nodes.member[(4u + _e1455)]), _e947.member[0]);
+                                atomicStore((&nodes.member[(_e1455 + 5u)]), _e947.member[1]);
                             }
                         }
                     }
@@ -1158,262 +1248,320 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if (_e947.member_1 == 0u) {
                     } else {
                         if (_e947.member_1 == 2u) {
-                            let _e1205 = a.member[_e947.member[0]];
-                            let _e1209 = b.member[_e947.member[1]];
-                            let _e1213 = params.member.member_2.member;
-                            if (_e1213 == 1u) {
-                                if (_e1205.member_1 < _e1209.member_1) {
-                                    phi_1901_ = type_9(_e1205.member_1, _e1209.member_1);
+                            let _e1389 = a.member[_e947.member[0]];
+                            let _e1393 = b.member[_e947.member[1]];
+                            let _e1397 = params.member.member_2.member;
+                            if (_e1397 == 1u) {
+                                if (_e1389.member_1 < _e1393.member_1) {
+                                    phi_2042_ = type_9(_e1389.member_1, _e1393.member_1);
                                 } else {
-                                    phi_1901_ = type_9(_e1209.member_1, _e1205.member_1);
+                                    phi_2042_ = type_9(_e1393.member_1, _e1389.member_1);
                                 }
-                                let _e1220 = phi_1901_;
-                                phi_1906_ = _e1220;
+                                let _e1404 = phi_2042_;
+                                phi_2047_ = _e1404;
                             } else {
-                                phi_1906_ = type_9(_e1205.member_1, _e1209.member_1);
+                                phi_2047_ = type_9(_e1389.member_1, _e1393.member_1);
                             }
-                            let _e1222 = phi_1906_;
-                            let _e1226 = params.member.member_1;
-                            let _e1229 = atomicLoad((&shared_[12u]));
-                            let _e1231 = (_e1229 + _e994[0]);
-                            if (_e1231 < _e1226.member_3) {
-                                let _e1233 = (2u * _e1231);
-                                atomicStore((&pairs.member[(4u + _e1233)]), _e1222.member);
-                                atomicStore((&pairs.member[(_e1233 + 5u)]), _e1222.member_1);
+                            let _e1406 = phi_2047_;
+                            let _e1410 = params.member.member_1;
+                            let _e1413 = atomicLoad((&shared_[12u]));
+                            let _e1415 = (_e1413 + _e1313.member[0]);
+                            if (_e1415 < _e1410.member_3) {
+                                let _e1417 = (2u * _e1415);
+                                atomicStore((&pairs.member[(4u + _e1417)]), _e1406.member);
+                                atomicStore((&pairs.member[(_e1417 + 5u)]), _e1406.member_1);
                             }
                         }
-                        if (_e71.member_4 > 0u) {
-                            let _e1241 = atomicLoad((&shared_[13u]));
-                            let _e1243 = (_e1241 + _e994[1]);
-                            if (_e1243 < _e71.member_4) {
-                                let _e1250 = (2u * ((_e71.member_5 * _e71.member_4) + _e1243));
-                                front.member[_e1250] = _e947.member[0];
-                                front.member[(_e1250 + 1u)] = _e947.member[1];
+                        if (_e77.member_4 > 0u) {
+                            let _e1425 = atomicLoad((&shared_[13u]));
+                            let _e1427 = (_e1425 + _e1313.member[1]);
+                            if (_e1427 < _e77.member_4) {
+                                let _e1434 = (2u * ((_e77.member_5 * _e77.member_4) + _e1427));
+                                front.member[_e1434] = _e947.member[0];
+                                front.member[(_e1434 + 1u)] = _e947.member[1];
                             }
                         }
                     }
                 }
-                if (_e945.member_1 == 1u) {
-                    let _e1347 = atomicLoad((&shared_[10u]));
-                    if (_e1017[0] < _e1347) {
-                        let _e1367 = atomicLoad((&shared_[9u]));
-                        let _e1370 = (2u * (_e1367 + _e1017[0]));
-                        stack[_e1370] = _e945.member[0];
-                        stack[(_e1370 + 1u)] = _e945.member[1];
+                if (_e953.member_1 == 1u) {
+                    let _e1532 = atomicLoad((&shared_[10u]));
+                    if (_e1313.member_1[0] < _e1532) {
+                        let _e1552 = atomicLoad((&shared_[9u]));
+                        let _e1555 = (2u * (_e1552 + _e1313.member_1[0]));
+                        stack[_e1555] = _e953.member[0];
+                        stack[(_e1555 + 1u)] = _e953.member[1];
                     } else {
-                        let _e1351 = atomicLoad((&shared_[11u]));
-                        let _e1354 = ((_e1351 + _e1017[0]) - _e1347);
-                        if (_e1354 < _e71.member_3) {
-                            let _e1357 = (_e84 + _e1354);
-                            if (_e1357 < 4294967295u) {
-                                let _e1361 = (2u * _e1357);
-                                atomicStore((&nodes.member[(4u + _e1361)]), _e945.member[0]);
-                                atomicStore((&nodes.member[(_e1361 + 5u)]), _e945.member[1]);
+                        let _e1536 = atomicLoad((&shared_[11u]));
+                        let _e1539 = ((_e1536 + _e1313.member_1[0]) - _e1532);
+                        if (_e1539 < _e77.member_3) {
+                            let _e1542 = (_e90 + _e1539);
+                            if (_e1542 < 4294967295u) {
+                                let _e1546 = (2u * _e1542);
+                                atomicStore((&nodes.member[(4u + _e1546)]), _e953.member[0]);
+                                atomicStore((&nodes.member[(_e1546 + 5u)]), _e953.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e945.member_1 == 0u) {
+                    if (_e953.member_1 == 0u) {
                     } else {
-                        if (_e945.member_1 == 2u) {
-                            let _e1295 = a.member[_e945.member[0]];
-                            let _e1299 = b.member[_e945.member[1]];
-                            let _e1303 = params.member.member_2.member;
-                            if (_e1303 == 1u) {
-                                if (_e1295.member_1 < _e1299.member_1) {
-                                    phi_2064_ = type_9(_e1295.member_1, _e1299.member_1);
+                        if (_e953.member_1 == 2u) {
+                            let _e1480 = a.member[_e953.member[0]];
+                            let _e1484 = b.member[_e953.member[1]];
+                            let _e1488 = params.member.member_2.member;
+                            if (_e1488 == 1u) {
+                                if (_e1480.member_1 < _e1484.member_1) {
+                                    phi_2206_ = type_9(_e1480.member_1, _e1484.member_1);
                                 } else {
-                                    phi_2064_ = type_9(_e1299.member_1, _e1295.member_1);
+                                    phi_2206_ = type_9(_e1484.member_1, _e1480.member_1);
                                 }
-                                let _e1310 = phi_2064_;
-                                phi_2069_ = _e1310;
+                                let _e1495 = phi_2206_;
+                                phi_2211_ = _e1495;
                             } else {
-                                phi_2069_ = type_9(_e1295.member_1, _e1299.member_1);
+                                phi_2211_ = type_9(_e1480.member_1, _e1484.member_1);
                             }
-                            let _e1312 = phi_2069_;
-                            let _e1316 = params.member.member_1;
-                            let _e1319 = atomicLoad((&shared_[12u]));
-                            let _e1321 = (_e1319 + _e1017[0]);
-                            if (_e1321 < _e1316.member_3) {
-                                let _e1323 = (2u * _e1321);
-                                atomicStore((&pairs.member[(4u + _e1323)]), _e1312.member);
-                                atomicStore((&pairs.member[(_e1323 + 5u)]), _e1312.member_1);
+                            let _e1497 = phi_2211_;
+                            let _e1501 = params.member.member_1;
+                            let _e1504 = atomicLoad((&shared_[12u]));
+                            let _e1506 = (_e1504 + _e1313.member_1[0]);
+                            if (_e1506 < _e1501.member_3) {
+                                let _e1508 = (2u * _e1506);
+                                atomicStore((&pairs.member[(4u + _e1508)]), _e1497.member);
+                                atomicStore((&pairs.member[(_e1508 + 5u)]), _e1497.member_1);
                             }
                         }
-                        if (_e71.member_4 > 0u) {
-                            let _e1331 = atomicLoad((&shared_[13u]));
-                            let _e1333 = (_e1331 + _e1017[1]);
-                            if (_e1333 < _e71.member_4) {
-                                let _e1340 = (2u * ((_e71.member_5 * _e71.member_4) + _e1333));
-                                front.member[_e1340] = _e945.member[0];
-                                front.member[(_e1340 + 1u)] = _e945.member[1];
+                        if (_e77.member_4 > 0u) {
+                            let _e1516 = atomicLoad((&shared_[13u]));
+                            let _e1518 = (_e1516 + _e1313.member_1[1]);
+                            if (_e1518 < _e77.member_4) {
+                                let _e1525 = (2u * ((_e77.member_5 * _e77.member_4) + _e1518));
+                                front.member[_e1525] = _e953.member[0];
+                                front.member[(_e1525 + 1u)] = _e953.member[1];
                             }
                         }
                     }
                 }
-                if (_e943.member_1 == 1u) {
-                    let _e1437 = atomicLoad((&shared_[10u]));
-                    if (_e1040[0] < _e1437) {
-                        let _e1457 = atomicLoad((&shared_[9u]));
-                        let _e1460 = (2u * (_e1457 + _e1040[0]));
-                        stack[_e1460] = _e943.member[0];
-                        stack[(_e1460 + 1u)] = _e943.member[1];
+                if (_e951.member_1 == 1u) {
+                    let _e1623 = atomicLoad((&shared_[10u]));
+                    if (_e1313.member_2[0] < _e1623) {
+                        let _e1643 = atomicLoad((&shared_[9u]));
+                        let _e1646 = (2u * (_e1643 + _e1313.member_2[0]));
+                        stack[_e1646] = _e951.member[0];
+                        stack[(_e1646 + 1u)] = _e951.member[1];
                     } else {
-                        let _e1441 = atomicLoad((&shared_[11u]));
-                        let _e1444 = ((_e1441 + _e1040[0]) - _e1437);
-                        if (_e1444 < _e71.member_3) {
-                            let _e1447 = (_e84 + _e1444);
-                            if (_e1447 < 4294967295u) {
-                                let _e1451 = (2u * _e1447);
-                                atomicStore((&nodes.member[(4u + _e1451)]), _e943.member[0]);
-                                atomicStore((&nodes.member[(_e1451 + 5u)]), _e943.member[1]);
+                        let _e1627 = atomicLoad((&shared_[11u]));
+                        let _e1630 = ((_e1627 + _e1313.member_2[0]) - _e1623);
+                        if (_e1630 < _e77.member_3) {
+                            let _e1633 = (_e90 + _e1630);
+                            if (_e1633 < 4294967295u) {
+                                let _e1637 = (2u * _e1633);
+                                atomicStore((&nodes.member[(4u + _e1637)]), _e951.member[0]);
+                                atomicStore((&nodes.member[(_e1637 + 5u)]), _e951.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e943.member_1 == 0u) {
+                    if (_e951.member_1 == 0u) {
                     } else {
-                        if (_e943.member_1 == 2u) {
-                            let _e1385 = a.member[_e943.member[0]];
-                            let _e1389 = b.member[_e943.member[1]];
-                            let _e1393 = params.member.member_2.member;
-                            if (_e1393 == 1u) {
-                                if (_e1385.member_1 < _e1389.member_1) {
-                                    phi_2227_ = type_9(_e1385.member_1, _e1389.member_1);
+                        if (_e951.member_1 == 2u) {
+                            let _e1571 = a.member[_e951.member[0]];
+                            let _e1575 = b.member[_e951.member[1]];
+                            let _e1579 = params.member.member_2.member;
+                            if (_e1579 == 1u) {
+                                if (_e1571.member_1 < _e1575.member_1) {
+                                    phi_2370_ = type_9(_e1571.member_1, _e1575.member_1);
                                 } else {
-                                    phi_2227_ = type_9(_e1389.member_1, _e1385.member_1);
+                                    phi_2370_ = type_9(_e1575.member_1, _e1571.member_1);
                                 }
-                                let _e1400 = phi_2227_;
-                                phi_2232_ = _e1400;
+                                let _e1586 = phi_2370_;
+                                phi_2375_ = _e1586;
                             } else {
-                                phi_2232_ = type_9(_e1385.member_1, _e1389.member_1);
+                                phi_2375_ = type_9(_e1571.member_1, _e1575.member_1);
                             }
-                            let _e1402 = phi_2232_;
-                            let _e1406 = params.member.member_1;
-                            let _e1409 = atomicLoad((&shared_[12u]));
-                            let _e1411 = (_e1409 + _e1040[0]);
-                            if (_e1411 < _e1406.member_3) {
-                                let _e1413 = (2u * _e1411);
-                                atomicStore((&pairs.member[(4u + _e1413)]), _e1402.member);
-                                atomicStore((&pairs.member[(_e1413 + 5u)]), _e1402.member_1);
+                            let _e1588 = phi_2375_;
+                            let _e1592 = params.member.member_1;
+                            let _e1595 = atomicLoad((&shared_[12u]));
+                            let _e1597 = (_e1595 + _e1313.member_2[0]);
+                            if (_e1597 < _e1592.member_3) {
+                                let _e1599 = (2u * _e1597);
+                                atomicStore((&pairs.member[(4u + _e1599)]), _e1588.member);
+                                atomicStore((&pairs.member[(_e1599 + 5u)]), _e1588.member_1);
                             }
                         }
-                        if (_e71.member_4 > 0u) {
-                            let _e1421 = atomicLoad((&shared_[13u]));
-                            let _e1423 = (_e1421 + _e1040[1]);
-                            if (_e1423 < _e71.member_4) {
-                                let _e1430 = (2u * ((_e71.member_5 * _e71.member_4) + _e1423));
-                                front.member[_e1430] = _e943.member[0];
-                                front.member[(_e1430 + 1u)] = _e943.member[1];
+                        if (_e77.member_4 > 0u) {
+                            let _e1607 = atomicLoad((&shared_[13u]));
+                            let _e1609 = (_e1607 + _e1313.member_2[1]);
+                            if (_e1609 < _e77.member_4) {
+                                let _e1616 = (2u * ((_e77.member_5 * _e77.member_4) + _e1609));
+                                front.member[_e1616] = _e951.member[0];
+                                front.member[(_e1616 + 1u)] = _e951.member[1];
                             }
                         }
                     }
                 }
-                phi_2285_ = true;
+                if (_e949.member_1 == 1u) {
+                    let _e1714 = atomicLoad((&shared_[10u]));
+                    if (_e1313.member_3[0] < _e1714) {
+                        let _e1734 = atomicLoad((&shared_[9u]));
+                        let _e1737 = (2u * (_e1734 + _e1313.member_3[0]));
+                        stack[_e1737] = _e949.member[0];
+                        stack[(_e1737 + 1u)] = _e949.member[1];
+                    } else {
+                        let _e1718 = atomicLoad((&shared_[11u]));
+                        let _e1721 = ((_e1718 + _e1313.member_3[0]) - _e1714);
+                        if (_e1721 < _e77.member_3) {
+                            let _e1724 = (_e90 + _e1721);
+                            if (_e1724 < 4294967295u) {
+                                let _e1728 = (2u * _e1724);
+                                atomicStore((&nodes.member[(4u + _e1728)]), _e949.member[0]);
+                                atomicStore((&nodes.member[(_e1728 + 5u)]), _e949.member[1]);
+                            }
+                        }
+                    }
+                } else {
+                    if (_e949.member_1 == 0u) {
+                    } else {
+                        if (_e949.member_1 == 2u) {
+                            let _e1662 = a.member[_e949.member[0]];
+                            let _e1666 = b.member[_e949.member[1]];
+                            let _e1670 = params.member.member_2.member;
+                            if (_e1670 == 1u) {
+                                if (_e1662.member_1 < _e1666.member_1) {
+                                    phi_2534_ = type_9(_e1662.member_1, _e1666.member_1);
+                                } else {
+                                    phi_2534_ = type_9(_e1666.member_1, _e1662.member_1);
+                                }
+                                let _e1677 = phi_2534_;
+                                phi_2539_ = _e1677;
+                            } else {
+                                phi_2539_ = type_9(_e1662.member_1, _e1666.member_1);
+                            }
+                            let _e1679 = phi_2539_;
+                            let _e1683 = params.member.member_1;
+                            let _e1686 = atomicLoad((&shared_[12u]));
+                            let _e1688 = (_e1686 + _e1313.member_3[0]);
+                            if (_e1688 < _e1683.member_3) {
+                                let _e1690 = (2u * _e1688);
+                                atomicStore((&pairs.member[(4u + _e1690)]), _e1679.member);
+                                atomicStore((&pairs.member[(_e1690 + 5u)]), _e1679.member_1);
+                            }
+                        }
+                        if (_e77.member_4 > 0u) {
+                            let _e1698 = atomicLoad((&shared_[13u]));
+                            let _e1700 = (_e1698 + _e1313.member_3[1]);
+                            if (_e1700 < _e77.member_4) {
+                                let _e1707 = (2u * ((_e77.member_5 * _e77.member_4) + _e1700));
+                                front.member[_e1707] = _e949.member[0];
+                                front.member[(_e1707 + 1u)] = _e949.member[1];
+                            }
+                        }
+                    }
+                }
+                phi_2592_ = true;
             }
-            let _e1467 = phi_2285_;
-            phi_2286_ = _e1467;
+            let _e1744 = phi_2592_;
+            phi_2593_ = _e1744;
         } else {
-            phi_2286_ = false;
+            phi_2593_ = false;
         }
-        let _e1469 = phi_2286_;
+        let _e1746 = phi_2593_;
         continue;
         continuing {
-            phi_204_ = _e105;
-            break if !(_e1469);
+            phi_212_ = _e111;
+            break if !(_e1746);
         }
     }
-    if (_e57 == 0u) {
-        if (_e71.member_6 == 0u) {
-            if (_e69 < _e81) {
-                phi_2309_ = ((((_e81 - 1u) - _e69) >> bitcast<u32>((_e71.member_7 & 31u))) + 1u);
+    if (_e63 == 0u) {
+        if (_e77.member_6 == 0u) {
+            if (_e75 < _e87) {
+                phi_2616_ = ((((_e87 - 1u) - _e75) >> bitcast<u32>((_e77.member_7 & 31u))) + 1u);
             } else {
-                phi_2309_ = 0u;
+                phi_2616_ = 0u;
             }
-            let _e1483 = phi_2309_;
-            let _e1485 = atomicLoad((&shared_[5u]));
-            phi_2314_ = (_e1483 - _e1485);
+            let _e1760 = phi_2616_;
+            let _e1762 = atomicLoad((&shared_[5u]));
+            phi_2621_ = (_e1760 - _e1762);
         } else {
-            phi_2314_ = 0u;
+            phi_2621_ = 0u;
         }
-        let _e1488 = phi_2314_;
-        atomicStore((&shared_[14u]), _e1488);
-        let _e1491 = atomicLoad((&shared_[0u]));
-        let _e1492 = (_e1491 + _e1488);
-        if (_e71.member_6 == 2u) {
-            let _e1519 = (((_e81 + (1u << bitcast<u32>((_e71.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e71.member_7 & 31u)));
-            let _e1520 = (_e69 * _e1519);
-            if (_e81 < _e1520) {
-                phi_2340_ = _e81;
+        let _e1765 = phi_2621_;
+        atomicStore((&shared_[14u]), _e1765);
+        let _e1768 = atomicLoad((&shared_[0u]));
+        let _e1769 = (_e1768 + _e1765);
+        if (_e77.member_6 == 2u) {
+            let _e1796 = (((_e87 + (1u << bitcast<u32>((_e77.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e77.member_7 & 31u)));
+            let _e1797 = (_e75 * _e1796);
+            if (_e87 < _e1797) {
+                phi_2647_ = _e87;
             } else {
-                phi_2340_ = _e1520;
+                phi_2647_ = _e1797;
             }
-            let _e1523 = phi_2340_;
-            let _e1524 = (_e81 - _e1523);
-            if (_e1524 < _e1519) {
-                phi_2346_ = _e1524;
+            let _e1800 = phi_2647_;
+            let _e1801 = (_e87 - _e1800);
+            if (_e1801 < _e1796) {
+                phi_2653_ = _e1801;
             } else {
-                phi_2346_ = _e1519;
+                phi_2653_ = _e1796;
             }
-            let _e1527 = phi_2346_;
-            let _e1534 = ((1540u + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (2u * _e69));
-            let _e1536 = atomicLoad((&shared_[0u]));
-            atomicStore((&control.member[_e1534]), _e1536);
-            let _e1540 = atomicLoad((&shared_[5u]));
-            atomicStore((&control.member[(_e1534 + 1u)]), (_e1527 - _e1540));
+            let _e1804 = phi_2653_;
+            let _e1811 = ((1540u + (2u * (1u << bitcast<u32>((_e77.member_7 & 31u))))) + (2u * _e75));
+            let _e1813 = atomicLoad((&shared_[0u]));
+            atomicStore((&control.member[_e1811]), _e1813);
+            let _e1817 = atomicLoad((&shared_[5u]));
+            atomicStore((&control.member[(_e1811 + 1u)]), (_e1804 - _e1817));
         } else {
-            if (_e1492 > 0u) {
-                if (_e71.member_12 == 0u) {
+            if (_e1769 > 0u) {
+                if (_e77.member_13 == 0u) {
                 } else {
-                    let _e1499 = atomicMax((&control.member[1536u]), 4294967295u);
+                    let _e1776 = atomicMax((&control.member[1536u]), 4294967295u);
                 }
-                let _e1502 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), _e1492);
-                let _e1505 = atomicMax((&nodes.member[0u]), (_e1502 + _e1492));
-                if ((_e1502 + _e1492) < _e1502) {
-                    let _e1509 = atomicAdd((&nodes.member[2u]), 1u);
+                let _e1779 = atomicAdd((&control.member[(_e79.member_1 + 1u)]), _e1769);
+                let _e1782 = atomicMax((&nodes.member[0u]), (_e1779 + _e1769));
+                if ((_e1779 + _e1769) < _e1779) {
+                    let _e1786 = atomicAdd((&nodes.member[2u]), 1u);
                 }
-                atomicStore((&shared_[17u]), _e1502);
+                atomicStore((&shared_[17u]), _e1779);
             }
         }
-        let _e1546 = atomicLoad((&shared_[15u]));
-        let _e1548 = atomicAdd((&control.member[(1540u + (2u * _e69))]), _e1546);
-        let _e1552 = atomicLoad((&shared_[16u]));
-        let _e1554 = atomicAdd((&control.member[((2u * _e69) + 1541u)]), _e1552);
+        let _e1823 = atomicLoad((&shared_[15u]));
+        let _e1825 = atomicAdd((&control.member[(1540u + (2u * _e75))]), _e1823);
+        let _e1829 = atomicLoad((&shared_[16u]));
+        let _e1831 = atomicAdd((&control.member[((2u * _e75) + 1541u)]), _e1829);
     }
     workgroupBarrier();
-    let _e1556 = atomicLoad((&shared_[0u]));
-    let _e1558 = atomicLoad((&shared_[17u]));
-    let _e1560 = atomicLoad((&shared_[14u]));
-    phi_2434_ = type_9(0u, 8u);
+    let _e1833 = atomicLoad((&shared_[0u]));
+    let _e1835 = atomicLoad((&shared_[17u]));
+    let _e1837 = atomicLoad((&shared_[14u]));
+    phi_2741_ = type_9(0u, 8u);
     loop {
-        let _e1562 = phi_2434_;
-        if (_e1562.member < _e1562.member_1) {
-            phi_2435_ = type_9((_e1562.member + 1u), _e1562.member_1);
-            phi_2458_ = type_9(1u, _e1562.member);
+        let _e1839 = phi_2741_;
+        if (_e1839.member < _e1839.member_1) {
+            phi_2742_ = type_9((_e1839.member + 1u), _e1839.member_1);
+            phi_2765_ = type_9(1u, _e1839.member);
         } else {
-            phi_2435_ = _e1562;
-            phi_2458_ = type_9(0u, type_9().member_1);
+            phi_2742_ = _e1839;
+            phi_2765_ = type_9(0u, type_9().member_1);
         }
-        let _e1574 = phi_2435_;
-        let _e1576 = phi_2458_;
-        let _e1580 = (bitcast<i32>(_e1576.member) != 0i);
-        if _e1580 {
-            let _e1582 = ((_e1576.member_1 * 128u) + _e57);
-            if (_e1582 < _e1556) {
-                let _e1586 = stack[(2u * _e1582)];
-                let _e1590 = stack[((2u * _e1582) + 1u)];
-                if (_e71.member_6 == 2u) {
-                    let _e1622 = ((((((1540u + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e71.member_7 & 31u))))) + (1u << bitcast<u32>((_e71.member_7 & 31u)))) + 1u) + (_e69 * 2048u)) + (2u * _e1582));
-                    atomicStore((&control.member[_e1622]), _e1586);
-                    atomicStore((&control.member[(_e1622 + 1u)]), _e1590);
+        let _e1851 = phi_2742_;
+        let _e1853 = phi_2765_;
+        let _e1857 = (bitcast<i32>(_e1853.member) != 0i);
+        if _e1857 {
+            let _e1859 = ((_e1853.member_1 * 128u) + _e63);
+            if (_e1859 < _e1833) {
+                let _e1863 = stack[(2u * _e1859)];
+                let _e1867 = stack[((2u * _e1859) + 1u)];
+                if (_e77.member_6 == 2u) {
+                    let _e1899 = ((((((1540u + (2u * (1u << bitcast<u32>((_e77.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e77.member_7 & 31u))))) + (1u << bitcast<u32>((_e77.member_7 & 31u)))) + 1u) + (_e75 * 2048u)) + (2u * _e1859));
+                    atomicStore((&control.member[_e1899]), _e1863);
+                    atomicStore((&control.member[(_e1899 + 1u)]), _e1867);
                 } else {
-                    let _e1593 = (_e1558 + _e1582);
-                    if (_e1593 < _e71.member_3) {
-                        let _e1596 = (_e84 + _e1593);
-                        if (_e1596 < 4294967295u) {
-                            let _e1598 = (2u * _e1596);
-                            atomicStore((&nodes.member[(4u + _e1598)]), _e1586);
-                            atomicStore((&nodes.member[(_e1598 + 5u)]), _e1590);
+                    let _e1870 = (_e1835 + _e1859);
+                    if (_e1870 < _e77.member_3) {
+                        let _e1873 = (_e90 + _e1870);
+                        if (_e1873 < 4294967295u) {
+                            let _e1875 = (2u * _e1873);
+                            atomicStore((&nodes.member[(4u + _e1875)]), _e1863);
+                            atomicStore((&nodes.member[(_e1875 + 5u)]), _e1867);
                         }
                     }
                 }
@@ -1421,105 +1569,105 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_2434_ = _e1574;
-            break if !(_e1580);
+            phi_2741_ = _e1851;
+            break if !(_e1857);
         }
     }
-    let _e1628 = atomicLoad((&shared_[5u]));
-    let _e1629 = (_e1560 / 128u);
-    if ((_e1560 % 128u) > 0u) {
-        phi_2549_ = (_e1629 + 1u);
+    let _e1905 = atomicLoad((&shared_[5u]));
+    let _e1906 = (_e1837 / 128u);
+    if ((_e1837 % 128u) > 0u) {
+        phi_2856_ = (_e1906 + 1u);
     } else {
-        phi_2549_ = _e1629;
+        phi_2856_ = _e1906;
     }
-    let _e1634 = phi_2549_;
-    phi_2552_ = type_9(0u, _e1634);
+    let _e1911 = phi_2856_;
+    phi_2859_ = type_9(0u, _e1911);
     loop {
-        let _e1637 = phi_2552_;
-        if (_e1637.member < _e1637.member_1) {
-            phi_2553_ = type_9((_e1637.member + 1u), _e1637.member_1);
-            phi_2576_ = type_9(1u, _e1637.member);
+        let _e1914 = phi_2859_;
+        if (_e1914.member < _e1914.member_1) {
+            phi_2860_ = type_9((_e1914.member + 1u), _e1914.member_1);
+            phi_2883_ = type_9(1u, _e1914.member);
         } else {
-            phi_2553_ = _e1637;
-            phi_2576_ = type_9(0u, type_9().member_1);
+            phi_2860_ = _e1914;
+            phi_2883_ = type_9(0u, type_9().member_1);
         }
-        let _e1649 = phi_2553_;
-        let _e1651 = phi_2576_;
-        let _e1655 = (bitcast<i32>(_e1651.member) != 0i);
-        if _e1655 {
-            let _e1657 = ((_e1651.member_1 * 128u) + _e57);
-            if (_e1657 < _e1560) {
-                let _e1666 = (2u * ((_e82 + _e69) + ((_e1628 + _e1657) << bitcast<u32>((_e71.member_7 & 31u)))));
-                let _e1669 = atomicLoad((&nodes.member[(4u + _e1666)]));
-                let _e1672 = atomicLoad((&nodes.member[(_e1666 + 5u)]));
-                let _e1674 = ((_e1558 + _e1556) + _e1657);
-                if (_e1674 < _e71.member_3) {
-                    let _e1677 = (_e84 + _e1674);
-                    if (_e1677 < 4294967295u) {
-                        let _e1679 = (2u * _e1677);
-                        atomicStore((&nodes.member[(4u + _e1679)]), _e1669);
-                        atomicStore((&nodes.member[(_e1679 + 5u)]), _e1672);
+        let _e1926 = phi_2860_;
+        let _e1928 = phi_2883_;
+        let _e1932 = (bitcast<i32>(_e1928.member) != 0i);
+        if _e1932 {
+            let _e1934 = ((_e1928.member_1 * 128u) + _e63);
+            if (_e1934 < _e1837) {
+                let _e1943 = (2u * ((_e88 + _e75) + ((_e1905 + _e1934) << bitcast<u32>((_e77.member_7 & 31u)))));
+                let _e1946 = atomicLoad((&nodes.member[(4u + _e1943)]));
+                let _e1949 = atomicLoad((&nodes.member[(_e1943 + 5u)]));
+                let _e1951 = ((_e1835 + _e1833) + _e1934);
+                if (_e1951 < _e77.member_3) {
+                    let _e1954 = (_e90 + _e1951);
+                    if (_e1954 < 4294967295u) {
+                        let _e1956 = (2u * _e1954);
+                        atomicStore((&nodes.member[(4u + _e1956)]), _e1946);
+                        atomicStore((&nodes.member[(_e1956 + 5u)]), _e1949);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_2552_ = _e1649;
-            break if !(_e1655);
+            phi_2859_ = _e1926;
+            break if !(_e1932);
         }
     }
-    if (_e71.member_6 == 1u) {
-        if (_e1628 == 0u) {
-            phi_2657_ = type_9(0u, _e81);
+    if (_e77.member_6 == 1u) {
+        if (_e1905 == 0u) {
+            phi_2964_ = type_9(0u, _e87);
             loop {
-                let _e1690 = phi_2657_;
-                if (_e1690.member < _e1690.member_1) {
-                    phi_2658_ = type_9((_e1690.member + 1u), _e1690.member_1);
-                    phi_2681_ = type_9(1u, _e1690.member);
+                let _e1967 = phi_2964_;
+                if (_e1967.member < _e1967.member_1) {
+                    phi_2965_ = type_9((_e1967.member + 1u), _e1967.member_1);
+                    phi_2988_ = type_9(1u, _e1967.member);
                 } else {
-                    phi_2658_ = _e1690;
-                    phi_2681_ = type_9(0u, type_9().member_1);
+                    phi_2965_ = _e1967;
+                    phi_2988_ = type_9(0u, type_9().member_1);
                 }
-                let _e1702 = phi_2658_;
-                let _e1704 = phi_2681_;
-                if (bitcast<i32>(_e1704.member) != 0i) {
-                    let _e1710 = atomicAdd((&control.member[(512u + _e73.member_1)]), 1u);
-                    if (_e1710 >= _e81) {
-                        phi_2773_ = false;
+                let _e1979 = phi_2965_;
+                let _e1981 = phi_2988_;
+                if (bitcast<i32>(_e1981.member) != 0i) {
+                    let _e1987 = atomicAdd((&control.member[(512u + _e79.member_1)]), 1u);
+                    if (_e1987 >= _e87) {
+                        phi_3080_ = false;
                     } else {
-                        let _e1713 = (2u * (_e82 + _e1710));
-                        let _e1716 = atomicLoad((&nodes.member[(4u + _e1713)]));
-                        let _e1719 = atomicLoad((&nodes.member[(_e1713 + 5u)]));
-                        if (_e71.member_12 == 0u) {
+                        let _e1990 = (2u * (_e88 + _e1987));
+                        let _e1993 = atomicLoad((&nodes.member[(4u + _e1990)]));
+                        let _e1996 = atomicLoad((&nodes.member[(_e1990 + 5u)]));
+                        if (_e77.member_13 == 0u) {
                         } else {
-                            let _e1723 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e2000 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e1726 = atomicAdd((&control.member[(_e73.member_1 + 1u)]), 1u);
-                        let _e1729 = atomicMax((&nodes.member[0u]), (_e1726 + 1u));
-                        if ((_e1726 + 1u) < _e1726) {
-                            let _e1733 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e2003 = atomicAdd((&control.member[(_e79.member_1 + 1u)]), 1u);
+                        let _e2006 = atomicMax((&nodes.member[0u]), (_e2003 + 1u));
+                        if ((_e2003 + 1u) < _e2003) {
+                            let _e2010 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e1726 < _e71.member_3) {
-                            let _e1736 = (_e84 + _e1726);
-                            if (_e1736 < 4294967295u) {
-                                let _e1738 = (2u * _e1736);
-                                atomicStore((&nodes.member[(4u + _e1738)]), _e1716);
-                                atomicStore((&nodes.member[(_e1738 + 5u)]), _e1719);
+                        if (_e2003 < _e77.member_3) {
+                            let _e2013 = (_e90 + _e2003);
+                            if (_e2013 < 4294967295u) {
+                                let _e2015 = (2u * _e2013);
+                                atomicStore((&nodes.member[(4u + _e2015)]), _e1993);
+                                atomicStore((&nodes.member[(_e2015 + 5u)]), _e1996);
                             }
                         }
-                        phi_2773_ = true;
+                        phi_3080_ = true;
                     }
-                    let _e1744 = phi_2773_;
-                    phi_2774_ = _e1744;
+                    let _e2021 = phi_3080_;
+                    phi_3081_ = _e2021;
                 } else {
-                    phi_2774_ = false;
+                    phi_3081_ = false;
                 }
-                let _e1746 = phi_2774_;
+                let _e2023 = phi_3081_;
                 continue;
                 continuing {
-                    phi_2657_ = _e1702;
-                    break if !(_e1746);
+                    phi_2964_ = _e1979;
+                    break if !(_e2023);
                 }
             }
         }

@@ -59,6 +59,7 @@ struct type_15 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
+    member_18: u32,
 }
 
 struct type_17 {

@@ -75,6 +75,8 @@ pub fn rules(device: &Device, width: u32) -> Vec<(&'static str, NodeDescent)> {
     let balanced = NodeDescent { tasks: NodeDescent::TASKS_BALANCED, ..usual };
     let mut all = vec![
         ("static", usual),
+        ("prefix sums", NodeDescent { scans: 1, ..usual }),
+        ("prefix sums, no stack", NodeDescent { scans: 1, stack: 0, ..usual }),
         ("self-scheduling", NodeDescent { tasks: counted, ..usual }),
         ("frontier", NodeDescent { tasks: counted, piece: THREADS, stack: 0, ..usual }),
         ("balanced at 1 %", NodeDescent { idle: 1, ..balanced }),

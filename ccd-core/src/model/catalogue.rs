@@ -56,7 +56,7 @@ pub trait Catalogued: Copy + PartialEq + 'static {
 }
 
 const CPU: &[&str] = &["cpu"];
-const GPU: &[&str] = &["gpu"];
+pub(super) const GPU: &[&str] = &["gpu"];
 
 impl<T: Copy> Row<T> {
     /// A choice of this project, on both backends.
@@ -73,7 +73,7 @@ impl<T: Copy> Row<T> {
         Self { source: Some(key), ..self }
     }
 
-    const fn on(self, backends: &'static [&'static str]) -> Self {
+    pub(super) const fn on(self, backends: &'static [&'static str]) -> Self {
         Self { backends, ..self }
     }
 

@@ -2,7 +2,7 @@
 //! pairs of nodes, the third beside method and pipeline. What each is is said in
 //! [`catalogue`](super::catalogue).
 
-use super::catalogue::{Catalogued, Row};
+use super::catalogue::{Catalogued, GPU, Row};
 use super::error::{Error, check_setting};
 use super::method::{BroadPhaseMethod, Traversal, TreeOptions};
 
@@ -62,6 +62,9 @@ pub enum Scheduler {
         /// Of all workers, in percent, so many must be idle: 1 to 100.
         idle: u32,
     },
+    /// As [`Scheduler::Static`], but what the threads of a worker find is moved together by prefix
+    /// sums of their counts, and not by a counter to which each adds; on a GPU [da Silva 2013].
+    PrefixSums,
     /// Every worker has a deque: its owner pushes and pops at one end, and whose own is empty takes
     /// from the other end of another's [Arora 1998], [Cederman 2009].
     Stealing,
@@ -245,6 +248,10 @@ impl Catalogued for Scheduler {
         Row::new(Self::BALANCED, "balanced")
             .about("Dealt out, and dealt out again whenever too many workers are idle")
             .source("Lauterbach 2010"),
+        Row::new(Self::PrefixSums, "prefix-sums")
+            .about("As static, but places of what is found are prefix sums, not counted by atomics")
+            .source("da Silva 2013")
+            .on(GPU),
         Row::new(Self::Stealing, "stealing")
             .about("A deque a worker; whose own is empty takes from another's; GPU: native alone")
             .source("Arora 1998"),
@@ -318,7 +325,9 @@ mod tests {
 
     #[test]
     fn a_backend_has_all_or_says_what_it_lacks() {
-        assert_eq!(Scheduling::every("cpu").count(), 2 * Scheduler::ROWS.len());
+        // All but prefix sums.
+        assert_eq!(Scheduling::every("cpu").count(), 2 * (Scheduler::ROWS.len() - 1));
+        assert_eq!(Scheduling::every("gpu").count(), 2 * Scheduler::ROWS.len());
         assert_eq!(Scheduling::default().lacking("gpu"), None);
         let front = Scheduling::default().front(Front::ON);
         assert_eq!(front.lacking("cpu"), None);

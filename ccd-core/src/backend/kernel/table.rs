@@ -242,7 +242,7 @@ macro_rules! kernels {
                 { a_nodes: Read, b_nodes: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
             /// Workers that descend pairs of nodes.
-            PairWorkers = pair_workers(128 threads, 5 barriers, f32, Params<NodeDescent>)
+            PairWorkers = pair_workers(128 threads, 9 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
             /// The same of trees of oriented boxes: a front.
@@ -252,7 +252,7 @@ macro_rules! kernels {
                   control: Write, nodes: Write, pairs: Write, front: Write }
             /// The same of trees of oriented boxes: workers.
             PairWorkersOriented
-                = pair_workers_oriented(128 threads, 5 barriers, f32, Params<NodeDescent>)
+                = pair_workers_oriented(128 threads, 9 barriers, f32, Params<NodeDescent>)
                 { a_nodes: Read, b_nodes: Read, oriented: Read,
                   control: Write, nodes: Write, pairs: Write, front: Write }
             /// Workers that descend pairs of nodes and steal them from each other.
@@ -281,7 +281,7 @@ macro_rules! kernels {
                 = resume_block_front(128 threads, 3 barriers, f32, Params<BlockDescent>)
                 { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
             /// Workers that descend pairs of blocks.
-            BlockWorkers = block_workers(128 threads, 6 barriers, f32, Params<BlockDescent>)
+            BlockWorkers = block_workers(128 threads, 10 barriers, f32, Params<BlockDescent>)
                 { boxes: Read, control: Write, nodes: Write, pairs: Write, front: Write }
             /// Workers that descend pairs of blocks and steal them from each other.
             StealBlockPairs = steal_block_pairs(128 threads, 19 barriers, f32, Params<BlockDescent>)

@@ -234,6 +234,8 @@ pub struct NodeDescent {
     pub idle: u32,
     /// Pairs that a stack may hold.
     pub stack: u32,
+    /// Where what the threads of a worker find in a turn goes: 1: by prefix sums, 0: by counters.
+    pub scans: u32,
     /// Turns of a worker, at most.
     pub turns: u32,
     /// 1 in the last round: pairs that are left are seen by the host.
@@ -376,7 +378,7 @@ const _: () = assert!(size_of::<Frame>() == 132);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
-const _: () = assert!(size_of::<NodeDescent>() == 72 && size_of::<Building>() == 20);
+const _: () = assert!(size_of::<NodeDescent>() == 76 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 8 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Worlds>() == 4);

@@ -7,12 +7,13 @@
 //! |---|---|---|
 //! | `frontier` ([`levels`]) | the list of the next level, a dispatch | takes the next of that |
 //! | `static` ([`workers`]) | the worker's own stack | is done |
+//! | `prefix-sums` ([`workers`]) | the worker's own stack, by a scan | is done |
 //! | `self-scheduling` ([`workers`]) | the worker's own stack | takes the next piece of the tasks |
 //! | `balanced` ([`workers`]) | the worker's own stack | is done, until all is dealt out again |
 //! | `stealing` ([`workers`]) | its own stack or deque | takes a batch of another's deque |
 //! | `lazy-stealing` ([`workers`]) | its own stack or deque | takes ranges of many others' |
 //!
-//! The first four pass nothing but counters between workgroups inside a dispatch, so that they run
+//! The first five pass nothing but counters between workgroups inside a dispatch, so that they run
 //! wherever WebGPU does. Those that steal need the native path and are refused elsewhere. A search
 //! is a number of rounds, recorded one after the other; the host sees whether any pair is left
 //! after the last one, and then runs a search of more rounds.
@@ -83,6 +84,7 @@ pub fn new(
     let rule = match choice.scheduler.unwrap_or(Scheduler::Frontier) {
         Scheduler::Frontier => Rule::FRONTIER,
         Scheduler::Static => Rule::STATIC,
+        Scheduler::PrefixSums => Rule::PREFIX_SUMS,
         Scheduler::SelfScheduling => Rule::SELF_SCHEDULING,
         Scheduler::Balanced { idle } => Rule { idle, ..Rule::BALANCED },
         Scheduler::Stealing => Rule::STEALING,

@@ -53,6 +53,8 @@ pub struct Rule {
     pub idle: u32,
     /// Pairs that a stack may hold, at most [`STACK`].
     pub stack: u32,
+    /// Whether what a turn finds has its places by prefix sums.
+    pub scans: bool,
     /// Turns of a worker in a round.
     pub turns: u32,
     /// Rounds from the beginning.
@@ -91,11 +93,14 @@ impl Rule {
         piece: 1,
         idle: 0,
         stack: STACK,
+        scans: false,
         turns: 4096,
         rounds: 8,
         steal: None,
     };
-    /// The same, in more rounds, with `idle` as it was chosen: between two all is dealt out again.
+    /// The same by prefix sums.
+    pub const PREFIX_SUMS: Self = Self { scans: true, ..Self::STATIC };
+    /// As static, in more rounds, with `idle` as it was chosen: between two all is dealt out again.
     pub const BALANCED: Self =
         Self { tasks: NodeDescent::TASKS_BALANCED, rounds: 16, ..Self::STATIC };
     /// Workers take the next tasks from a counter.
@@ -201,7 +206,7 @@ impl Schedule for Workers {
 
     fn run(&self, recorder: &mut Recorder, descent: &Descended, written: Written) {
         let Self { rule, control, nodes, left, workers, .. } = self;
-        let Rule { tasks, piece, idle, stack, turns, rounds, steal } = *rule;
+        let Rule { tasks, piece, idle, stack, scans, turns, rounds, steal } = *rule;
         let mut args = NodeDescent {
             capacity_nodes: nodes.capacity(),
             workers: *workers,
@@ -209,6 +214,7 @@ impl Schedule for Workers {
             piece,
             idle,
             stack,
+            scans: scans as u32,
             turns,
             ..written.args
         };

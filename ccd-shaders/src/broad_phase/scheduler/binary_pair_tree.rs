@@ -1,8 +1,8 @@
 //! Pairs of nodes of binary trees: a thread expands one into at most four.
 
 use super::shared::{Shared, Stack};
-use super::worker::{Child, PairTree, Worker, claim};
-use crate::broad_phase::volume::{APART, BinaryTrees, LEAF, Volume, fate};
+use super::worker::{Child, PairTree, Worker};
+use crate::broad_phase::volume::{APART, BinaryTrees, INNER, LEAF, Volume, fate};
 use ccd_core::backend::broad_phase::pair_descent::{NodePair, expand};
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
@@ -67,13 +67,24 @@ impl<V: Volume> PairTree for BinaryTrees<'_, V> {
     }
 
     #[inline(always)]
-    fn claim(found: Four<Child>, capacity_front: u32, shared: &mut Shared) -> Four<[u32; 2]> {
-        Four {
-            p: claim(found.p.fate, capacity_front, shared),
-            q: claim(found.q.fate, capacity_front, shared),
-            r: claim(found.r.fate, capacity_front, shared),
-            s: claim(found.s.fate, capacity_front, shared),
-        }
+    fn counts(found: Four<Child>, capacity_front: u32) -> [u32; 3] {
+        let mut next = [0, 0, 0];
+        take_place(found.p, &mut next);
+        take_place(found.q, &mut next);
+        take_place(found.r, &mut next);
+        take_place(found.s, &mut next);
+        let ended = if capacity_front > 0 { next[2] } else { 0 };
+        [next[0], next[1], ended]
+    }
+
+    #[inline(always)]
+    fn places(found: Four<Child>, first: [u32; 3]) -> Four<[u32; 2]> {
+        let mut next = first;
+        let p = take_place(found.p, &mut next);
+        let q = take_place(found.q, &mut next);
+        let r = take_place(found.r, &mut next);
+        let s = take_place(found.s, &mut next);
+        Four { p, q, r, s }
     }
 
     #[inline(always)]
@@ -103,6 +114,16 @@ impl<V: Volume> PairTree for BinaryTrees<'_, V> {
     fn result(self, pair: NodePair) -> Pair {
         self.ids(pair)
     }
+}
+
+/// The place of a child among those of its fate, and in the front; the next places are behind.
+#[inline(always)]
+fn take_place(child: Child, next: &mut [u32; 3]) -> [u32; 2] {
+    let to = [if child.fate == INNER { next[0] } else { next[1] }, next[2]];
+    next[0] += (child.fate == INNER) as u32;
+    next[1] += (child.fate == LEAF) as u32;
+    next[2] += (child.fate >= LEAF) as u32;
+    to
 }
 
 /// The child if it meets, or else, where one is kept for the front, the child that is apart.

@@ -3,13 +3,13 @@
 //!
 //! Which children of the second reach into the first is a word of workgroup memory a team of 32;
 //! their boxes are read again by all threads of the team at once. A thread keeps those that it met
-//! as bits, so that it finds up to 32 children and claims places for all of them by one addition.
+//! as bits, so that it finds up to 32 children and claims places for all of them at once.
 
-use super::shared::{COLUMNS, ENDED, LEAVES, NODES, Shared, Stack};
+use super::shared::{COLUMNS, Shared, Stack};
 use super::worker::{Child, PairTree, Worker};
 use crate::broad_phase::volume::{APART, INNER, LEAF};
 use crate::records::{BoxWords, box_at};
-use crate::workgroup::{add_shared, barrier, get, or_shared, set};
+use crate::workgroup::{barrier, get, or_shared, set};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
 use ccd_core::backend::broad_phase::block_workers::{
@@ -123,22 +123,21 @@ impl PairTree for BlockTrees<'_> {
     }
 
     #[inline(always)]
-    fn claim(found: Columns, capacity_front: u32, shared: &mut Shared) -> [u32; 2] {
-        let mut to = [0, 0];
-        let mut n_ended = found.apart.count_ones();
+    fn counts(found: Columns, capacity_front: u32) -> [u32; 3] {
         let n_met = found.met.count_ones();
-        if n_met > 0 {
-            if found.fate() == INNER {
-                to[0] = add_shared(shared, NODES, n_met);
-            } else {
-                to[0] = add_shared(shared, LEAVES, n_met);
-                n_ended += n_met;
-            }
+        let mut n = [0, n_met, found.apart.count_ones() + n_met];
+        if found.fate() == INNER {
+            n = [n_met, 0, found.apart.count_ones()];
         }
-        if capacity_front > 0 && n_ended > 0 {
-            to[1] = add_shared(shared, ENDED, n_ended);
+        if capacity_front == 0 {
+            n[2] = 0;
         }
-        to
+        n
+    }
+
+    #[inline(always)]
+    fn places(found: Columns, first: [u32; 3]) -> [u32; 2] {
+        [if found.fate() == INNER { first[0] } else { first[1] }, first[2]]
     }
 
     #[inline(always)]

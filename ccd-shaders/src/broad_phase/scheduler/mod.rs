@@ -6,6 +6,7 @@ pub mod balanced;
 mod binary_pair_tree;
 mod block_pair_tree;
 mod left_over;
+mod places;
 mod shared;
 pub mod steal_stress;
 mod stealing;

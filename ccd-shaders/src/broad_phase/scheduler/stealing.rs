@@ -72,7 +72,7 @@ impl<T: PairTree> Worker<'_, T> {
                 pair = self.read_batch(i - busy, batch);
             }
             let found = self.trees.expand(lane, pair, self.shared);
-            let to = T::claim(found, args.capacity_front, self.shared);
+            let to = self.claim(found);
             // All have read the batch.
             barrier_of_buffers();
             if lane == 0 {

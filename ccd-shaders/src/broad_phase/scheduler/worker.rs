@@ -50,8 +50,11 @@ pub(super) trait PairTree: Copy {
     /// those that have [`NO_PAIR`]: there may be barriers in it.
     fn expand(self, lane: u32, pair: NodePair, shared: &mut Shared) -> Self::Found;
 
-    /// Counts the children that a thread found.
-    fn claim(found: Self::Found, capacity_front: u32, shared: &mut Shared) -> Self::Places;
+    /// Children that a thread found: inner pairs, pairs of leaves, and where a front is kept ends.
+    fn counts(found: Self::Found, capacity_front: u32) -> [u32; 3];
+
+    /// Where they go, from the first place of each on.
+    fn places(found: Self::Found, first: [u32; 3]) -> Self::Places;
 
     /// Writes them to where they belong.
     fn put_away(worker: &mut Worker<Self>, found: Self::Found, to: Self::Places, stack: &mut Stack);

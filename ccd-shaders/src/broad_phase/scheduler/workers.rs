@@ -7,6 +7,7 @@
 //! the front, if one is kept.
 
 use super::block_pair_tree::BlockTrees;
+use super::places::Sums;
 use super::shared::{Shared, Stack};
 use super::stolen_batches::Batch;
 use super::worker::{PairTree, WORKS, Worker};
@@ -22,7 +23,7 @@ use ccd_core::backend::layout::Node;
 impl<T: PairTree> Worker<'_, T> {
     /// What the worker does in its round.
     #[inline(always)]
-    fn descend(mut self, state: &mut [u32; 1], stack: &mut Stack) {
+    fn descend(mut self, state: &mut [u32; 1], sums: &mut Sums, stack: &mut Stack) {
         if self.lane == 0 {
             self.clear();
         }
@@ -35,7 +36,11 @@ impl<T: PairTree> Worker<'_, T> {
             }
             let pair = self.take(T::index(self.lane), stack);
             let found = self.trees.expand(self.lane, pair, self.shared);
-            let to = T::claim(found, self.args.capacity_front, self.shared);
+            let to = if self.args.scans == 1 {
+                self.claim_by_scan(found, sums)
+            } else {
+                self.claim(found)
+            };
             barrier();
             if self.lane == 0 {
                 self.reserve_results();
@@ -70,10 +75,11 @@ macro_rules! kernels_of {
     ) => {
         kernel! {
             /// Workgroup `i` is worker `i` of round `dispatch.first`.
-            $workers[128](t; $params: $args; state: [u32; 1], shared: Shared, stack: Stack;
-                $($views)*, mut control: [u32], mut nodes: [u32], mut pairs: [u32],
+            $workers[128](t; $params: $args; state: [u32; 1], shared: Shared, sums: Sums,
+                stack: Stack; $($views)*, mut control: [u32], mut nodes: [u32], mut pairs: [u32],
                 mut front: [u32]) {
-                Worker::new($trees, t, shared, control, nodes, pairs, front).descend(state, stack);
+                let worker = Worker::new($trees, t, shared, control, nodes, pairs, front);
+                worker.descend(state, sums, stack);
             }
         }
 
