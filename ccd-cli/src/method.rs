@@ -49,7 +49,7 @@ pub struct MethodOptions {
     /// Whether --pipeline triangles skips regions that certainly do not touch themselves: their
     /// pairs are no candidates, and none of them is undecided
     #[arg(long, value_parser = choice(ON_OFF))]
-    cones: Option<bool>,
+    free_regions: Option<bool>,
     /// Whether --pipeline triangles tests a vertex or an edge once; off: all 15 tests of each pair,
     /// on a CPU
     #[arg(long, value_parser = choice(ON_OFF))]
@@ -147,19 +147,20 @@ impl MethodOptions {
 
     /// The pipeline.
     pub fn pipeline(&self) -> Result<Pipeline, Failure> {
-        let (orphans, cones, once) = (self.orphans, self.cones, self.representatives);
+        let (orphans, free_regions, once) = (self.orphans, self.free_regions, self.representatives);
         match self.pipeline.unwrap_or_default() {
             Pipeline::Triangles(options) => {
                 let orphans = orphans.unwrap_or(options.orphans);
-                let cones = cones.unwrap_or(options.cones);
+                let free_regions = free_regions.unwrap_or(options.free_regions);
                 let once = once.unwrap_or(options.representatives);
-                let options = options.orphans(orphans).cones(cones).representatives(once);
+                let options =
+                    options.orphans(orphans).free_regions(free_regions).representatives(once);
                 Ok(Pipeline::Triangles(options))
             }
-            other if orphans.or(cones).or(once).is_some() => {
-                let option = match (orphans, cones) {
+            other if orphans.or(free_regions).or(once).is_some() => {
+                let option = match (orphans, free_regions) {
                     (Some(_), _) => "orphans",
-                    (None, Some(_)) => "cones",
+                    (None, Some(_)) => "free-regions",
                     (None, None) => "representatives",
                 };
                 let name = other.row().name;

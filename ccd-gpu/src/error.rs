@@ -43,10 +43,10 @@ pub enum Error {
         /// Name of the adapter.
         adapter: String,
     },
-    /// Normal cones were asked for where an application writes paths on the device itself.
+    /// Free regions were asked for where an application writes paths on the device itself.
     #[error(
-        "normal cones are certified from positions on the host, which does not see the paths that \
-         an application writes on the device: turn cones off"
+        "free regions are certified from positions on the host, which does not see the paths that \
+         an application writes on the device: turn them off"
     )]
     PathsUnseen,
     /// A mesh has particles whose contacts a device alone does not find.

@@ -64,15 +64,15 @@ impl State<'_> {
             self.session.step_window(x0, x1, window).map_err(|e| format!("an error: {e}"))?.clone();
         let want = fresh.step_window(x0, x1, window).map_err(|e| format!("a new session: {e}"))?;
         counts.add("contacts", want.contacts.len() as u64);
-        let cones = matches!(
+        let free_regions = matches!(
             self.session.options().pipeline,
-            Pipeline::Triangles(TriangleOptions { cones: true, .. })
+            Pipeline::Triangles(TriangleOptions { free_regions: true, .. })
         );
         same(&found, want, on_gpu.then_some(tolerance))?;
         // A device sweeps the boxes of a window itself, in `f32`, and those of a tiny scene in a
         // unit of its own: there it may take up other candidates.
         let other_boxes = on_gpu && (window != [0.0, 1.0] || self.unit < 1e-30);
-        if !cones && !other_boxes && found.candidates != want.candidates {
+        if !free_regions && !other_boxes && found.candidates != want.candidates {
             return Err(format!("candidates {:?}, {:?}", found.candidates, want.candidates));
         }
         Ok(())

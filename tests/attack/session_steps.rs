@@ -220,8 +220,8 @@ fn options(place: &Place, random: &mut Random, before: &Options) -> Options {
     let schedulings = place.schedulings(method);
     let scheduling = schedulings[random.below(schedulings.len())];
     let rows = Pipeline::ROWS.iter().filter(|row| row.backends.contains(&backend));
-    let cones = Pipeline::Triangles(TriangleOptions::default().cones(true));
-    let pipelines: Vec<Pipeline> = rows.map(|row| row.value).chain([cones]).collect();
+    let free_regions = Pipeline::Triangles(TriangleOptions::default().free_regions(true));
+    let pipelines: Vec<Pipeline> = rows.map(|row| row.value).chain([free_regions]).collect();
     let pipeline = pipelines[random.below(pipelines.len())];
     let (threads, leaves) = (1 + random.below(2), random.below(3) == 0);
     let tolerance = [1e-6, 1e-6, 1e-3, 1e-12][random.below(4)];

@@ -44,11 +44,11 @@ fn check_changes(device: &Device) {
     let tree = TreeOptions::default();
     let cut = BroadPhaseMethod::Tree(tree.traversal(Traversal::CUT));
     let front = Scheduling::default().scheduler(Scheduler::SelfScheduling).front(Front::ON);
-    let cones = Pipeline::Triangles(TriangleOptions::default().cones(true));
+    let free_regions = Pipeline::Triangles(TriangleOptions::default().free_regions(true));
     let plain = Scheduling::default();
     let all = [
         (BroadPhaseMethod::Blocks, Pipeline::Features, plain),
-        (BroadPhaseMethod::Blocks, cones, plain),
+        (BroadPhaseMethod::Blocks, free_regions, plain),
         (BroadPhaseMethod::Tree(tree), Pipeline::Features, plain),
         (cut, Pipeline::Features, front),
         (BroadPhaseMethod::SweepAndPrune, Pipeline::Features, plain),

@@ -21,12 +21,12 @@ pub const TESTS: crate::Tests = &[
     ("triangle_kernels", check_kernels),
     ("triangles_by_every_method", check_methods),
     ("triangles_of_bodies", check_bodies),
-    ("triangles_in_free_regions", check_cones),
+    ("triangles_in_free_regions", check_free_regions),
     ("triangles_in_several_dispatches", check_many),
 ];
 
-fn triangles(orphans: bool, cones: bool) -> Options {
-    let triangles = TriangleOptions::default().orphans(orphans).cones(cones);
+fn triangles(orphans: bool, free_regions: bool) -> Options {
+    let triangles = TriangleOptions::default().orphans(orphans).free_regions(free_regions);
     Options::default().with_pipeline(Pipeline::Triangles(triangles))
 }
 
@@ -203,7 +203,7 @@ fn check_bodies(device: &Device) {
 
 /// Regions are certified from every step's own positions; the contacts are those of features, the
 /// candidates are fewer.
-fn check_cones(device: &Device) {
+fn check_free_regions(device: &Device) {
     // A flat part that moves as one and a crumpled one.
     let mut step = crumpled_sheet(24, 3);
     for (i, (p, q)) in step.x0.iter_mut().zip(&mut step.x1).enumerate() {

@@ -166,8 +166,8 @@ fn methods() -> Vec<(BroadPhaseMethod, Scheduling)> {
 
 /// Pipeline, method and scheduling number `k` of all.
 fn chosen(options: Options, k: usize) -> Options {
-    let cones = Pipeline::Triangles(TriangleOptions::default().cones(true));
-    let pipeline = [Pipeline::Features, Pipeline::TRIANGLES, cones][k % 3];
+    let free_regions = Pipeline::Triangles(TriangleOptions::default().free_regions(true));
+    let pipeline = [Pipeline::Features, Pipeline::TRIANGLES, free_regions][k % 3];
     let methods = methods();
     let (method, scheduling) = methods[k % methods.len()];
     options.with_pipeline(pipeline).with_broad_phase(method).with_scheduling(scheduling)

@@ -22,8 +22,8 @@ fn run(mesh: &Mesh, x: &Ends, options: Options) -> (Found, Option<TriangleCounts
     (found, report.triangles)
 }
 
-fn triangles(orphans: bool, cones: bool) -> Pipeline {
-    Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(cones))
+fn triangles(orphans: bool, free_regions: bool) -> Pipeline {
+    Pipeline::Triangles(TriangleOptions::default().orphans(orphans).free_regions(free_regions))
 }
 
 /// All pipelines find the same; returns the number of contacts and what the one with orphans

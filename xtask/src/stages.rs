@@ -10,7 +10,7 @@
 pub const PARTS: [&str; 5] = ["refit", "front", "traversal", "balancing", "intersection"];
 
 /// Words of stages, by [`PARTS`].
-const WORDS: [&[&str]; 5] = [
+const WORDS: [&[&str]; PARTS.len()] = [
     &["boxes", "shorten", "keys", "codes", "sort", "branches", "build", "nodes", "oriented"],
     &["front"],
     &["block pairs", "pairs", "work"],

@@ -16,7 +16,8 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
     };
     for precision in ["f32", "f64"] {
         let check = ["check", a.as_str(), &b];
-        let by_triangles = [&check[..], &["--pipeline", "triangles", "--cones", "on"]].concat();
+        let by_triangles =
+            [&check[..], &["--pipeline", "triangles", "--free-regions", "on"]].concat();
         let sequence = ["sequence", a.as_str(), &b, &a];
         let by_workers = [&sequence[..], &["--scheduler", "static", "--front", "on"]].concat();
         for command in [&check[..], &sequence, &by_workers, &by_triangles] {

@@ -2,7 +2,7 @@
 //! [`catalogue`](super::catalogue).
 
 /// What pairs a step looks for first. Contacts do not depend on it, nor do candidates, but for what
-/// [`TriangleOptions::cones`] certifies.
+/// [`TriangleOptions::free_regions`] certifies.
 ///
 /// ```
 /// use ccd_core::model::options::Options;
@@ -29,8 +29,8 @@ pub enum Pipeline {
 /// ```
 /// use ccd_core::model::pipeline::TriangleOptions;
 ///
-/// let few = TriangleOptions::default().orphans(true).cones(true);
-/// assert!(few.orphans && few.cones);
+/// let few = TriangleOptions::default().orphans(true).free_regions(true);
+/// assert!(few.orphans && few.free_regions);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -43,13 +43,14 @@ pub struct TriangleOptions {
     /// skipped.
     pub orphans: bool,
     /// Skip pairs within regions of the mesh that certainly do not touch themselves during the step
-    /// [Volino 1994], see [`normal_cone`](crate::backend::triangle_pairs::normal_cone). Their pairs
-    /// of features are no candidates. Without effect where a minimum distance is asked for; refused
+    /// [Volino 1994], see
+    /// [`region_certificate`](crate::backend::triangle_pairs::region_certificate). Their pairs of
+    /// features are no candidates. Without effect where a minimum distance is asked for; refused
     /// where positions never were on the host, which certifies regions.
     ///
     /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
     /// is certified to be free in this way, is no contact.
-    pub cones: bool,
+    pub free_regions: bool,
     /// Test a vertex or an edge once, by the triangle that represents it [Curtis 2008]. Off: every
     /// pair of triangles makes all of its 15 tests, the first form of the literature, and
     /// neighbours are not skipped either; on a CPU alone. Contacts and candidates are the same and
@@ -64,9 +65,9 @@ impl TriangleOptions {
         Self { orphans, ..self }
     }
 
-    /// The same with or without normal cones.
-    pub const fn cones(self, cones: bool) -> Self {
-        Self { cones, ..self }
+    /// The same with or without free regions.
+    pub const fn free_regions(self, free_regions: bool) -> Self {
+        Self { free_regions, ..self }
     }
 
     /// The same with or without representatives.
@@ -77,14 +78,17 @@ impl TriangleOptions {
 
 impl Default for TriangleOptions {
     fn default() -> Self {
-        Self { orphans: true, cones: false, representatives: true }
+        Self { orphans: true, free_regions: false, representatives: true }
     }
 }
 
 impl Pipeline {
     /// [`Pipeline::Triangles`] as it is by default.
-    pub const TRIANGLES: Self =
-        Self::Triangles(TriangleOptions { orphans: true, cones: false, representatives: true });
+    pub const TRIANGLES: Self = Self::Triangles(TriangleOptions {
+        orphans: true,
+        free_regions: false,
+        representatives: true,
+    });
 
     /// Whether a pair of features may be tested more than once.
     pub fn repeats_tests(self) -> bool {

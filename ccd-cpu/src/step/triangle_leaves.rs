@@ -102,8 +102,8 @@ impl TriangleLeaves {
         let repeats = !options.representatives;
         let skips = options.orphans && !repeats;
         let orphans = skips.then(|| OrphanSets::new(mesh, &triangles)).flatten();
-        let cones = options.cones && min_distance == 0.0;
-        let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
+        let free_regions = options.free_regions && min_distance == 0.0;
+        let regions = free_regions.then(|| FreeRegions::new(mesh, &triangles));
         Self {
             triangles,
             repeats,
@@ -130,8 +130,8 @@ impl TriangleLeaves {
 
     /// Regions, if they are wanted and nothing is to keep a distance; or none.
     pub fn set_min_distance(&mut self, mesh: &Mesh, options: TriangleOptions, min_distance: f64) {
-        let cones = options.cones && min_distance == 0.0;
-        if !cones {
+        let free_regions = options.free_regions && min_distance == 0.0;
+        if !free_regions {
             self.regions = None;
         } else if self.regions.is_none() {
             self.regions = Some(FreeRegions::new(mesh, &self.triangles));

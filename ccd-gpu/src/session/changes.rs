@@ -31,13 +31,15 @@ impl Engine {
         Ok(())
     }
 
-    /// Normal cones are there without a distance alone.
+    /// Free regions are there without a distance alone.
     pub(super) fn take_min_distance(&mut self, min_distance: f64) -> Result<(), Error> {
         let options = &mut self.state.options;
-        let has_cones = |distance: f64| distance == 0.0;
-        let cones =
-            matches!(options.pipeline, Pipeline::Triangles(TriangleOptions { cones: true, .. }));
-        if cones && has_cones(min_distance) != has_cones(options.min_distance) {
+        let has_regions = |distance: f64| distance == 0.0;
+        let free_regions = matches!(
+            options.pipeline,
+            Pipeline::Triangles(TriangleOptions { free_regions: true, .. })
+        );
+        if free_regions && has_regions(min_distance) != has_regions(options.min_distance) {
             let options = options.clone().with_min_distance(min_distance);
             return self.take_mesh(self.state.mesh.clone(), options);
         }

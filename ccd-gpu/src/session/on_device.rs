@@ -101,13 +101,13 @@ impl Engine {
     /// into an encoder of the caller's; nothing is read back.
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's
-    /// next call. With a minimum distance, it is rounded to `f32`. Refused with normal cones, which
+    /// next call. With a minimum distance, it is rounded to `f32`. Refused with free regions, which
     /// are certified from positions on the host, and for meshes with vertices of no edge that could
     /// touch each other or an edge of no face, which are decided there. Whether what is
     /// fixed moves is not seen.
     ///
     /// # Errors
-    /// [`Error::PathsUnseen`] with normal cones, [`Error::Codimensional`] for such meshes; what the
+    /// [`Error::PathsUnseen`] with free regions, [`Error::Codimensional`] for such meshes; what the
     /// device refuses.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         if self.codimensional.is_some() {

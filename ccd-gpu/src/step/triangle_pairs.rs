@@ -140,8 +140,8 @@ impl TrianglePairs {
         }
         let n = n as u32;
         let frame = frame_of([0, n, 0]);
-        let cones = args.cones && options.min_distance == 0.0;
-        let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
+        let free_regions = args.free_regions && options.min_distance == 0.0;
+        let regions = free_regions.then(|| FreeRegions::new(mesh, &triangles));
         let inputs =
             ExpansionInputs::new(device, mesh, options, args.orphans, (rules, regions.is_some()))?;
         // A triangle overlaps some tens of others on real scenes; a list that is too short grows.

@@ -16,14 +16,14 @@ pub fn table(places: &[Place], runs: usize) -> Result<String, String> {
         Place::Cpu { .. } => None,
     });
     let dir = data_dir()?;
-    let triangles = |orphans, cones| {
-        Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(cones))
+    let triangles = |orphans, free_regions| {
+        Pipeline::Triangles(TriangleOptions::default().orphans(orphans).free_regions(free_regions))
     };
     let rows = [
         ("features", Pipeline::Features),
         ("triangles", triangles(false, false)),
         ("+ orphans", triangles(true, false)),
-        ("+ cones", triangles(true, true)),
+        ("+ regions", triangles(true, true)),
     ];
     let mut text = String::new();
     for name in ["cloth-funnel", "cloth-ball", "rod-twist"] {

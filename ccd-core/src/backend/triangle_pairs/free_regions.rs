@@ -3,14 +3,14 @@
 //!
 //! Of a region that is certified nothing inside needs to be looked at; of one that is not, its
 //! parts are. Which regions there are is found once per mesh ([`patches`](super::patches)), what
-//! they are certified by is said in [`normal_cone`](super::normal_cone).
+//! they are certified by is said in [`region_certificate`](super::region_certificate).
 //!
 //! Both backends certify on the CPU: from the positions as they are given, in their precision, by a
 //! loop over a rim that ends at the first crossing; and a region is certified for a whole step, so
 //! what is shortened afterwards needs no other certificate.
 
-use super::normal_cone::{Paths, Point, Region, View, mean_normal, reach};
 use super::patches::Patches;
+use super::region_certificate::{Paths, Point, Region, View, mean_normal, reach};
 use super::representatives::Triangles;
 use crate::math::vec3::{add, sub};
 use crate::model::mesh::Mesh;

@@ -12,8 +12,8 @@
 //!   ([`orphans`]).
 //! - *Stand-ins* (ours): if the representatives of two features share a vertex, but others of their
 //!   triangles do not, the first such pair tests them.
-//! - *Normal cones* [Volino 1994]: pairs within a region that certainly does not touch itself are
-//!   skipped ([`normal_cone`], [`patches`]).
+//! - *Free regions* [Volino 1994]: pairs within a region that certainly does not touch itself are
+//!   skipped ([`region_certificate`], [`patches`]).
 //!
 //! ```text
 //!   a pair of triangles:   0       3      6 vertex-face: 0 1 2 against 345, 3 4 5 against 012
@@ -36,11 +36,11 @@ pub mod expansion;
 pub mod free_regions;
 #[cfg(feature = "alloc")]
 pub mod near_tests;
-pub mod normal_cone;
 #[cfg(feature = "alloc")]
 pub mod orphans;
 #[cfg(feature = "alloc")]
 pub mod patches;
+pub mod region_certificate;
 #[cfg(feature = "alloc")]
 pub mod representatives;
 

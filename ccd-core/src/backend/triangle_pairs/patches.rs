@@ -1,5 +1,6 @@
-//! A hierarchy of regions that fulfil the conditions of [`normal_cone`](super::normal_cone) as to
-//! how their triangles are connected: found once per mesh, looked at in every step.
+//! A hierarchy of regions that fulfil the conditions of
+//! [`region_certificate`](super::region_certificate) as to how their triangles are connected: found
+//! once per mesh, looked at in every step.
 //!
 //! Faces are joined two and two along their longest common boundary, again and again, up to
 //! [`MAX_TRIANGLES`]. A union whose boundary is not a single loop (an annulus, two faces that turn

@@ -47,7 +47,7 @@ impl<E: Engine, P> Session<E, P> {
     }
 
     /// From now on another [`Options::min_distance`]. Order, trees and fronts stay, but on a GPU
-    /// with normal cones, which are there without a distance alone.
+    /// with free regions, which are there without a distance alone.
     ///
     /// # Errors
     /// [`Error::MinDistance`]; what the device refuses.

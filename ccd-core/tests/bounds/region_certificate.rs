@@ -4,7 +4,7 @@
 
 use crate::common::exact::{Contact, contact};
 use crate::common::random::Random;
-use ccd_core::backend::triangle_pairs::normal_cone::{Region, View, mean_normal, reach};
+use ccd_core::backend::triangle_pairs::region_certificate::{Region, View, mean_normal, reach};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use std::collections::BTreeSet;
 
