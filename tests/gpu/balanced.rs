@@ -2,13 +2,15 @@
 
 use crate::search::{Buffers, balance};
 use crate::support::{bytes, read};
-use ccd::gpu::Device;
+use ccd::gpu::{BroadPhase, Device, Timing};
+use ccd::{BroadPhaseMethod, Scheduler, Scheduling, Traversal, TreeOptions};
 use ccd_core::backend::broad_phase::balanced::{first, left, part, saved, words};
 use ccd_core::backend::broad_phase::pair_workers::{LEFT, STACK, listed};
 use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, NodeDescent, Params};
-use ccd_testkit::generate::Random;
+use ccd_testkit::generate::{Random, uniform_boxes};
 
-pub const TESTS: crate::Tests = &[("balancing", check_balancing)];
+pub const TESTS: crate::Tests =
+    &[("balancing", check_balancing), ("stages_of_balancing", check_stages)];
 
 /// What workers have after a round, and where it belongs.
 struct Left {
@@ -100,4 +102,24 @@ fn check(device: &Device, p: &Params<NodeDescent>, given: &Left) {
     }
     let wrong = (0..want.len()).find(|&i| want[i] != nodes[i]);
     assert_eq!(wrong, None, "{what}: a word of the list of {n} pairs");
+}
+
+/// Balancing is a stage of its own, after each round of the one in which workers descend.
+fn check_stages(device: &Device) {
+    let method = BroadPhaseMethod::Tree(TreeOptions::default().traversal(Traversal::CUT));
+    let scheduling = Scheduling::default().scheduler(Scheduler::BALANCED);
+    let mut broad = BroadPhase::scheduled(device, method, scheduling).unwrap();
+    broad.set_timing(Timing::Stages).unwrap();
+    let boxes: Vec<_> = uniform_boxes(500).iter().map(|b| b.inflated(0.05)).collect();
+    let n = broad.self_pairs(&boxes).unwrap().len();
+    assert_eq!(n, ccd_testkit::brute::self_pairs(&boxes).len());
+    if !device.info().timestamps {
+        return crate::support::not_run("no timestamps");
+    }
+    let stages = broad.stages();
+    assert!(stages.iter().all(|(_, ms)| (0.0..60_000.0).contains(ms)), "{stages:?}");
+    let names: Vec<&str> = stages.iter().map(|(name, _)| *name).collect();
+    let balancing: Vec<usize> = (0..names.len()).filter(|&i| names[i] == "balancing").collect();
+    assert_eq!(balancing.len(), 16, "{names:?}");
+    assert!(balancing.iter().all(|&i| names[i - 1].contains("pairs")), "{names:?}");
 }

@@ -11,7 +11,8 @@ use ccd::gpu::bind::{
     PlocFinish, PlocJoin, PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit,
     SplitLevels,
 };
-use ccd::gpu::{BroadPhase, Device, harness};
+use ccd::gpu::wgpu::DeviceType;
+use ccd::gpu::{BroadPhase, Device, Path, harness};
 use ccd::{Aabb, BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
 use ccd_core::backend::broad_phase::morton_key::shared_word;
 use ccd_core::backend::broad_phase::nearest_pair::{GROUP, words};
@@ -296,7 +297,9 @@ fn check_nearest_pair(device: &Device) {
         check_well_formed(&what, &twin, set, &got);
         assert!(got == other, "{what}: parts make a difference");
         check_well_formed(&what, &twin, set, &of_device);
-        if rounds_like_a_cpu(device) {
+        // Elsewhere two kernels may be contracted in different ways.
+        let info = device.info();
+        if info.path == Path::Passthrough || info.adapter.device_type == DeviceType::Cpu {
             assert!(got == of_device, "{what}: the whole device finds others");
         }
         if set == 1 && twin.boxes[0] != twin.boxes[1] {
