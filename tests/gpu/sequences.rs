@@ -231,7 +231,7 @@ fn check_stages(device: &Device) {
                 let has = |part: &str| names.iter().any(|name| name.starts_with(part));
                 assert_eq!(has("front "), begun, "{what}: {names:?}");
                 assert_eq!(has("balancing "), scheduler == Scheduler::Static, "{what}: {names:?}");
-                // Blocks of so few boxes have no level to expand, and a stage without kernels is not
+                // Blocks of so few boxes have no level to expand: a stage without kernels is not
                 // listed.
                 let by_levels =
                     broad_phase == BroadPhaseMethod::Blocks && scheduler == Scheduler::Frontier;

@@ -1,7 +1,7 @@
 //! Stages of a GPU by the parts of a step that [da Silva 2013] tells apart.
 //!
-//! A stage belongs to a word that it is, or that it begins with. Every stage has a part: one without
-//! is an error of a report, and of a test, which reads the names in `ccd-gpu/src`.
+//! A stage belongs to a word that it is, or that it begins with. Every stage has a part: one
+//! without is an error of a report, and of a test, which reads the names in `ccd-gpu/src`.
 
 /// Parts of a step. Boxes, and trees refitted or built; fronts tested and kept; pairs of nodes
 /// expanded; what schedulers do themselves, and waiting (on a GPU what workers have left dealt out

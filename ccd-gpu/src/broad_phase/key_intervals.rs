@@ -1,7 +1,8 @@
 //! Boxes in the order of a key as a source of pairs: sort and sweep, a uniform grid, brute force.
 //! What a method is stands in `ccd_core::backend::broad_phase::key_intervals`.
 
-use super::pair_source::{PAIRS, PairSource, Search, boxes, frame_of};
+use super::pair_source::{PairSource, Search, boxes, frame_of};
+use super::stages::PAIRS;
 use crate::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
     SurveySides,

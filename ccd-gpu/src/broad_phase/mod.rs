@@ -15,6 +15,7 @@ mod pair_descent;
 pub mod pair_source;
 pub mod scheduled;
 mod scheduler;
+mod stages;
 mod tree;
 mod upload;
 pub mod worker_counts;

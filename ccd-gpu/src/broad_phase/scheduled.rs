@@ -2,8 +2,8 @@
 
 use super::descended::{self, Buffers, Descended, Written};
 use super::front::{COUNTERS, Front};
-use super::pair_source::{FRONT, PAIRS};
 use super::scheduler::{self, Schedule};
+use super::stages::{FRONT, PAIRS};
 use super::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;

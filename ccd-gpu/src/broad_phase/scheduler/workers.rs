@@ -23,7 +23,7 @@
 
 use super::Schedule;
 use crate::broad_phase::descended::{self, Buffers, Descended, Written};
-use crate::broad_phase::pair_source::BALANCING;
+use crate::broad_phase::stages::BALANCING;
 use crate::broad_phase::worker_counts::Counted;
 use crate::device::Device;
 use crate::error::Error;
