@@ -117,7 +117,7 @@ pub use ccd_core::model::options::Options;
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
-pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling};
+pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, WorkerOptions};
 pub use ccd_core::model::session::{BodyMotion, Hit};
 pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
 pub use ccd_core::model::tree_statistics::TreeStatistics;

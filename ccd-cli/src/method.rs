@@ -1,6 +1,8 @@
 //! Options that choose how pairs are found, and `ccd list`, which says what there is to choose
 //! from.
 
+use super::named::named;
+use super::scheduling::SchedulingOptions;
 use super::{Failure, Outcome, output};
 use ccd::{
     BroadPhaseMethod, Builder, Catalogued, Descent, Front, Options, Pipeline, Row, Scheduler,
@@ -57,31 +59,8 @@ pub struct MethodOptions {
     /// Which of two nodes --traversal simultaneous, cut and cut-stacks expand
     #[arg(long, value_parser = choice(DESCENTS))]
     descent: Option<Descent>,
-    /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
-    /// simultaneous and cut
-    #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
-    #[arg(hide_possible_values = true)]
-    scheduler: Option<Scheduler>,
-    /// Whether a step begins at the pairs of nodes where the one before ended, by the same
-    #[arg(long, value_name = "NAME", value_parser = named::<Front>())]
-    front: Option<Front>,
-    /// Steps p after which --front on compares the length of the front with that of p steps before
-    #[arg(long, value_name = "N", hide_short_help = true)]
-    front_period: Option<u32>,
-    /// Percentage rt of that length below which --front on gives the front up, as one that does
-    /// not change; 0: never
-    #[arg(long, value_name = "N", hide_short_help = true)]
-    front_threshold: Option<u32>,
-    /// Percentage of its length after a step from the roots beyond which --front on gives the
-    /// front up
-    #[arg(long, value_name = "N", hide_short_help = true)]
-    front_growth: Option<u32>,
-    /// Most memory of all fronts in MiB; a longer one is given up
-    #[arg(long, value_name = "N", hide_short_help = true)]
-    front_memory: Option<u32>,
-    /// Percentage of workers that must be idle for --scheduler balanced to deal out again
-    #[arg(long, value_name = "N")]
-    idle: Option<u32>,
+    #[command(flatten)]
+    scheduling: SchedulingOptions,
 }
 
 /// Names of values, each with its line of help, which may be empty.
@@ -104,13 +83,6 @@ where
         let found = choices.iter().find(|choice| choice.0 == name);
         found.map(|choice| choice.2).ok_or("not in the table")
     })
-}
-
-/// The names of a table, each with its line.
-fn named<T: Catalogued + Send + Sync>() -> impl TypedValueParser<Value = T> {
-    let value = |row: &Row<T>| PossibleValue::new(row.name).help(row.about);
-    PossibleValuesParser::new(T::ROWS.iter().map(value))
-        .try_map(|name| T::named(&name).ok_or("not in the table"))
 }
 
 impl MethodOptions {
@@ -170,42 +142,9 @@ impl MethodOptions {
         }
     }
 
-    /// Scheduler and front.
+    /// Scheduler, front and workers.
     pub fn scheduling(&self) -> Result<Scheduling, Failure> {
-        let scheduler = match (self.scheduler, self.idle) {
-            (Some(Scheduler::Balanced { .. }), Some(idle)) => Some(Scheduler::Balanced { idle }),
-            (other, Some(_)) => {
-                let name = other.map_or("the default", |other| other.row().name);
-                return Err(Failure(format!("--idle is for --scheduler balanced, not {name}")));
-            }
-            (scheduler, None) => scheduler,
-        };
-        let scheduling = Scheduling::default().front(self.front()?);
-        Ok(scheduler.map_or(scheduling, |scheduler| scheduling.scheduler(scheduler)))
-    }
-
-    /// The front, with all that was chosen of it.
-    fn front(&self) -> Result<Front, Failure> {
-        let given = [
-            (self.front_period, "--front-period"),
-            (self.front_threshold, "--front-threshold"),
-            (self.front_growth, "--front-growth"),
-            (self.front_memory, "--front-memory"),
-        ];
-        match self.front.unwrap_or_default() {
-            Front::On(front) => {
-                let period = self.front_period.unwrap_or(front.period);
-                let threshold = self.front_threshold.unwrap_or(front.threshold);
-                let growth = self.front_growth.unwrap_or(front.growth);
-                let memory = self.front_memory.unwrap_or(front.memory);
-                let front = front.rebuild(period, threshold).growth(growth).memory(memory);
-                Ok(Front::On(front))
-            }
-            other => match given.into_iter().find(|(value, _)| value.is_some()) {
-                Some((_, option)) => Err(Failure(format!("{option} is for --front on"))),
-                None => Ok(other),
-            },
-        }
+        self.scheduling.chosen()
     }
 
     /// Nothing, or why a command that pairs boxes alone has no pipeline.

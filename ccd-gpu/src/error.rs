@@ -36,8 +36,7 @@ pub enum Error {
     /// A scheduler that steals was asked for where kernels are WGSL.
     #[error(
         "{adapter} is used through WGSL, which has no acquire and release between workgroups, so \
-         that they cannot steal from each other: choose another scheduler, or the path \
-         `passthrough`"
+         that they cannot steal from each other: choose another scheduler, or `passthrough`"
     )]
     NoStealing {
         /// Name of the adapter.

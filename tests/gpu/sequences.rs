@@ -6,7 +6,7 @@ use ccd::gpu::{Device, Path, Session, Timing};
 use ccd::scenes::{Sequence, funnel, interpenetrating};
 use ccd::{
     BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
-    Traversal, TreeOptions, Volume,
+    Traversal, TreeOptions, Volume, WorkerOptions,
 };
 
 pub const TESTS: crate::Tests = &[
@@ -15,6 +15,7 @@ pub const TESTS: crate::Tests = &[
     ("fronts_that_are_given_up", check_given_up),
     ("rounds_that_are_too_few", check_rounds),
     ("stages_of_schedulers", check_stages),
+    ("options_of_workers", check_options),
 ];
 
 fn tree(volume: Volume) -> BroadPhaseMethod {
@@ -240,6 +241,48 @@ fn check_stages(device: &Device) {
                 n_begun += begun as u32;
             }
             assert_eq!(n_begun > 0, front, "{what}");
+        }
+    }
+}
+
+/// What was chosen of workers reaches the device: there are as many as were asked for, or the
+/// choice is refused; pairs are those of the default with the smallest stacks and batches.
+fn check_options(device: &Device) {
+    let scene = interpenetrating(64);
+    let (frames, want) = steps(&scene, 2, 0);
+    let any = WorkerOptions::default();
+    for broad_phase in [tree(Volume::Aabb), BroadPhaseMethod::Blocks] {
+        let of = |scheduler: Scheduler, workers| {
+            Scheduling::default().scheduler(scheduler).workers(workers)
+        };
+        let mut choices = vec![
+            (of(Scheduler::Static, any.workers(32)), 32),
+            (of(Scheduler::Static, any.workers(100).stack(1)), 128),
+            (of(Scheduler::SelfScheduling, any.workers(16).stack(3)), 16),
+        ];
+        if device.check_native().is_ok() {
+            let least = any.workers(16).batch(1).threshold(1);
+            choices.push((of(Scheduler::Stealing, least), 16));
+            choices.push((of(Scheduler::LazyStealing, least.batch(64).threshold(1024)), 16));
+        }
+        for (scheduling, n_workers) in choices {
+            let what = format!("{broad_phase}, {scheduling:?}");
+            let mut session = session(device, &scene, broad_phase, scheduling);
+            run(&what, &mut session, &frames, &want);
+            let counts = session.worker_counts().expect("counts");
+            assert_eq!(counts.len() % n_workers, 0, "{what}: {}", counts.len());
+            assert!((1..=2).contains(&(counts.len() / n_workers)), "{what}: {}", counts.len());
+        }
+        let options = Options::default().with_broad_phase(broad_phase);
+        for (scheduler, workers) in [
+            (Scheduler::Static, any.workers(15)),
+            (Scheduler::Static, any.batch(4)),
+            (Scheduler::Frontier, any.workers(64)),
+            (Scheduler::Frontier, any.stack(64)),
+        ] {
+            let options = options.clone().with_scheduling(of(scheduler, workers));
+            let refused = Session::new(device, scene.mesh.clone(), options).err();
+            assert!(refused.is_some(), "{scheduler:?}, {workers:?}");
         }
     }
 }

@@ -6,6 +6,10 @@ use super::catalogue::{Catalogued, GPU, Row};
 use super::error::{Error, check_setting};
 use super::method::{BroadPhaseMethod, Traversal, TreeOptions};
 
+mod workers;
+
+pub use workers::WorkerOptions;
+
 /// How pairs of nodes are shared out among workers, and whether the pairs at which a step ended
 /// begin the next one; results do not depend on it.
 ///
@@ -31,6 +35,8 @@ pub struct Scheduling {
     pub scheduler: Option<Scheduler>,
     /// Where a step begins.
     pub front: Front,
+    /// How many workers there are, and what each holds.
+    pub workers: WorkerOptions,
 }
 
 /// How pairs of nodes that are to be expanded, of which nobody knows beforehand how many are below
@@ -189,6 +195,7 @@ impl Scheduling {
             check_setting("growth of the front in percent", front.growth, 100, u32::MAX)?;
             check_setting("memory of the front in MiB", front.memory, 1, FrontOptions::MAX_MEMORY)?;
         }
+        self.workers.check()?;
         if self == Self::default() || descends_pairs(method) {
             return Ok(());
         }
@@ -199,10 +206,12 @@ impl Scheduling {
         Err(Error::NoPairsOfNodes { method: name })
     }
 
-    /// Whether a backend has the scheduler and the front; if not, the name of what it lacks.
+    /// Whether a backend has the scheduler, the front, and what was chosen of its workers; if not,
+    /// the name of what it lacks.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
         let scheduler = self.scheduler.and_then(|scheduler| scheduler.row().lacking(backend));
-        scheduler.or_else(|| self.front.row().lacking(backend).map(|_| "front"))
+        let front = || self.front.row().lacking(backend).map(|_| "front");
+        scheduler.or_else(front).or_else(|| self.lacking_of_workers(backend))
     }
 
     /// Every scheduler of a backend, with a front and without one.

@@ -21,7 +21,7 @@ use ccd_core::Error;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::report::FrontCounts;
-use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
+use ccd_core::model::scheduling::{Front, Scheduler, Scheduling, WorkerOptions};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Finds pairs by a scheduler.
@@ -30,6 +30,8 @@ pub struct Scheduled {
     source: Box<dyn PairsOfNodes>,
     descent: Descent,
     buffers: Vec<Own<Buffers>>,
+    /// Workers that share out pairs, at most; 0: as many as there are.
+    most_workers: usize,
     /// Rows in order, for sinks that want one.
     rows: Vec<Row>,
     /// Times of all descents since this was set.
@@ -73,7 +75,7 @@ impl Scheduled {
     /// A source with the scheduler and the front that were chosen.
     pub fn new(source: Box<dyn PairsOfNodes>, choice: Scheduling) -> Result<Self, Error> {
         let descent = Descent {
-            schedule: scheduler_of(choice.scheduler.unwrap_or_default())?,
+            schedule: scheduler_of(choice.scheduler.unwrap_or_default(), choice.workers)?,
             fronts: match choice.front {
                 Front::On(options) => Some(Fronts::new(options)),
                 _ => None,
@@ -84,7 +86,9 @@ impl Scheduled {
             resumed: Lists::default(),
             n_split: 0,
         };
-        Ok(Self { source, descent, buffers: Vec::new(), rows: Vec::new(), times: None })
+        let (buffers, rows) = (Vec::new(), Vec::new());
+        let most_workers = choice.workers.workers as usize;
+        Ok(Self { source, descent, buffers, most_workers, rows, times: None })
     }
 
     /// From now on, whether the clock is asked where the time of descents goes; from zero.
@@ -127,7 +131,7 @@ impl PairSource for Scheduled {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        let Self { source, descent, buffers, rows, times } = self;
+        let Self { source, descent, buffers, most_workers, rows, times } = self;
         descent.n_split = 0;
         prepare(buffers, workers.len());
         if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
@@ -135,8 +139,10 @@ impl PairSource for Scheduled {
         }
         let sets = [Some(sides.0.set().index), sides.1.map(|b| b.set().index)];
         let timed = times.is_some();
+        let n = if *most_workers == 0 { workers.len() } else { workers.len().min(*most_workers) };
         source.descend(threads, sides, &mut |pairs| {
-            descent.run((workers.len(), &threads.stop), sets, pairs, part, times, &mut |job| {
+            descent.run((n, &threads.stop), sets, pairs, part, times, &mut |job| {
+                let (workers, buffers) = (&mut workers[..n], &mut buffers[..n]);
                 threads.each_with(workers, buffers, &|worker, Own(buffer)| {
                     let mut hand_on =
                         |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
@@ -161,14 +167,14 @@ impl PairSource for Scheduled {
 }
 
 /// The scheduler of a choice, if there is one here.
-pub fn scheduler_of(choice: Scheduler) -> Result<Box<dyn Schedule>, Error> {
+pub fn scheduler_of(choice: Scheduler, options: WorkerOptions) -> Result<Box<dyn Schedule>, Error> {
     Ok(match choice {
         Scheduler::SelfScheduling => Box::new(SelfScheduling::default()),
         Scheduler::Frontier => Box::new(Frontier::default()),
         Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
         Scheduler::Stealing => Box::new(Stealing::new(Stealing::CAPACITY)),
-        Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY)),
+        Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY, options)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })
 }

@@ -1,6 +1,6 @@
-//! Names of the stages of a search for pairs, by which times are told.
+//! Names of stages, by kind of pairs.
 //!
-//! Twin: none, a CPU has no stages within a search.
+//! Twin: none; a CPU takes the time of descents instead (`descent_times.rs`).
 
 /// Stages in which pairs are found.
 pub const PAIRS: [&str; 2] = ["pairs vertex-face", "pairs edge-edge"];

@@ -22,13 +22,13 @@ use super::stealing::{Deques, ROUNDS, pause};
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use ccd_core::model::scheduling::WorkerOptions;
 
 /// Pairs of a batch.
 const BATCH: usize = 16;
-/// Pairs on a stack from which on the oldest go to the deque.
-const THRESHOLD: usize = 4 * BATCH;
-/// The same while the deque is empty, so that there is something to steal.
-const LEAST: usize = BATCH;
+/// Batches on a stack from which on the oldest goes to the deque. While the deque is empty, one is
+/// enough, so that there is something to steal.
+const THRESHOLD: usize = 4;
 /// Batches that are stolen from a deque at once.
 const MOST: u32 = 4;
 
@@ -37,6 +37,8 @@ const MOST: u32 = 4;
 pub struct LazyStealing {
     deques: Deques,
     stacks: Lists,
+    /// Pairs on a stack from which on the oldest batch goes to the deque.
+    threshold: usize,
 }
 
 impl LazyStealing {
@@ -44,8 +46,13 @@ impl LazyStealing {
     pub const CAPACITY: u32 = 1 << 10;
 
     /// With deques of this capacity, in batches: a power of two.
-    pub fn new(capacity: u32) -> Self {
-        Self { deques: Deques::new(capacity, BATCH as u32), stacks: Lists::default() }
+    pub fn new(capacity: u32, options: WorkerOptions) -> Self {
+        let batch = if options.batch > 0 { options.batch as usize } else { BATCH };
+        let threshold = match options.threshold as usize {
+            0 => THRESHOLD * batch,
+            pairs => pairs.max(2 * batch),
+        };
+        Self { deques: Deques::new(capacity, batch as u32), stacks: Lists::default(), threshold }
     }
 }
 
@@ -55,6 +62,7 @@ impl Schedule for LazyStealing {
         self.deques.deal(n_workers, tasks, &self.stacks);
         let (deques, stacks) = (&self.deques, &self.stacks);
         let (workers, words) = (deques.workers, deques.words());
+        let (batch, threshold) = (workers.batch as usize, self.threshold);
         let rounds = if n_workers == 1 { 1 } else { ROUNDS };
         launch(&|hand| {
             let mut stack = stacks.of(hand.worker);
@@ -63,10 +71,10 @@ impl Schedule for LazyStealing {
                 if !stack.is_empty() {
                     drain(hand, &mut stack, 1);
                     let deque = workers.deque(me);
-                    while stack.len() > if deque.is_empty(&words) { LEAST } else { THRESHOLD }
-                        && deque.push(&words, &stack[..BATCH]).is_ok()
+                    while stack.len() > if deque.is_empty(&words) { batch } else { threshold }
+                        && deque.push(&words, &stack[..batch]).is_ok()
                     {
-                        stack.drain(..BATCH);
+                        stack.drain(..batch);
                     }
                 } else if let Some(taken) = workers.take_lazily(&words, me, MOST) {
                     deques.read(taken, &mut stack);

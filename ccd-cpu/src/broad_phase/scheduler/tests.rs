@@ -8,7 +8,7 @@ use super::*;
 use crate::broad_phase::scheduled::scheduler_of;
 use crate::threads::Threads;
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::scheduling::Scheduler;
+use ccd_core::model::scheduling::{Scheduler, WorkerOptions};
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// A tree of pairs of which nobody can see beforehand what is below a pair: `[depth, number]` has
@@ -58,15 +58,23 @@ fn run(schedule: &mut dyn Schedule, n_workers: usize, tasks: &[NodePair]) -> Vec
 fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     let rows = Scheduler::ROWS.iter().filter(|row| row.backends.contains(&"cpu"));
     let of = |row: &ccd_core::model::catalogue::Row<Scheduler>| {
-        (row.name.to_string(), scheduler_of(row.value).expect("a scheduler that is here"))
+        (
+            row.name.to_string(),
+            scheduler_of(row.value, WorkerOptions::default()).expect("a scheduler that is here"),
+        )
     };
     let mut all: Vec<_> = rows.map(of).collect();
     for capacity in [2, 8] {
         all.push((format!("stealing, capacity {capacity}"), Box::new(Stealing::new(capacity))));
         all.push((
             format!("lazy stealing, capacity {capacity}"),
-            Box::new(LazyStealing::new(capacity)),
+            Box::new(LazyStealing::new(capacity, WorkerOptions::default())),
         ));
+    }
+    let least = WorkerOptions::default().batch(1).threshold(1);
+    for options in [least, least.batch(64).threshold(1024)] {
+        let lazy = Box::new(LazyStealing::new(4, options));
+        all.push((format!("lazy stealing, {options:?}"), lazy));
     }
     for idle in [1, 100] {
         all.push((format!("balanced at {idle} %"), Box::new(Balanced::new(idle))));

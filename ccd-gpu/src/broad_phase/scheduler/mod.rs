@@ -94,5 +94,5 @@ pub fn new(
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
     };
-    Ok(Box::new(Workers::new(device, rule, width, n)?))
+    Ok(Box::new(Workers::new(device, rule.with(choice.workers)?, width, n)?))
 }

@@ -40,6 +40,8 @@ use ccd_core::backend::broad_phase::pair_workers::{
 };
 use ccd_core::backend::layout::NodeDescent;
 use ccd_core::backend::scheduling::stealing;
+use ccd_core::model::error::check_setting;
+use ccd_core::model::scheduling::WorkerOptions;
 use wgpu::BufferUsages as U;
 
 /// How workers find tasks, and when they end.
@@ -61,6 +63,8 @@ pub struct Rule {
     pub rounds: u32,
     /// How workers steal, if they do.
     pub steal: Option<Steal>,
+    /// Workers, a power of two; 0: about as many as a device runs at the same time.
+    pub workers: u32,
 }
 
 /// How workers steal from each other.
@@ -97,6 +101,7 @@ impl Rule {
         turns: 4096,
         rounds: 8,
         steal: None,
+        workers: 0,
     };
     /// The same by prefix sums.
     pub const PREFIX_SUMS: Self = Self { scans: true, ..Self::STATIC };
@@ -115,6 +120,27 @@ impl Rule {
 }
 
 impl Rule {
+    /// The same with what was chosen of workers.
+    ///
+    /// # Errors
+    /// [`ccd_core::Error::Setting`] for fewer than 16 workers.
+    pub fn with(self, options: WorkerOptions) -> Result<Self, Error> {
+        let WorkerOptions { workers, stack, batch, threshold, .. } = options;
+        if workers > 0 {
+            check_setting("workers of a GPU", workers, MIN_WORKERS, WorkerOptions::MAX_WORKERS)?;
+        }
+        let or = |chosen: u32, default: u32| if chosen > 0 { chosen } else { default };
+        let steal = self.steal.map(|steal| Steal {
+            batch: or(batch, steal.batch),
+            push: or(threshold, steal.push),
+            ..steal
+        });
+        // Without stacks there is nothing to choose.
+        let stack = if self.stack > 0 { or(stack, self.stack) } else { 0 };
+        let workers = if workers > 0 { workers.next_power_of_two() } else { 0 };
+        Ok(Self { steal, stack, workers, ..self })
+    }
+
     /// Pairs were left after the last round.
     fn lengthen(&mut self) {
         if self.rounds < ROUNDS / 2 {
@@ -133,7 +159,8 @@ impl Steal {
     /// The same in parts of a turn, for workers that expand so many pairs in one.
     fn of_width(self, width: u32) -> Self {
         let part = |n: u32| (n * width / THREADS).max(1);
-        Self { batch: part(self.batch), push: part(self.push), ..self }
+        let batch = part(self.batch);
+        Self { batch, push: part(self.push).max(2 * batch), ..self }
     }
 }
 
@@ -151,6 +178,9 @@ pub struct Workers {
     /// log2 of the number of workers.
     workers: u32,
 }
+
+/// Fewest workers that can be chosen.
+const MIN_WORKERS: u32 = 16;
 
 /// log2 of the number of workgroups: about as many as a device runs at the same time.
 fn workers(device: &Device) -> u32 {
@@ -177,7 +207,11 @@ impl Workers {
         let rule = Rule { steal: rule.steal.map(|steal| steal.of_width(width)), ..rule };
         let short = device.faults().short_rounds;
         let rule = if short { Rule { rounds: 1, turns: 1, ..rule } } else { rule };
-        let workers = if short { 1 } else { workers(device) };
+        let workers = match rule.workers.checked_ilog2() {
+            _ if short => 1,
+            Some(chosen) => chosen,
+            None => workers(device),
+        };
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
         let bytes = match rule.tasks {
             // Stacks are saved behind the counters, and written before they are read.
@@ -206,7 +240,7 @@ impl Schedule for Workers {
 
     fn run(&self, recorder: &mut Recorder, descent: &Descended, written: Written) {
         let Self { rule, control, nodes, left, workers, .. } = self;
-        let Rule { tasks, piece, idle, stack, scans, turns, rounds, steal } = *rule;
+        let Rule { tasks, piece, idle, stack, scans, turns, rounds, steal, .. } = *rule;
         let mut args = NodeDescent {
             capacity_nodes: nodes.capacity(),
             workers: *workers,

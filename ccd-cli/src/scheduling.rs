@@ -1,0 +1,114 @@
+//! Options that choose who expands pairs of nodes, and where a step begins.
+
+use super::Failure;
+use super::named::named;
+use ccd::{Catalogued, Front, Scheduler, Scheduling, WorkerOptions};
+use clap::Args;
+
+/// Options of schedulers and of fronts; `-h` shows the first ones.
+#[derive(Args)]
+#[command(next_help_heading = "How pairs are found (all find the same contacts; see `ccd list`)")]
+pub struct SchedulingOptions {
+    /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
+    /// simultaneous and cut
+    #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
+    #[arg(hide_possible_values = true)]
+    scheduler: Option<Scheduler>,
+    /// Whether a step begins at the pairs of nodes where the one before ended, by the same
+    #[arg(long, value_name = "NAME", value_parser = named::<Front>())]
+    front: Option<Front>,
+    /// Steps p after which --front on compares the length of the front with that of p steps before
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_period: Option<u32>,
+    /// Percentage rt of that length below which --front on gives the front up, as one that does
+    /// not change; 0: never
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_threshold: Option<u32>,
+    /// Percentage of its length after a step from the roots beyond which --front on gives the
+    /// front up
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_growth: Option<u32>,
+    /// Most memory of all fronts in MiB; a longer one is given up
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    front_memory: Option<u32>,
+    /// Percentage of workers that must be idle for --scheduler balanced to deal out again
+    #[arg(long, value_name = "N")]
+    idle: Option<u32>,
+    /// Workers of --scheduler: threads, never more than --threads; workgroups of a GPU, a power of
+    /// two from 16 to 2048
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    workers: Option<u32>,
+    /// Pairs of nodes that the stack of a GPU's worker holds, at most 1024; those of threads grow
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    stack: Option<u32>,
+    /// Pairs of a batch of --scheduler lazy-stealing, and of stealing on a GPU, at most 64
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    batch: Option<u32>,
+    /// Pairs on a stack from which on the same schedulers offer a batch to others, at most 1024
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    threshold: Option<u32>,
+}
+
+impl SchedulingOptions {
+    /// Scheduler and front.
+    pub fn chosen(&self) -> Result<Scheduling, Failure> {
+        let scheduler = match (self.scheduler, self.idle) {
+            (Some(Scheduler::Balanced { .. }), Some(idle)) => Some(Scheduler::Balanced { idle }),
+            (other, Some(_)) => {
+                let name = other.map_or("the default", |other| other.row().name);
+                return Err(Failure(format!("--idle is for --scheduler balanced, not {name}")));
+            }
+            (scheduler, None) => scheduler,
+        };
+        let scheduling =
+            Scheduling::default().front(self.front()?).workers(self.workers(scheduler)?);
+        Ok(scheduler.map_or(scheduling, |scheduler| scheduling.scheduler(scheduler)))
+    }
+
+    /// What was chosen of workers, which a scheduler must have been chosen for.
+    fn workers(&self, scheduler: Option<Scheduler>) -> Result<WorkerOptions, Failure> {
+        let steals = matches!(scheduler, Some(Scheduler::Stealing | Scheduler::LazyStealing));
+        let of_stealing = "--scheduler stealing or lazy-stealing";
+        for (value, option, has, who) in [
+            (self.workers, "--workers", scheduler.is_some(), "--scheduler NAME"),
+            (self.stack, "--stack", scheduler.is_some(), "--scheduler NAME"),
+            (self.batch, "--batch", steals, of_stealing),
+            (self.threshold, "--threshold", steals, of_stealing),
+        ] {
+            match value {
+                Some(0) => return Err(Failure(format!("{option}: 0; it must be at least 1"))),
+                Some(_) if !has => return Err(Failure(format!("{option} is for {who}"))),
+                _ => {}
+            }
+        }
+        Ok(WorkerOptions::default()
+            .workers(self.workers.unwrap_or(0))
+            .stack(self.stack.unwrap_or(0))
+            .batch(self.batch.unwrap_or(0))
+            .threshold(self.threshold.unwrap_or(0)))
+    }
+
+    /// The front, with all that was chosen of it.
+    fn front(&self) -> Result<Front, Failure> {
+        let given = [
+            (self.front_period, "--front-period"),
+            (self.front_threshold, "--front-threshold"),
+            (self.front_growth, "--front-growth"),
+            (self.front_memory, "--front-memory"),
+        ];
+        match self.front.unwrap_or_default() {
+            Front::On(front) => {
+                let period = self.front_period.unwrap_or(front.period);
+                let threshold = self.front_threshold.unwrap_or(front.threshold);
+                let growth = self.front_growth.unwrap_or(front.growth);
+                let memory = self.front_memory.unwrap_or(front.memory);
+                let front = front.rebuild(period, threshold).growth(growth).memory(memory);
+                Ok(Front::On(front))
+            }
+            other => match given.into_iter().find(|(value, _)| value.is_some()) {
+                Some((_, option)) => Err(Failure(format!("{option} is for --front on"))),
+                None => Ok(other),
+            },
+        }
+    }
+}
