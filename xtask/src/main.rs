@@ -3,6 +3,8 @@
 
 #[cfg(feature = "report")]
 mod algorithms;
+#[cfg(any(feature = "report", test))]
+mod cells;
 mod checked;
 mod ci;
 mod circles;
@@ -122,6 +124,13 @@ enum Task {
         schedulers: bool,
         #[command(flatten)]
         of_schedulers: SchedulersOptions,
+        /// Keep what --algorithms or --schedulers measured in this folder, so that a report goes on
+        /// where it was
+        #[arg(long, value_name = "FOLDER")]
+        cells: Option<std::path::PathBuf>,
+        /// Begin no measurement after so many minutes; tables are written once all cells are there
+        #[arg(long, requires = "cells")]
+        minutes: Option<f64>,
         /// Only these measurements of the GPU
         #[arg(long, requires = "gpu", value_enum, value_delimiter = ',')]
         only: Vec<Part>,
@@ -155,9 +164,6 @@ struct SchedulersOptions {
     /// Few steps of the smaller scenes
     #[arg(long, requires = "schedulers")]
     quick: bool,
-    /// No measurement of when fronts are given up
-    #[arg(long, requires = "schedulers")]
-    no_rules: bool,
     /// Leave the GPU out
     #[arg(long, requires = "schedulers")]
     no_gpu: bool,
@@ -236,12 +242,15 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         Task::Wasm => wasm::run(root),
         Task::Python { wheel } => python::run(root, wheel),
         #[cfg(feature = "report")]
-        Task::Report { runs, algorithms: true, .. } => algorithms::run(root, runs),
+        Task::Report { algorithms: true, cells, minutes, .. } => {
+            algorithms::run(root, cells::Cells::open(cells.as_deref(), "algorithms", minutes)?)
+        }
         #[cfg(feature = "report")]
         Task::Report { divergence: true, .. } => algorithms::divergence(root),
         #[cfg(feature = "report")]
-        Task::Report { schedulers: true, of_schedulers, .. } => {
-            schedulers::run(root, &of_schedulers)
+        Task::Report { schedulers: true, of_schedulers, cells, minutes, .. } => {
+            let cells = cells::Cells::open(cells.as_deref(), "schedulers", minutes)?;
+            schedulers::run(root, &of_schedulers, cells)
         }
         #[cfg(feature = "report")]
         Task::Report { runs, gpu: true, out, only, .. } => gpu::run(runs, &root.join(out), &only),

@@ -73,12 +73,23 @@ pub fn replaced(text: &str, name: &str, table: &str) -> Result<String, String> {
     Ok(format!("{head}{begin}\n{}\n<!-- end -->{tail}", table.trim()))
 }
 
-/// Writes a file of docs whose tables are made anew and whose text stays as it is.
+/// The text with all its tables made anew; an error if one of them is not given, which would be of
+/// another run.
+pub fn all_replaced(text: &str, tables: &[(&str, String)]) -> Result<String, String> {
+    let names = text.lines().filter_map(|line| line.strip_prefix("<!-- ")?.strip_suffix(" -->"));
+    let given = |name: &&str| *name == "end" || tables.iter().any(|table| table.0 == *name);
+    if let Some(name) = names.into_iter().find(|name| !given(name)) {
+        return Err(format!("table `{name}` is not made anew"));
+    }
+    tables.iter().try_fold(text.to_owned(), |text, (name, table)| replaced(&text, name, table))
+}
+
+/// Writes a file of docs whose tables are made anew and whose text stays as it is: all or none.
 #[cfg(feature = "report")]
 pub fn rewrite(path: &Path, tables: &[(&str, String)]) -> Result<(), String> {
     let failed = |e: std::io::Error| format!("{}: {e}", path.display());
     let text = std::fs::read_to_string(path).map_err(failed)?;
-    let text = tables.iter().try_fold(text, |text, (name, table)| replaced(&text, name, table))?;
+    let text = all_replaced(&text, tables)?;
     std::fs::write(path, text).map_err(failed)?;
     println!("written {}", path.display());
     Ok(())
@@ -118,6 +129,12 @@ mod tests {
         let text = "x\n<!-- t -->\nold\n<!-- end -->\ny\n";
         let new = replaced(text, "t", "new\n").unwrap();
         assert_eq!(new, "x\n<!-- t -->\n\nnew\n<!-- end -->\ny\n");
+        let all = |names: &[&'static str]| {
+            let tables: Vec<_> = names.iter().map(|name| (*name, "new\n".to_owned())).collect();
+            all_replaced(&format!("{text}<!-- u -->\nold\n<!-- end -->\n"), &tables)
+        };
+        assert!(all(&["t", "u"]).is_ok_and(|text| !text.contains("old")));
+        assert_eq!(all(&["t"]), Err("table `u` is not made anew".into()));
         assert!(replaced(text, "u", "").is_err() && replaced("<!-- t -->\n", "t", "").is_err());
     }
 }

@@ -9,11 +9,12 @@ mod measure;
 mod pipelines;
 mod scenes;
 
+use crate::cells::Cells;
 use crate::markdown::{Table, digits, rewrite};
 use crate::measure::Place;
 use crate::plot::Bars;
 use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
-use measure::{Measured, measure};
+use measure::{Measured, RUNS, kept};
 use scenes::Case;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -32,7 +33,7 @@ struct Section {
 }
 
 /// Measures all and rewrites the tables of docs/ALGORITHMS.md.
-pub fn run(root: &Path, runs: usize) -> Result<(), String> {
+pub fn run(root: &Path, mut cells: Cells) -> Result<(), String> {
     let plots = root.join("docs/algorithms");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
     let all = std::thread::available_parallelism().map_or(1, |n| n.get());
@@ -40,10 +41,11 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     let cpus = threads.into_iter().map(|threads| Place::Cpu { threads });
     let places: Vec<Place> = cpus.chain(Place::gpu()).collect();
     let names = places.iter().map(Place::name).collect();
-    let pipelines = pipelines::table(&places, runs)?;
-    let report = Report { places, names, runs, plots };
+    let pipelines = cells.get("pipelines", || Ok(pipelines::table(&places, RUNS)?.into()))?;
+    let pipelines = pipelines.and_then(|text| text.as_str().map(String::from)).unwrap_or_default();
+    let mut report = Report { places, names, cells, plots };
     let (cases, cloths) = (scenes::all()?, scenes::cloths_on_spheres()?);
-    let machine = format!("Places: {}. Medians of {runs} runs.\n", report.names.join("; "));
+    let machine = format!("Places: {}. Medians of {RUNS} runs.\n", report.names.join("; "));
     let tables = [
         ("machine", machine),
         ("methods", report.tables(&cases, &[methods()])?),
@@ -55,6 +57,9 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
         ("pipelines", pipelines),
         ("divergence", divergence::tables(&cases)?),
     ];
+    if !report.cells.are_complete() {
+        return Ok(());
+    }
     rewrite(&root.join("docs/ALGORITHMS.md"), &tables)
 }
 
@@ -140,13 +145,13 @@ fn cloth_and_sphere() -> [Section; 2] {
 struct Report {
     places: Vec<Place>,
     names: Vec<String>,
-    runs: usize,
+    cells: Cells,
     plots: PathBuf,
 }
 
 impl Report {
     /// All sections of every case.
-    fn tables(&self, cases: &[Case], sections: &[Section]) -> Result<String, String> {
+    fn tables(&mut self, cases: &[Case], sections: &[Section]) -> Result<String, String> {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
@@ -157,7 +162,7 @@ impl Report {
         Ok(text)
     }
 
-    fn section(&self, case: &Case, section: &Section, text: &mut String) -> Result<(), String> {
+    fn section(&mut self, case: &Case, section: &Section, text: &mut String) -> Result<(), String> {
         let &Section { what, ms, ref rows, figures, plot } = section;
         let places = self.names.iter().map(String::as_str);
         let mut table = Table::new([what].into_iter().chain(figures.iter().copied()).chain(places));
@@ -165,17 +170,21 @@ impl Report {
         for (name, method) in rows {
             let mut cells = vec![name.clone()];
             if !figures.is_empty() {
-                let measured = measure(&Place::Cpu { threads: 1 }, *method, case, 1)?.ok();
+                let one = Place::Cpu { threads: 1 };
+                let measured = kept(&mut self.cells, &one, *method, case)?.and_then(Result::ok);
                 cells.extend(of_one_thread(measured, figures));
             }
             let mut values = Vec::new();
             for place in &self.places {
-                let measured = measure(place, *method, case, self.runs)?;
-                cells.push(measured.as_ref().map_or_else(|why| (*why).into(), |m| digits(ms(m))));
+                let measured = kept(&mut self.cells, place, *method, case)?;
+                let Some(measured) = measured else { continue };
+                cells.push(measured.as_ref().map_or_else(Clone::clone, |m| digits(ms(m))));
                 values.push(measured.ok().as_ref().map(ms));
             }
             table.row(cells);
-            bars.add(name, values);
+            if values.len() == self.places.len() {
+                bars.add(name, values);
+            }
         }
         let _ = writeln!(text, "{table}");
         if let Some((title, prefix)) = plot {

@@ -2,6 +2,7 @@
 //! busy for a while is so for all of them.
 
 use super::scenes::{Counts, Scene};
+use crate::cells::Cells;
 use crate::measure::{Place, median};
 use crate::stages::part;
 use ccd::any::{self, Session};
@@ -9,6 +10,7 @@ use ccd::{
     BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Scheduling, Traversal, TreeOptions,
     Volume, gpu,
 };
+use serde_json::{Value, json};
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
@@ -24,19 +26,19 @@ pub enum Structure {
 /// Length of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Steps that are timed, at most; two at least, or one where all together take long.
+    /// Steps that are timed, at most.
     pub steps: usize,
-    /// After so long a time no further step is timed.
+    /// Steps that are timed however long they take.
+    pub least: usize,
+    /// After so long a time no step beyond those is timed.
     pub enough: Duration,
 }
 
 /// Steps before those that are timed: the first finds out how long a front is, the second makes
 /// it, and the third begins at it.
 pub const WARM: usize = 2;
-/// Steps after those, whose parts are timed: one where all together take long.
+/// Steps after those, whose parts are timed.
 pub const WATCHED: usize = 2;
-/// A step of all schedulers that takes longer than this takes long.
-const LONG: Duration = Duration::from_secs(3);
 
 /// Measurements of one scheduler.
 #[derive(Clone, Debug, Default)]
@@ -76,6 +78,35 @@ impl Shares {
 }
 
 impl Measured {
+    fn json(&self) -> Value {
+        let fronts: Vec<_> = self.fronts.iter().map(|f| [f.pairs, f.begun, f.bytes]).collect();
+        let Shares { parts, utilisation } = self.shares;
+        json!([self.steps, fronts, self.n_rebuilt, parts, utilisation])
+    }
+
+    /// `None` of null, where a place does not have a scheduler.
+    fn of_json(value: &Value) -> Option<Self> {
+        let numbers = |value: &Value| -> Option<Vec<f64>> {
+            value.as_array()?.iter().map(Value::as_f64).collect()
+        };
+        let [steps, fronts, n_rebuilt, parts, utilisation] = &value.as_array()?[..] else {
+            return None;
+        };
+        let front = |value: &Value| {
+            let [pairs, begun, bytes] = [0, 1, 2].map(|k| value[k].as_u64());
+            Some(FrontCounts::new(pairs?, begun?, bytes?))
+        };
+        Some(Self {
+            steps: numbers(steps)?,
+            fronts: fronts.as_array()?.iter().map(front).collect::<Option<_>>()?,
+            n_rebuilt: n_rebuilt.as_u64()? as usize,
+            shares: Shares {
+                parts: numbers(parts)?.try_into().ok()?,
+                utilisation: utilisation.as_f64(),
+            },
+        })
+    }
+
     /// The middle one of all steps.
     pub fn ms(&self) -> f64 {
         median(self.steps.iter().copied())
@@ -198,6 +229,27 @@ fn utilisation(session: &mut gpu::Session) -> Result<Option<f64>, any::Error> {
     Ok((turns > 0).then(|| expanded as f64 / turns as f64))
 }
 
+/// The same as [`measure`], of a group that is kept: it is measured at most once.
+pub fn kept(
+    cells: &mut Cells,
+    place: &Place,
+    scene: &Scene,
+    structure: Structure,
+    all: &[Scheduling],
+    effort: Effort,
+) -> Result<Vec<Option<Measured>>, String> {
+    let (name, pipeline) = (&scene.name, scene.pipeline);
+    let name = format!("{name}|{pipeline:?}|{}|{structure:?}|{all:?}|{effort:?}", place.name());
+    let group = cells.get(&name, || {
+        let measured = measure(place, scene, structure, all, effort)?;
+        Ok(measured.iter().map(|cell| cell.as_ref().map_or(Value::Null, Measured::json)).collect())
+    })?;
+    let Some(group) = group else { return Ok(vec![None; all.len()]) };
+    let group = group.as_array().filter(|group| group.len() == all.len());
+    let group = group.ok_or_else(|| format!("{name}: not a cell of this report"))?;
+    Ok(group.iter().map(Measured::of_json).collect())
+}
+
 /// Steps a scene by all of these in turn; `None`: the place does not have it. Every step has the
 /// pairs of the default, or this fails.
 pub fn measure(
@@ -222,7 +274,6 @@ pub fn measure(
     }
     let n_steps = scene.frames.len() - 1;
     let (mut start, mut n_timed, mut n_watched) = (Instant::now(), 0, 0);
-    let mut least = 2;
     for (i, (x, want)) in scene.frames.windows(2).zip(&scene.counts).enumerate() {
         let warm = i < WARM;
         let left = n_steps - i;
@@ -230,10 +281,7 @@ pub fn measure(
             && left > WATCHED
             && n_watched == 0
             && n_timed < effort.steps
-            && (n_timed < least || (least > 1 && start.elapsed() < effort.enough));
-        if i == 1 && start.elapsed() > LONG {
-            least = 1;
-        }
+            && (n_timed < effort.least || start.elapsed() < effort.enough);
         if i == WARM {
             start = Instant::now();
         }
@@ -261,7 +309,7 @@ pub fn measure(
         }
         n_timed += is_timed as usize;
         n_watched += (!warm && !is_timed) as usize;
-        if n_watched == WATCHED.min(least) {
+        if n_watched == WATCHED {
             break;
         }
     }

@@ -12,24 +12,25 @@ mod scenes;
 mod tables;
 
 use crate::SchedulersOptions;
+use crate::cells::Cells;
 use crate::markdown::rewrite;
 use crate::measure::Place;
 use ccd::{Pipeline, Scheduling, Volume};
-use measure::{Effort, Measured, Structure, WARM, WATCHED, measure};
+use measure::{Effort, Measured, Structure, WARM, WATCHED};
 use scenes::Scene;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Measures all and rewrites the tables of SCHEDULING.md.
-pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
+pub fn run(root: &Path, options: &SchedulersOptions, mut cells: Cells) -> Result<(), String> {
     let folder = root.join(&options.folder);
     let plots = folder.join("scheduling");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
     let start = Instant::now();
     let effort = if options.quick {
-        Effort { steps: 2, enough: Duration::ZERO }
+        Effort { steps: 2, least: 2, enough: Duration::ZERO }
     } else {
-        Effort { steps: 12, enough: Duration::from_millis(1500) }
+        Effort { steps: 12, least: 12, enough: Duration::ZERO }
     };
     let is_small = |name: &str| ["BART64", "BART256", "BART1024", "funnel"].contains(&name);
     let wanted = |name: &str| {
@@ -42,18 +43,24 @@ pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
     let places: Vec<Place> = cpus.chain(gpu).collect();
     let mut all = Vec::new();
     for scene in &scenes {
-        let measured = Results::of(scene, &places, effort)?;
+        let measured = Results::of(scene, &places, effort, &mut cells)?;
         println!("{}: {:.0} s", scene.name, start.elapsed().as_secs_f64());
         all.push(measured);
     }
+    let threads = options.threads.iter().copied().max().unwrap_or(1);
+    let rules = rules::table(threads, &wanted, options.quick, &plots, &mut cells)?;
+    println!("all after {:.0} s", start.elapsed().as_secs_f64());
+    if !cells.are_complete() {
+        return Ok(());
+    }
     let names: Vec<String> = places.iter().map(Place::name).collect();
     let steps = effort.steps;
-    let machine = format!("Places: {}. Medians of at most {steps} steps.\n", names.join("; "));
+    let machine = format!("Places: {}. Medians of {steps} steps.\n", names.join("; "));
     // Of all numbers of threads the last, and the GPU.
     let is_shown = |k: &usize| *k + 1 == places.len() || *k + 1 == options.threads.len();
     let shown: Vec<(usize, &str)> =
         (0..places.len()).filter(is_shown).map(|k| (k, names[k].as_str())).collect();
-    let mut sections = vec![
+    let sections = [
         ("machine", machine),
         ("summary", tables::summary(&all, &names)),
         ("speedup", tables::speedup(&all, &places)),
@@ -61,13 +68,8 @@ pub fn run(root: &Path, options: &SchedulersOptions) -> Result<(), String> {
         ("times", tables::times(&all, &names)),
         ("shares", tables::shares(&all, &shown)),
         ("plots", plot::all(&all, &shown, &plots)?),
+        ("rules", rules),
     ];
-    if !options.no_rules {
-        let threads = options.threads.iter().copied().max().unwrap_or(1);
-        let table = rules::table(threads, &wanted, options.quick, &plots)?;
-        sections.push(("rules", table));
-    }
-    println!("all after {:.0} s", start.elapsed().as_secs_f64());
     rewrite(&folder.join("SCHEDULING.md"), &sections)
 }
 
@@ -104,7 +106,12 @@ fn rows(backend: &str) -> Vec<Row> {
 }
 
 impl<'s> Results<'s> {
-    fn of(scene: &'s Scene, places: &[Place], effort: Effort) -> Result<Self, String> {
+    fn of(
+        scene: &'s Scene,
+        places: &[Place],
+        effort: Effort,
+        cells: &mut Cells,
+    ) -> Result<Self, String> {
         let (mut groups, mut features) = (Vec::new(), Vec::new());
         for (k, place) in places.iter().enumerate() {
             for structure in Structure::ALL {
@@ -116,11 +123,11 @@ impl<'s> Results<'s> {
                 }
                 let rows = rows(place.backend());
                 let all: Vec<Scheduling> = rows.iter().map(|row| row.scheduling).collect();
-                let cells = measure(place, scene, structure, &all, effort)?;
+                let measured = measure::kept(cells, place, scene, structure, &all, effort)?;
                 groups.push(Group {
                     structure,
                     place: k,
-                    rows: rows.into_iter().zip(cells).collect(),
+                    rows: rows.into_iter().zip(measured).collect(),
                 });
             }
             let default = if scene.pipeline == Pipeline::Features {
@@ -128,7 +135,8 @@ impl<'s> Results<'s> {
             } else {
                 let scene = scene.by_features()?;
                 let all = [Scheduling::default()];
-                measure(place, &scene, Structure::Blocks, &all, effort)?.pop().flatten()
+                let mut one = measure::kept(cells, place, &scene, Structure::Blocks, &all, effort)?;
+                one.pop().flatten()
             };
             features.push(default);
         }
@@ -147,13 +155,14 @@ impl<'s> Results<'s> {
         self.features[place].as_ref().or_else(default)
     }
 
-    /// The fastest cell at a place, with its name.
+    /// The fastest cell at a place, the default of a session among them, with its name.
     pub fn best(&self, place: usize) -> Option<(String, &Measured)> {
         let cells = self.groups.iter().filter(|group| group.place == place).flat_map(|group| {
             group.rows.iter().filter_map(|(row, cell)| {
                 Some((format!("{}, {}", group.structure.name(), row.name), cell.as_ref()?))
             })
         });
-        cells.min_by(|a, b| a.1.ms().total_cmp(&b.1.ms()))
+        let default = self.features[place].as_ref().map(|cell| ("default".to_owned(), cell));
+        cells.chain(default).min_by(|a, b| a.1.ms().total_cmp(&b.1.ms()))
     }
 }

@@ -1,7 +1,8 @@
 //! When a front is given up: settings beside each other, over more steps.
 
-use super::measure::{Effort, Measured, Structure, WARM, WATCHED, measure};
+use super::measure::{Effort, Measured, Structure, WARM, WATCHED, kept};
 use super::scenes;
+use crate::cells::Cells;
 use crate::markdown::{Table, digits};
 use crate::measure::Place;
 use crate::plot;
@@ -33,9 +34,11 @@ pub fn table(
     wanted: &dyn Fn(&str) -> bool,
     quick: bool,
     plots: &Path,
+    cells: &mut Cells,
 ) -> Result<String, String> {
     let steps = if quick { 6 } else { 40 };
-    let effort = Effort { steps, enough: Duration::from_secs(if quick { 1 } else { 6 }) };
+    let least = if quick { 2 } else { 12 };
+    let effort = Effort { steps, least, enough: Duration::from_secs(if quick { 1 } else { 6 }) };
     let names = ["BART4096", "funnel", "debris-wall, features"];
     let is_one = |name: &str| wanted(name) && names.contains(&name);
     let all = scenes::all(&is_one, WARM + steps + WATCHED + 1)?;
@@ -53,7 +56,7 @@ pub fn table(
     for structure in structures {
         let mut columns = Vec::new();
         for scene in &all {
-            columns.push(measure(&place, scene, structure, &choices, effort)?);
+            columns.push(kept(cells, &place, scene, structure, &choices, effort)?);
         }
         let heads = all.iter().map(|scene| scene.name.as_str());
         let mut table = Table::new([structure.name()].into_iter().chain(heads));
