@@ -17,16 +17,21 @@ const OF_KERNELS: [crate::Tests; 4] =
 
 /// The most portable is not run by tests over many boxes or steps whose kernels other tests compare
 /// there: `rules` has all methods.
-const LONG: [&str; 10] = [
+const LONG: [&str; 15] = [
     "boxes_after_failures",
     "builders_and_hard_boxes",
     "changes_between_steps",
+    "limit_of_memory",
     "lists_grow",
+    "many_contacts",
+    "moving_bodies",
+    "order_is_kept",
     "order_of_small_meshes",
     "oriented_traversals",
     "schedulers_over_sequences",
     "steps_after_failures",
     "triangles_by_every_method",
+    "two_threads",
     "uniform_boxes",
 ];
 

@@ -188,8 +188,10 @@ pub fn check_decorations() {
             "SortPass" | "Queries" | "Decision" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
             "Expansion" => &[0, 4, 8, 12, 20],
-            "NodeDescent" => &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68],
-            "BlockDescent" => &[0, 72],
+            "NodeDescent" => {
+                &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72]
+            }
+            "BlockDescent" => &[0, 76],
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],

@@ -42,7 +42,7 @@ fn gate(root: &Path) -> Result<(), String> {
     command(root, &test)?;
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     // The tests have run the first cases already, on the CPU alone.
-    for (backend, minutes) in [("cpu", "0.4"), ("gpu", "0.9")] {
+    for (backend, minutes) in [("cpu", "0.2"), ("gpu", "0.5")] {
         command(root, &["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend])?;
     }
     // After the tests, which compile what they need.

@@ -258,15 +258,16 @@ impl Schedule for Workers {
         let buffers = Buffers { control, nodes: nodes.buffer(), front: written.front };
         let (stage, nodes) = (recorder.current_stage(), buffers.nodes);
         for round in 0..rounds {
-            // Without stacks a round is a level, and nothing of it is balancing.
-            if round == 1 && stack > 0 {
+            // Without stacks a round is a level, and nothing of it is balancing; where a kernel of
+            // its own balances, that alone is.
+            if round == 1 && stack > 0 && tasks != NodeDescent::TASKS_BALANCED {
                 recorder.stage(BALANCING[descent.kind as usize]);
             }
             args.last = (round + 1 == rounds) as u32;
             let p = descent.params(args, round, 0);
             descended::round(recorder, descent, buffers, &p, 1 << workers);
             if tasks == NodeDescent::TASKS_BALANCED {
-                recorder.stage("balancing");
+                recorder.stage(BALANCING[descent.kind as usize]);
                 recorder.dispatch(&BalanceCounts { control, nodes }, &p, 1);
                 recorder.dispatch(&BalancePairs { control, nodes }, &p, 1 << workers);
                 stage.filter(|_| args.last == 0).into_iter().for_each(|name| recorder.stage(name));
