@@ -123,20 +123,26 @@ pub fn times(all: &[Results], places: &[String]) -> String {
     let mut text = String::new();
     for results in all {
         let _ = writeln!(text, "{}\n", results.scene.title());
-        let columns = results.groups.iter().map(|group| {
-            let short = places[group.place].replace(" threads", "").replace(" thread", "");
-            format!("{} {}", group.structure.name(), if short.len() > 3 { "GPU" } else { &short })
-        });
-        let mut table = Table::new(std::iter::once("ms".to_owned()).chain(columns));
-        for name in names(&results.groups) {
-            let cells = results.groups.iter();
-            let cells = cells.map(|group| ms(results.cell(group.place, group.structure, name)));
-            table.row([name.to_owned()].into_iter().chain(cells));
+        for groups in results.groups.chunks(WIDEST) {
+            let columns = groups.iter().map(|group| {
+                let short = places[group.place].replace(" threads", "").replace(" thread", "");
+                let short = if short.len() > 3 { "GPU" } else { &short };
+                format!("{} {short}", group.structure.name())
+            });
+            let mut table = Table::new(std::iter::once("ms".to_owned()).chain(columns));
+            for name in names(&results.groups) {
+                let cells = groups.iter();
+                let cells = cells.map(|group| ms(results.cell(group.place, group.structure, name)));
+                table.row([name.to_owned()].into_iter().chain(cells));
+            }
+            let _ = writeln!(text, "{table}");
         }
-        let _ = writeln!(text, "{table}");
     }
     text
 }
+
+/// Most columns of a table of times: its rows are at most 100 wide.
+const WIDEST: usize = 9;
 
 /// The names of all rows, each once.
 pub fn names<'g>(groups: &'g [Group]) -> Vec<&'g str> {
