@@ -97,7 +97,7 @@ fn with_rules(
             continue;
         }
         let name: String = name.extract()?;
-        let flags = || -> PyResult<Vec<bool>> { Ok(given.extract()?) };
+        let flags = || given.extract::<Vec<bool>>();
         match &name[..] {
             "fixed" => bodies = bodies.with_fixed_mask(&flags()?),
             "sleeping" => {
