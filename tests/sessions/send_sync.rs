@@ -23,7 +23,8 @@ are! {
     ccd::Scheduling, ccd::Session, ccd::State, ccd::Strided<'static, f64>,
     ccd::Times, ccd::Traversal, ccd::TreeOptions, ccd::TreeStatistics, ccd::TriangleCounts,
     ccd::TriangleOptions, ccd::Verdict<f64>, ccd::VertexEdge<f64>, ccd::VertexFace<f32>,
-    ccd::VertexVertex<f64>, ccd::Volume, ccd::WorkerOptions, ccd::geometry::Motion<f64>, ccd::geometry::Patch,
+    ccd::VertexVertex<f64>, ccd::Volume, ccd::WorkerOptions, ccd::geometry::Motion<f64>,
+    ccd::geometry::Patch,
     positions::Ends<'static>, positions::PositionView<'static, f32>,
     positions::Precision<u8, u8>,
 }
