@@ -58,6 +58,25 @@ pub fn debris_boxes() -> Vec<Aabb<f32>> {
     (0..12_486).map(make).collect()
 }
 
+/// A teapot in a stadium, of which [Karras 2012a] says that no size of cells fits both: 10,240
+/// boxes of seats on 40 tiers around a field, 200 wide, and 16,384 boxes of patches of a teapot in
+/// its middle, a ball 0.3 wide. Each seat touches its neighbours, each patch those around it.
+pub fn teapot_in_a_stadium_boxes() -> Vec<Aabb<f32>> {
+    let (tiers, seats, patches) = (40, 256, 128);
+    let around = |centre: [f64; 3], half: [f64; 3]| Aabb {
+        min: std::array::from_fn(|k| (centre[k] - half[k]) as f32),
+        max: std::array::from_fn(|k| (centre[k] + half[k]) as f32),
+    };
+    let seat = |i: usize| {
+        let (tier, [x, z]) = ((i / seats) as f64, circle((i % seats) as f64 / seats as f64));
+        let radius = 60.0 + tier;
+        around([radius * x, 0.5 * tier, radius * z], [1.1, 0.2, 1.1])
+    };
+    let patch = |x: [f64; 3]| around(x.map(|x| 0.15 * x), [0.003; 3]);
+    let stadium = (0..tiers * seats).map(seat);
+    stadium.chain(sphere(patches).into_iter().map(patch)).collect()
+}
+
 /// The cube root of a number in `(0, 1]`, to a unit or two in the last place, by Newton-Raphson
 /// from 1: always from above, a third of the way down a round at first, then quadratically.
 fn cube_root(x: f64) -> f64 {
@@ -256,6 +275,7 @@ mod tests {
             check_boxes(&boxes, want);
         }
         check_boxes(&debris_boxes(), 0x6cab_3532);
+        check_boxes(&teapot_in_a_stadium_boxes(), 0x2c5e_15d2);
         // The control: the last bit of one coordinate.
         let mut other = sheet.x0.clone();
         other[700][2] = other[700][2].next_up();

@@ -15,17 +15,38 @@ use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
 use ccd::scenes::{grid, sphere};
 use ccd::{Bodies, Contact, Mesh, Options};
 
-/// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
+/// The scenes of [Tian and Wan], by triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Size {
+    /// Sphere of 1,922, cloth of 1,058
+    Small,
+    /// Sphere of 7,938, cloth of 4,418
+    Medium,
+    /// Sphere of 32,258, cloth of 7,938
+    Large,
+}
+
+impl Size {
+    /// Vertices along a side of the cloth and of the grid that is the sphere.
+    fn sides(self) -> [usize; 2] {
+        match self {
+            Self::Small => [24, 32],
+            Self::Medium => [48, 64],
+            Self::Large => [64, 128],
+        }
+    }
+}
+
+/// Side of the cloth.
 const SIDE: f64 = 2.0;
-const N: usize = 64;
-/// Sphere: 16,384 vertices and 32,258 triangles, as in the largest scene of [Tian and Wan].
-const N_SPHERE: usize = 128;
 const RADIUS: f64 = 0.42;
 const CENTRE: [f64; 3] = [0.0, -0.75, 0.25];
-/// Seconds, metres per second squared, part of the velocity kept each step.
+/// Seconds, metres per second squared, part of the velocity kept each step, the same where the
+/// cloth is to come to rest.
 const DT: f64 = 1.0 / 480.0;
 const GRAVITY: f64 = 9.81;
 const DAMPING: f64 = 0.998;
+const SETTLING: f64 = 0.9;
 /// Springs may be longer than at rest by this part (10 % in [Provot 1995]).
 const MAX_STRAIN: f64 = 0.05;
 const STRAIN_ROUNDS: usize = 16;
@@ -47,6 +68,8 @@ pub struct Cloth {
     pub x: Vec<[f64; 3]>,
     v: Vec<[f64; 3]>,
     springs: Vec<(usize, usize, f64)>,
+    /// Vertices along a side of the cloth, whose vertices come first.
+    n: usize,
     push: Session,
     hold: Session,
     /// The last step's free motion, and its contacts.
@@ -57,24 +80,26 @@ pub struct Cloth {
     pub n_calls: usize,
 }
 
-/// Vertices of the cloth come first.
-pub const N_CLOTH: usize = N * N;
-
 impl Cloth {
-    pub fn new(backend: &BackendOptions, method: &MethodOptions) -> Result<Self, Failure> {
+    pub fn new(
+        size: Size,
+        backend: &BackendOptions,
+        method: &MethodOptions,
+    ) -> Result<Self, Failure> {
+        let [n, n_sphere] = size.sides();
         let mut x = Vec::new();
         let mut faces: Vec<[u32; 3]> = Vec::new();
-        for i in 0..N * N {
-            let at = |k: usize| SIDE * (k as f64 / (N - 1) as f64 - 0.5);
+        for i in 0..n * n {
+            let at = |k: usize| SIDE * (k as f64 / (n - 1) as f64 - 0.5);
             // Slightly uneven, so that nothing is exactly coplanar.
-            x.push([at(i % N), 1e-4 * ((i * 7919) % 13) as f64, at(i / N)]);
+            x.push([at(i % n), 1e-4 * ((i * 7919) % 13) as f64, at(i / n)]);
         }
-        grid(&mut faces, N, 0);
+        grid(&mut faces, n, 0);
         let n_faces_cloth = faces.len();
-        x.extend(sphere(N_SPHERE).into_iter().map(|n| add(CENTRE, scale(n, RADIUS))));
-        grid(&mut faces, N_SPHERE, N_CLOTH as u32);
+        x.extend(sphere(n_sphere).into_iter().map(|x| add(CENTRE, scale(x, RADIUS))));
+        grid(&mut faces, n_sphere, (n * n) as u32);
         let mesh = Mesh::new(x.len(), &faces)?;
-        let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
+        let body: Vec<u32> = (0..x.len()).map(|v| (v >= n * n) as u32).collect();
         let bodies = Bodies::new(&body).with_fixed(1, true);
         let choice = backend.choose(mesh.edges().len())?;
         let options = method.set(Options::default().with_bodies(Some(bodies)))?;
@@ -83,14 +108,15 @@ impl Cloth {
             Session::new(&choice, mesh.clone(), options)
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
-        let springs = springs(&faces[..n_faces_cloth], &x);
-        let v = vec![[0.0; 3]; N_CLOTH];
+        let springs = springs(&faces[..n_faces_cloth], &x, n);
+        let v = vec![[0.0; 3]; n * n];
         Ok(Self {
             step: [x.clone(), x.clone()],
             mesh,
             x,
             v,
             springs,
+            n,
             push,
             hold,
             contacts: Vec::new(),
@@ -109,17 +135,23 @@ impl Cloth {
         compilation(&mut self.hold)
     }
 
-    /// Corners 0 and `N - 1` are pinned.
-    fn pinned(v: usize) -> bool {
-        v == 0 || v == N - 1
+    /// Number of vertices of the cloth, which come first.
+    pub fn n_cloth(&self) -> usize {
+        self.n * self.n
+    }
+
+    /// Greatest speed of a vertex, in metres a second.
+    pub fn speed(&self) -> f64 {
+        self.v.iter().map(|v| dot(*v, *v)).fold(0.0, f64::max).sqrt()
     }
 
     /// One step of the simulation.
-    pub fn step(&mut self) -> Result<(), Failure> {
-        let x0 = self.x.clone();
+    pub fn step(&mut self, settles: bool) -> Result<(), Failure> {
+        let kept = if settles { SETTLING } else { DAMPING };
+        let (n, x0) = (self.n, self.x.clone());
         let mut x1 = x0.clone();
-        for i in (0..N_CLOTH).filter(|&i| !Self::pinned(i)) {
-            self.v[i] = scale(add(self.v[i], [0.0, -GRAVITY * DT, 0.0]), DAMPING);
+        for i in (0..self.n_cloth()).filter(|&i| !pinned(i, n)) {
+            self.v[i] = scale(add(self.v[i], [0.0, -GRAVITY * DT, 0.0]), kept);
             x1[i] = add(x0[i], scale(self.v[i], DT));
         }
         self.limit_strain(&mut x1);
@@ -136,11 +168,11 @@ impl Cloth {
                 break;
             }
             for c in &report.contacts {
-                push_apart(c, &self.mesh, &x0, &mut x1);
+                push_apart(c, &self.mesh, n, &x0, &mut x1);
             }
         }
         self.hold_back(&x0, &mut x1)?;
-        for i in 0..N_CLOTH {
+        for i in 0..self.n_cloth() {
             self.v[i] = scale(sub(x1[i], x0[i]), 1.0 / DT);
         }
         self.x = x1;
@@ -161,7 +193,7 @@ impl Cloth {
                     continue;
                 }
                 let (free_a, free_b) =
-                    (!Self::pinned(a) as u8 as f64, !Self::pinned(b) as u8 as f64);
+                    (!pinned(a, self.n) as u8 as f64, !pinned(b, self.n) as u8 as f64);
                 let step = scale(d, change / length / (free_a + free_b).max(1.0));
                 x[a] = add(x[a], scale(step, free_a));
                 x[b] = sub(x[b], scale(step, free_b));
@@ -181,7 +213,7 @@ impl Cloth {
             for c in &report.contacts {
                 let part = if round < HOLD_ROUNDS { 0.8 * c.toi } else { 0.0 };
                 let ids = c.vertices(&self.mesh).map(|v| v as usize);
-                for v in ids.into_iter().filter(|&v| v < N_CLOTH) {
+                for v in ids.into_iter().filter(|&v| v < self.n * self.n) {
                     // The shorter of what it may move now and what this contact allows.
                     x1[v] = lerp(x0[v], x1[v], part.min(1.0));
                 }
@@ -191,20 +223,26 @@ impl Cloth {
     }
 }
 
+/// Whether a vertex is one of the two corners of a cloth of `n` vertices along a side that are
+/// pinned.
+fn pinned(v: usize, n: usize) -> bool {
+    v == 0 || v == n - 1
+}
+
 /// A spring along every side, and one across every two cells against bending.
-fn springs(faces: &[[u32; 3]], x: &[[f64; 3]]) -> Vec<(usize, usize, f64)> {
+fn springs(faces: &[[u32; 3]], x: &[[f64; 3]], n: usize) -> Vec<(usize, usize, f64)> {
     let mut pairs: Vec<(usize, usize)> = Vec::new();
     for &[a, b, c] in faces {
         for (p, q) in [(a, b), (b, c), (c, a)] {
             pairs.push((p.min(q) as usize, p.max(q) as usize));
         }
     }
-    for i in 0..N * N {
-        if i % N + 2 < N {
+    for i in 0..n * n {
+        if i % n + 2 < n {
             pairs.push((i, i + 2));
         }
-        if i / N + 2 < N {
-            pairs.push((i, i + 2 * N));
+        if i / n + 2 < n {
+            pairs.push((i, i + 2 * n));
         }
     }
     pairs.sort_unstable();
@@ -218,10 +256,10 @@ fn springs(faces: &[[u32; 3]], x: &[[f64; 3]]) -> Vec<(usize, usize, f64)> {
 
 /// Moves the ends of the step apart along the normal at the time of impact, of the step as the
 /// pushes before have left it.
-fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
+fn push_apart(c: &Contact, mesh: &Mesh, n: usize, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
     let ids = c.vertices(mesh).map(|v| v as usize);
-    let (n, n_first) = (c.geometry(mesh, x0, x1).normal, c.kind.n_first());
-    let along = ids.map(|v| dot(n, x1[v]));
+    let (normal, n_first) = (c.geometry(mesh, x0, x1).normal, c.kind.n_first());
+    let along = ids.map(|v| dot(normal, x1[v]));
     let first = along[..n_first].iter().copied().fold(f64::INFINITY, f64::min);
     let second = along[n_first..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // How far apart they are at the end of the step.
@@ -230,15 +268,15 @@ fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
     if lacking <= 0.0 {
         return;
     }
-    let movable = |v: usize| v < N_CLOTH && !Cloth::pinned(v);
+    let movable = |v: usize| v < n * n && !pinned(v, n);
     let sides =
         [ids[..n_first].iter().any(|&v| movable(v)), ids[n_first..].iter().any(|&v| movable(v))];
     // Half a push a side if both can move, and not all at once: several contacts share vertices.
     let share = 0.5 * lacking / (sides[0] as u8 + sides[1] as u8).max(1) as f64;
     for (k, &v) in ids.iter().enumerate().filter(|&(_, &v)| movable(v)) {
         let sign = if k < n_first { 1.0 } else { -1.0 };
-        let slide = sub(sub(x1[v], x0[v]), scale(n, dot(n, sub(x1[v], x0[v]))));
-        x1[v] = add(x1[v], scale(n, sign * share));
+        let slide = sub(sub(x1[v], x0[v]), scale(normal, dot(normal, sub(x1[v], x0[v]))));
+        x1[v] = add(x1[v], scale(normal, sign * share));
         x1[v] = sub(x1[v], scale(slide, FRICTION / 4.0));
     }
 }

@@ -1,7 +1,7 @@
 //! `ccd demo`: the experiment of [Tian and Wan], run, checked and drawn.
 
 use super::backend::BackendOptions;
-use super::cloth::{Cloth, N_CLOTH, PUSH_DISTANCE};
+use super::cloth::{Cloth, PUSH_DISTANCE, Size};
 use super::method::MethodOptions;
 use super::{
     Failure, Outcome, backend, files, in_file, interrupt, mesh_file, output, picture, plot,
@@ -16,6 +16,13 @@ pub struct Demo {
     #[arg(long, value_name = "N", default_value_t = 90)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=10_000))]
     frames: u32,
+    /// Frames after those, in which the cloth loses its velocity and comes to rest
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    settle: u32,
+    /// How fine the meshes are
+    #[arg(long, value_enum, default_value_t = Size::Large)]
+    size: Size,
     /// Folder for the picture of the last frame and the plots; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "ccd-demo")]
     out: PathBuf,
@@ -45,16 +52,17 @@ impl Demo {
         for path in [&last, &plots] {
             files::open(path, "png")?;
         }
-        let mut cloth = Cloth::new(&self.backend, &self.method)?;
+        let mut cloth = Cloth::new(self.size, &self.backend, &self.method)?;
         self.write_frame(0, &cloth)?;
         output::line("scene", output::MeshSize::of(&cloth.mesh));
-        let bar = output::progress(self.frames as usize, "frames");
+        let n_frames = self.frames + self.settle;
+        let bar = output::progress(n_frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());
         let mut n_calls = 0;
-        for frame in 0..self.frames {
+        for frame in 0..n_frames {
             for _ in 0..STEPS {
                 interrupt::check()?;
-                cloth.step()?;
+                cloth.step(frame >= self.frames)?;
             }
             self.write_frame(frame + 1, &cloth)?;
             times.push(cloth.ccd_ms);
@@ -64,9 +72,8 @@ impl Demo {
             bar.inc(1);
         }
         bar.finish_and_clear();
-        let frames = self.frames;
         let (place, backend) = (cloth.place(), cloth.place().backend().to_uppercase());
-        let title = format!("a cloth on a sphere, {frames} frames; {backend}: {place}");
+        let title = format!("a cloth on a sphere, {n_frames} frames; {backend}: {place}");
         let [x0, x1] = &cloth.step;
         let scene = picture::Scene {
             title: &title,
@@ -98,7 +105,8 @@ impl Demo {
         output::line("", format_args!("on {}", cloth.place()));
         backend::print_compilation(cloth.compilation());
         output::line("contacts", format_args!("{} in the last step", cloth.contacts.len()));
-        let n = penetrations(&cloth.mesh, &cloth.x);
+        output::line("speed", format_args!("{:.3} m/s at most", cloth.speed()));
+        let n = penetrations(&cloth.mesh, &cloth.x, cloth.n_cloth());
         output::line(
             "penetration",
             if n == 0 {
@@ -109,7 +117,7 @@ impl Demo {
         );
         output::line("written", format_args!("{}, {}", last.display(), plots.display()));
         if n > 0 {
-            return Err(Failure(format!("{n} penetrations after {} frames", self.frames)));
+            return Err(Failure(format!("{n} penetrations after {n_frames} frames")));
         }
         output::flush();
         Ok(!cloth.contacts.is_empty())
@@ -124,8 +132,8 @@ impl Demo {
 /// Edges of the cloth through faces of anything, and edges of anything through faces of the cloth,
 /// in the state `x`: every edge against every face, by exact orientation tests [Shewchuk 1997].
 /// Shares nothing with the detection that it checks.
-fn penetrations(mesh: &Mesh, x: &[[f64; 3]]) -> usize {
-    let of_cloth = |v: u32| (v as usize) < N_CLOTH;
+fn penetrations(mesh: &Mesh, x: &[[f64; 3]], n_cloth: usize) -> usize {
+    let of_cloth = |v: u32| (v as usize) < n_cloth;
     let bounds = |ids: &[u32]| {
         let mut b = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for &v in ids {

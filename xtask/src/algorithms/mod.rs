@@ -11,11 +11,15 @@ mod scenes;
 
 use crate::cells::Cells;
 use crate::markdown::{Table, digits, rewrite};
-use crate::measure::Place;
+use crate::measure::{Place, median, timed};
 use crate::plot::Bars;
-use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
+use ccd::{
+    BroadPhase, BroadPhaseMethod, Builder, Catalogued, Descent, Pair, Traversal, TreeOptions,
+    Volume,
+};
 use measure::{Measured, RUNS, kept};
-use scenes::Case;
+use scenes::{Case, Draped};
+use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -44,7 +48,7 @@ pub fn run(root: &Path, mut cells: Cells) -> Result<(), String> {
     let pipelines = cells.get("pipelines", || Ok(pipelines::table(&places, RUNS)?.into()))?;
     let pipelines = pipelines.and_then(|text| text.as_str().map(String::from)).unwrap_or_default();
     let mut report = Report { places, names, cells, plots };
-    let (cases, cloths) = (scenes::all()?, scenes::cloths_on_spheres()?);
+    let (cases, cloths) = (scenes::all()?, scenes::cloths_on_spheres(root)?);
     let machine = format!("Places: {}. Medians of {RUNS} runs.\n", report.names.join("; "));
     let tables = [
         ("machine", machine),
@@ -52,7 +56,7 @@ pub fn run(root: &Path, mut cells: Cells) -> Result<(), String> {
         ("ladder", report.tables(&cases, &[ladder()])?),
         ("simultaneous", report.tables(&cases, &[simultaneous()])?),
         ("builders", report.tables(&cases, &[builders()])?),
-        ("cloth-and-sphere", report.tables(&cloths, &cloth_and_sphere())?),
+        ("cloth-and-sphere", report.draped(&cloths)?),
         ("volumes", report.tables(&cases, &volumes())?),
         ("pipelines", pipelines),
         ("divergence", divergence::tables(&cases)?),
@@ -162,6 +166,37 @@ impl Report {
         Ok(text)
     }
 
+    /// The table of [Tian and Wan] with the tree over either object, and the exact tests of the
+    /// pairs of triangles, which come after the search.
+    fn draped(&mut self, scenes: &[Draped]) -> Result<String, String> {
+        let mut text = String::new();
+        for draped in scenes {
+            text += &self.tables(&draped.cases, &cloth_and_sphere())?;
+            let places = self.places.iter().filter(|place| place.threads() > 0);
+            let names = places.clone().map(Place::name);
+            let mut table = Table::new(
+                ["exact tests, ms".into(), "triangles meet".into()].into_iter().chain(names),
+            );
+            let (mut times, mut n_meeting) = (Vec::new(), None);
+            for place in places {
+                let name = format!("{}|{}|exact tests", draped.cases[0].name, place.name());
+                let cell = self.cells.get(&name, || tests(draped, place.threads()))?;
+                let Some([n, ms]) = cell.as_ref().and_then(|cell| cell.as_array()).map(|c| &c[..])
+                else {
+                    continue;
+                };
+                if n_meeting.get_or_insert_with(|| n.clone()) != n {
+                    return Err(format!("{name}: {n} meet, elsewhere {n_meeting:?}"));
+                }
+                times.push(ms.as_f64().map_or(String::new(), digits));
+            }
+            let n = n_meeting.map_or(String::new(), |n| n.to_string());
+            table.row(["all pairs".into(), n].into_iter().chain(times));
+            let _ = writeln!(text, "{table}");
+        }
+        Ok(text)
+    }
+
     fn section(&mut self, case: &Case, section: &Section, text: &mut String) -> Result<(), String> {
         let &Section { what, ms, ref rows, figures, plot } = section;
         let places = self.names.iter().map(String::as_str);
@@ -194,6 +229,23 @@ impl Report {
         }
         Ok(())
     }
+}
+
+/// How many triangles meet, and the median of milliseconds of their tests on so many threads.
+fn tests(draped: &Draped, threads: usize) -> Result<Value, String> {
+    let (boxes, against) = (&draped.cases[0].boxes, draped.cases[0].against.as_ref());
+    let mut broad =
+        BroadPhase::new(threads, BroadPhaseMethod::default()).map_err(|e| e.to_string())?;
+    let pairs = broad.pairs(against.ok_or("no spheres")?, boxes).map_err(|e| e.to_string())?;
+    let pairs: Vec<Pair> = pairs.iter().collect();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|e| e.to_string())?;
+    let (mut n, mut times) = (0, Vec::new());
+    for _ in 0..=RUNS {
+        let (ms, found) = timed(|| pool.install(|| draped.n_meeting(&pairs)));
+        (n, times) = (found, [times, vec![ms]].concat());
+    }
+    Ok(json!([n, median(times.drain(1..))]))
 }
 
 /// Cells of figures: visits, or those of the tree.
