@@ -55,7 +55,7 @@ pub trait Catalogued: Copy + PartialEq + 'static {
     }
 }
 
-const CPU: &[&str] = &["cpu"];
+pub(super) const CPU: &[&str] = &["cpu"];
 pub(super) const GPU: &[&str] = &["gpu"];
 
 impl<T: Copy> Row<T> {

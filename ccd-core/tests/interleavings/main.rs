@@ -8,6 +8,7 @@
 mod kernels;
 mod models;
 mod printed;
+mod queues;
 mod words;
 
 use ccd_core::backend::scheduling::stealing::Workers;
@@ -15,6 +16,7 @@ use kernels::{ENOUGH, Fault, Round, kernel};
 use libtest_mimic::{Arguments, Failed, Trial};
 use models::{EXECUTIONS, Ring, Steals, deque, workers};
 use printed::{Lazy, Task};
+use queues::queue;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::atomic::Ordering;
@@ -96,6 +98,11 @@ const MODELS: &[Model] = &[
     sound("kernel-lazy", Some(2), || kernel(Round { most: 2, ..ROUND })),
     sound("kernel-task-drains", Some(3), || kernel(Round { turns: 3, ..ROUND })),
     sound("kernel-lazy-drains", Some(3), || kernel(Round { turns: 3, most: 2, ..ROUND })),
+    // One queue of all workers.
+    sound("queue", Some(3), || queue(2, &[&[1], &[1]], false)),
+    sound("queue-laps", Some(3), || queue(1, &[&[1, 1], &[1]], false)),
+    sound("queue-three-workers", Some(2), || queue(2, &[&[1], &[], &[]], false)),
+    refuted("queue-without-acquire", ALL, "half of an item", || queue(2, &[&[1], &[]], true)),
     // As printed; the same scenes of what is sound.
     refuted("printed-3.13", ALL, "was taken 2 times", || deque(Lazy, &[3], &[(1, 1)])),
     sound("in-place-of-3.13", ALL, || deque(Ring::of(4, 1), &[1, 1, 1], &[(1, 1)])),

@@ -11,7 +11,8 @@ use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
 use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
 use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
-use crate::broad_phase::scheduler::stealing::Stealing;
+use crate::broad_phase::scheduler::shared_queue::{self, blocking, lock_free};
+use crate::broad_phase::scheduler::stealing::{self, stealing};
 use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::{Instant, milliseconds};
@@ -173,7 +174,9 @@ pub fn scheduler_of(choice: Scheduler, options: WorkerOptions) -> Result<Box<dyn
         Scheduler::Frontier => Box::new(Frontier::default()),
         Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
-        Scheduler::Stealing => Box::new(Stealing::new(Stealing::CAPACITY)),
+        Scheduler::BlockingQueue => Box::new(blocking(shared_queue::CAPACITY)),
+        Scheduler::LockFreeQueue => Box::new(lock_free(shared_queue::CAPACITY)),
+        Scheduler::Stealing => Box::new(stealing(stealing::CAPACITY)),
         Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY, options)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })

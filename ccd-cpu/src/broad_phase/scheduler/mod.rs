@@ -8,6 +8,7 @@
 //! | [`frontier`] | the queue of the next level | takes the next piece of the queue |
 //! | static lists, of [`balanced`] | the worker's own stack | is done |
 //! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
+//! | [`shared_queue`] | one queue of all workers | takes the first of that queue |
 //! | [`stealing`] | the worker's own deque | takes one from another's deque |
 //! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
 //!
@@ -22,7 +23,9 @@ pub mod balanced;
 pub mod frontier;
 pub mod lazy_stealing;
 pub mod self_scheduling;
+pub mod shared_queue;
 pub mod stealing;
+pub mod task_pool;
 #[cfg(test)]
 mod tests;
 
