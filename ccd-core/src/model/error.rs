@@ -346,8 +346,8 @@ impl core::fmt::Display for Error {
             }
             Error::Method { name, backend } => {
                 let why = match name {
-                    "blocking-queue" => ": its workgroups must not wait for each other",
-                    "lock-free-queue" => ": its kernels must not retry without a bound",
+                    "blocking-queue" | "lock-free-queue" => ": its workgroups must not wait",
+                    "stealing-abp" => ": its fences have no sequential consistency",
                     _ => "",
                 };
                 write!(f, "the {backend} has no method `{name}`{why}")

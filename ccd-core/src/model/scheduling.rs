@@ -79,6 +79,9 @@ pub enum Scheduler {
     /// Every worker has a deque: its owner pushes and pops at one end, and whose own is empty takes
     /// from the other end of another's [Arora 1998], [Cederman 2009].
     Stealing,
+    /// The same, by the deque as it is printed: its bottom in one word, its top with a tag in
+    /// another, and fences [Arora 1998]; on a CPU.
+    StealingAbp,
     /// Every worker has a stack of its own, and a deque for what is too much for it: pairs move in
     /// batches, and of batches that were stolen at once, one after the other is fetched when it is
     /// needed [da Silva 2013].
@@ -277,6 +280,10 @@ impl Catalogued for Scheduler {
         Row::new(Self::Stealing, "stealing")
             .about("A deque a worker; whose own is empty takes from another's; GPU: native alone")
             .source("Arora 1998"),
+        Row::new(Self::StealingAbp, "stealing-abp")
+            .about("The same, by the deque as printed, of two words; its fences no kernel has")
+            .source("Arora 1998")
+            .on(CPU),
         Row::new(Self::LazyStealing, "lazy-stealing")
             .about("Stacks and deques; batches stolen at once, fetched singly; GPU: native alone")
             .source("da Silva 2013"),
@@ -349,10 +356,12 @@ mod tests {
     fn a_backend_has_all_or_says_what_it_lacks() {
         // All but prefix sums.
         assert_eq!(Scheduling::every("cpu").count(), 2 * (Scheduler::ROWS.len() - 1));
-        // All but queues that workers share.
-        assert_eq!(Scheduling::every("gpu").count(), 2 * (Scheduler::ROWS.len() - 2));
+        // All but queues that workers share, and the deque with fences.
+        assert_eq!(Scheduling::every("gpu").count(), 2 * (Scheduler::ROWS.len() - 3));
         assert_eq!(Scheduling::default().lacking("gpu"), None);
-        for only in [Scheduler::BlockingQueue, Scheduler::LockFreeQueue] {
+        let cpu_alone =
+            [Scheduler::BlockingQueue, Scheduler::LockFreeQueue, Scheduler::StealingAbp];
+        for only in cpu_alone {
             let name = Scheduling::default().scheduler(only).lacking("gpu").expect("refused");
             let error = std::format!("{}", Error::Method { name, backend: "gpu" });
             assert!(error.contains(": its "), "no reason: {error}");

@@ -7,6 +7,7 @@ use crate::broad_phase::front::{Fronts, List};
 use crate::broad_phase::leaf_boxes::{Order, Sides};
 use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
+use crate::broad_phase::scheduler::abp_stealing::abp_stealing;
 use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
 use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
@@ -177,6 +178,7 @@ pub fn scheduler_of(choice: Scheduler, options: WorkerOptions) -> Result<Box<dyn
         Scheduler::BlockingQueue => Box::new(blocking(shared_queue::CAPACITY)),
         Scheduler::LockFreeQueue => Box::new(lock_free(shared_queue::CAPACITY)),
         Scheduler::Stealing => Box::new(stealing(stealing::CAPACITY)),
+        Scheduler::StealingAbp => Box::new(abp_stealing(stealing::CAPACITY)),
         Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY, options)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })

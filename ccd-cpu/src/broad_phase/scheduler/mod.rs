@@ -10,6 +10,7 @@
 //! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
 //! | [`shared_queue`] | one queue of all workers | takes the first of that queue |
 //! | [`stealing`] | the worker's own deque | takes one from another's deque |
+//! | [`abp_stealing`] | the same, as printed | takes one from another's deque |
 //! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
 //!
 //! They know pairs of words and nothing of boxes or trees: what a pair is, and where rows of leaves
@@ -19,6 +20,7 @@
 //!
 //! docs/SCHEDULING.md compares them.
 
+pub mod abp_stealing;
 pub mod balanced;
 pub mod frontier;
 pub mod lazy_stealing;

@@ -1,5 +1,6 @@
 //! Every pair once, by every scheduler, on any number of workers, in deques of any capacity.
 
+use super::abp_stealing::abp_stealing;
 use super::balanced::{Balanced, NEVER};
 use super::lazy_stealing::LazyStealing;
 use super::self_scheduling::SelfScheduling;
@@ -67,6 +68,7 @@ fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     let mut all: Vec<_> = rows.map(of).collect();
     for capacity in [2, 8] {
         all.push((format!("stealing, capacity {capacity}"), Box::new(stealing(capacity))));
+        all.push((format!("as printed, capacity {capacity}"), Box::new(abp_stealing(capacity))));
         all.push((format!("blocking queue, capacity {capacity}"), Box::new(blocking(capacity))));
         all.push((format!("lock-free queue, capacity {capacity}"), Box::new(lock_free(capacity))));
         all.push((
