@@ -161,7 +161,11 @@ impl Catalogued for Volume {
     const ALWAYS: &'static [&'static str] = &["aabb"];
     const ROWS: &'static [Row<Self>] = &[
         Row::new(Self::Aabb, "aabb").about("Boxes along the axes"),
-        Row::new(Self::Obb, "obb").about("Boxes along axes of their own").source("Gottschalk 1996"),
+        Row::new(Self::Obb, "obb")
+            .about(
+                "Along axes of their own; with --pipeline triangles a CPU rejects pairs by theirs",
+            )
+            .source("Gottschalk 1996"),
     ];
 }
 
