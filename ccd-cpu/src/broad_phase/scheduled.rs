@@ -109,6 +109,12 @@ impl Scheduled {
         self.descent.n_split + by_workers
     }
 
+    /// The same of each worker.
+    #[cfg(test)]
+    pub fn visits_by_worker(&self) -> Vec<u64> {
+        self.buffers.iter().map(|Own(buffer)| buffer.n_expanded).collect()
+    }
+
     /// What fronts the last step left, if any are kept.
     pub fn front(&self) -> Option<FrontCounts> {
         self.descent.fronts.as_ref().map(Fronts::counts)
