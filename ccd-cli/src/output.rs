@@ -156,7 +156,10 @@ pub struct Triangles {
     pub adjacent: u64,
     /// Of these those in a region that does not touch itself, which were skipped.
     pub free: u64,
-    /// Tests to which the others were expanded.
+    /// Of the others those whose oriented boxes are apart; their candidates go no further.
+    #[serde(default)]
+    pub separated: u64,
+    /// Tests to which all that were not skipped were expanded.
     pub represented: u64,
     /// Tests of orphans.
     pub orphans: u64,
@@ -164,8 +167,8 @@ pub struct Triangles {
 
 impl From<TriangleCounts> for Triangles {
     fn from(n: TriangleCounts) -> Self {
-        let TriangleCounts { pairs, adjacent, free, represented, orphans, .. } = n;
-        Self { pairs, adjacent, free, represented, orphans }
+        let TriangleCounts { pairs, adjacent, free, separated, represented, orphans, .. } = n;
+        Self { pairs, adjacent, free, separated, represented, orphans }
     }
 }
 

@@ -18,7 +18,12 @@ pub const TESTS: crate::Tests =
 /// Certified answers of two backends never contradict each other; times differ by rounding alone.
 pub fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
     assert_eq!(gpu.candidates, cpu.candidates, "candidates");
-    assert_eq!(gpu.triangles, cpu.triangles, "pairs of triangles");
+    // A GPU has oriented boxes of nodes alone.
+    let on_gpu = cpu.triangles.map(|mut counts| {
+        counts.separated = 0;
+        counts
+    });
+    assert_eq!(gpu.triangles, on_gpu, "pairs of triangles");
     if same_arithmetic {
         assert_eq!(gpu.contacts, cpu.contacts);
         assert_eq!(gpu.toi, cpu.toi);

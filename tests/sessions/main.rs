@@ -11,6 +11,7 @@ mod fronts;
 mod leaving;
 mod limits;
 mod moving_bodies;
+mod oriented_triangles;
 mod rules;
 mod send_sync;
 mod triangles;

@@ -177,6 +177,18 @@ impl Table {
         let tiny = min_distance > 0.0 && scaled < f32::MIN_NORMAL as f64;
         if tiny { f32::MIN_NORMAL } else { scaled.round_up() }
     }
+
+    /// How far from the middle between them two points may have their places in the table, in any
+    /// direction, where the points are at most `min_distance` apart: half of that, and what either
+    /// place is off by, along a diagonal `sqrt(3) < 1.7321` times the error of a coordinate.
+    ///
+    /// `1.0001` is for three roundings and for axes that are as much as `8 u` longer than 1, `11 u`
+    /// in all; the smallest normal number for a half that is below it.
+    #[inline]
+    pub fn contact_reach(&self, min_distance: f64) -> f32 {
+        let reach = 0.5 * self.distance(min_distance) + 1.7321 * self.error;
+        reach * 1.0001 + f32::MIN_NORMAL
+    }
 }
 
 /// Half of the minimum distance and the smallest normal number, rounded up: two boxes grown by it

@@ -55,7 +55,7 @@ pub trait Catalogued: Copy + PartialEq + 'static {
     }
 }
 
-const CPU: &[&str] = &["cpu"];
+pub(super) const CPU: &[&str] = &["cpu"];
 pub(super) const GPU: &[&str] = &["gpu"];
 
 impl<T: Copy> Row<T> {
@@ -161,7 +161,11 @@ impl Catalogued for Volume {
     const ALWAYS: &'static [&'static str] = &["aabb"];
     const ROWS: &'static [Row<Self>] = &[
         Row::new(Self::Aabb, "aabb").about("Boxes along the axes"),
-        Row::new(Self::Obb, "obb").about("Boxes along axes of their own").source("Gottschalk 1996"),
+        Row::new(Self::Obb, "obb")
+            .about(
+                "Along axes of their own; with --pipeline triangles a CPU rejects pairs by theirs",
+            )
+            .source("Gottschalk 1996"),
     ];
 }
 

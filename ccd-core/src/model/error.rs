@@ -344,7 +344,14 @@ impl core::fmt::Display for Error {
                      use the CPU"
                 )
             }
-            Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
+            Error::Method { name, backend } => {
+                let why = match name {
+                    "blocking-queue" | "lock-free-queue" => ": its workgroups must not wait",
+                    "stealing-abp" => ": its fences have no sequential consistency",
+                    _ => "",
+                };
+                write!(f, "the {backend} has no method `{name}`{why}")
+            }
             Error::NotCompiled { name, backend } => write!(
                 f,
                 "`{name}` of the {backend} is not compiled in: build with the feature `catalogue`"

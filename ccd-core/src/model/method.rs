@@ -206,7 +206,8 @@ pub enum Volume {
     #[default]
     Aabb,
     /// Boxes along axes of their own [Gottschalk 1996], for nodes above the leaves: see
-    /// [`obb`](crate::math::obb).
+    /// [`obb`](crate::math::obb). By pairs of triangles, on a CPU, those of moving triangles also
+    /// reject pairs whose candidates are counted.
     Obb,
 }
 

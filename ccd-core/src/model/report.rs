@@ -36,9 +36,9 @@ pub struct Times {
 
 /// Tests of features that pairs of triangles are, before and after each step that takes some away.
 /// What is left then are [`Report::candidates`], whose own boxes overlap, and of these
-/// [`Report::filtered`]. The numbers are the same on every backend and by every method; where only
-/// the earliest time was asked for, a CPU counts its last pass, over a shorter time, a GPU all of
-/// the step.
+/// [`Report::filtered`]. The numbers but `separated` are the same on every backend and by every
+/// method; where only the earliest time was asked for, a CPU counts its last pass, over a shorter
+/// time, a GPU all of the step.
 ///
 /// ```
 /// use ccd_core::model::report::TriangleCounts;
@@ -58,7 +58,11 @@ pub struct TriangleCounts {
     /// Those of the others that were skipped because both are in a region that certainly does not
     /// touch itself.
     pub free: u64,
-    /// Tests of features that the others were expanded to: 15 a pair without representatives.
+    /// Those of the others whose oriented boxes are apart, so that of their candidates, which are
+    /// counted, none goes on; by `Volume::Obb` on a CPU.
+    pub separated: u64,
+    /// Tests of features that all but the skipped ones were expanded to: 15 a pair without
+    /// representatives.
     pub represented: u64,
     /// Tests of features that only pairs with a common vertex have: orphans, listed once per mesh.
     pub orphans: u64,
@@ -81,6 +85,7 @@ impl TriangleCounts {
             pairs: self.pairs + other.pairs,
             adjacent: self.adjacent + other.adjacent,
             free: self.free + other.free,
+            separated: self.separated + other.separated,
             represented: self.represented + other.represented,
             orphans: self.orphans + other.orphans,
         }

@@ -2,7 +2,7 @@
 //! pairs of nodes, the third beside method and pipeline. What each is is said in
 //! [`catalogue`](super::catalogue).
 
-use super::catalogue::{Catalogued, GPU, Row};
+use super::catalogue::{CPU, Catalogued, GPU, Row};
 use super::error::{Error, check_setting};
 use super::method::{BroadPhaseMethod, Traversal, TreeOptions};
 
@@ -71,9 +71,17 @@ pub enum Scheduler {
     /// As [`Scheduler::Static`], but what the threads of a worker find is moved together by prefix
     /// sums of their counts, and not by a counter to which each adds; on a GPU [da Silva 2013].
     PrefixSums,
+    /// All workers share one queue behind a lock: each takes the first pair and appends what it
+    /// finds [Cederman 2009]; on a CPU.
+    BlockingQueue,
+    /// The same, lock-free: no worker waits for another [Cederman 2009], [Nikolaev 2019].
+    LockFreeQueue,
     /// Every worker has a deque: its owner pushes and pops at one end, and whose own is empty takes
     /// from the other end of another's [Arora 1998], [Cederman 2009].
     Stealing,
+    /// The same, by the deque as it is printed: its bottom in one word, its top with a tag in
+    /// another, and fences [Arora 1998]; on a CPU.
+    StealingAbp,
     /// Every worker has a stack of its own, and a deque for what is too much for it: pairs move in
     /// batches, and of batches that were stolen at once, one after the other is fetched when it is
     /// needed [da Silva 2013].
@@ -261,9 +269,21 @@ impl Catalogued for Scheduler {
             .about("As static, but places of what is found are prefix sums, not counted by atomics")
             .source("da Silva 2013")
             .on(GPU),
+        Row::new(Self::BlockingQueue, "blocking-queue")
+            .about("One queue of all workers behind a lock, which a workgroup must not wait for")
+            .source("Cederman 2009")
+            .on(CPU),
+        Row::new(Self::LockFreeQueue, "lock-free-queue")
+            .about("The same without a lock; tries again until it succeeds, which no kernel may do")
+            .source("Cederman 2009")
+            .on(CPU),
         Row::new(Self::Stealing, "stealing")
             .about("A deque a worker; whose own is empty takes from another's; GPU: native alone")
             .source("Arora 1998"),
+        Row::new(Self::StealingAbp, "stealing-abp")
+            .about("The same, by the deque as printed, of two words; its fences no kernel has")
+            .source("Arora 1998")
+            .on(CPU),
         Row::new(Self::LazyStealing, "lazy-stealing")
             .about("Stacks and deques; batches stolen at once, fetched singly; GPU: native alone")
             .source("da Silva 2013"),
@@ -336,8 +356,16 @@ mod tests {
     fn a_backend_has_all_or_says_what_it_lacks() {
         // All but prefix sums.
         assert_eq!(Scheduling::every("cpu").count(), 2 * (Scheduler::ROWS.len() - 1));
-        assert_eq!(Scheduling::every("gpu").count(), 2 * Scheduler::ROWS.len());
+        // All but queues that workers share, and the deque with fences.
+        assert_eq!(Scheduling::every("gpu").count(), 2 * (Scheduler::ROWS.len() - 3));
         assert_eq!(Scheduling::default().lacking("gpu"), None);
+        let cpu_alone =
+            [Scheduler::BlockingQueue, Scheduler::LockFreeQueue, Scheduler::StealingAbp];
+        for only in cpu_alone {
+            let name = Scheduling::default().scheduler(only).lacking("gpu").expect("refused");
+            let error = std::format!("{}", Error::Method { name, backend: "gpu" });
+            assert!(error.contains(": its "), "no reason: {error}");
+        }
         let front = Scheduling::default().front(Front::ON);
         assert_eq!(front.lacking("cpu"), None);
         assert_eq!(front.lacking("abacus"), Some("front"));

@@ -84,6 +84,39 @@ fn boxes_hold_what_they_are_around() {
     check_fits::<f32>(&[1.0, 1e-3, 1e30, 1e-30, 1e-40]);
 }
 
+/// A grown box reaches at least the distance further, exactly, and holds what is so near to a point
+/// of it along its own axes, which are `8 u` longer than 1 at most.
+fn check_grown<T: Real>() {
+    let mut random = Random::new(23);
+    for _ in 0..300 {
+        let (points, size) = (cloud::<T>(&mut random, 1.0), random.power(-9.0, 3.0));
+        let (b, distance) = (Obb::around(&points), T::from_f64(size));
+        let (box_of, grown) = (widen(&b), widen(&b.grown(distance)));
+        for k in 0..3 {
+            let needed = two_sum(box_of.half[k], distance.to_f64());
+            assert!(two_sum(grown.half[k], 0.0) >= needed, "{b:?}, {size:e}");
+            for (p, sign) in points.iter().zip([1.0, -1.0].into_iter().cycle()) {
+                let far = sign * distance.to_f64() * (1.0 - 24.0 * T::UNIT.to_f64());
+                let q = std::array::from_fn(|i| p[i].to_f64() + far * box_of.axes[k][i]);
+                assert!(T::UNIT.to_f64() < 1e-10 || holds(&grown, q), "{q:?} is not in {grown:?}");
+            }
+        }
+    }
+}
+
+/// The sum of two numbers and what its rounding left, which compare as the sum does.
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+#[test]
+fn grown_boxes_hold_what_is_near() {
+    check_grown::<f32>();
+    check_grown::<f64>();
+}
+
 #[test]
 fn what_overflows_is_in_a_box_of_everything() {
     let far = |x: f32| [[x; 3], [-x; 3], [x, -x, x], [x, 0.0, 0.0], [0.0; 3], [-x, x, x]];

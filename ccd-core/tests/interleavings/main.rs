@@ -8,13 +8,15 @@
 mod kernels;
 mod models;
 mod printed;
+mod queues;
 mod words;
 
 use ccd_core::backend::scheduling::stealing::Workers;
 use kernels::{ENOUGH, Fault, Round, kernel};
 use libtest_mimic::{Arguments, Failed, Trial};
 use models::{EXECUTIONS, Ring, Steals, deque, workers};
-use printed::{Lazy, Task};
+use printed::{Abp, Defect, Lazy};
+use queues::queue;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::atomic::Ordering;
@@ -96,13 +98,29 @@ const MODELS: &[Model] = &[
     sound("kernel-lazy", Some(2), || kernel(Round { most: 2, ..ROUND })),
     sound("kernel-task-drains", Some(3), || kernel(Round { turns: 3, ..ROUND })),
     sound("kernel-lazy-drains", Some(3), || kernel(Round { turns: 3, most: 2, ..ROUND })),
+    // One queue of all workers.
+    sound("queue", Some(3), || queue(2, &[&[1], &[1]], false)),
+    sound("queue-laps", Some(3), || queue(1, &[&[1, 1], &[1]], false)),
+    sound("queue-three-workers", Some(2), || queue(2, &[&[1], &[], &[]], false)),
+    refuted("queue-without-acquire", ALL, "half of an item", || queue(2, &[&[1], &[]], true)),
     // As printed; the same scenes of what is sound.
     refuted("printed-3.13", ALL, "was taken 2 times", || deque(Lazy, &[3], &[(1, 1)])),
     sound("in-place-of-3.13", ALL, || deque(Ring::of(4, 1), &[1, 1, 1], &[(1, 1)])),
-    refuted("printed-3.6-acquire-release", ALL, "was taken 2 times", || {
-        deque(Task { sequential: false }, &[2], &[(2, 1)])
+    sound("abp", ALL, || deque(Abp(None), &[2], &[(3, 1)])),
+    sound("abp-two-thieves", Some(3), || deque(Abp(None), &[2, 0, 1], &[(1, 1), (1, 1)])),
+    sound("abp-resets", Some(5), || deque(Abp(None), &[1, 0, 1, 0, 1], &[(2, 1)])),
+    refuted("abp-without-fence-of-pop", ALL, "was taken 2 times", || {
+        deque(Abp(Some(Defect::FenceOfPop)), &[2], &[(2, 1)])
     }),
-    sound("printed-3.6-sequential", ALL, || deque(Task { sequential: true }, &[2], &[(2, 1)])),
+    refuted("abp-without-fence-of-steal", ALL, "was taken 2 times", || {
+        deque(Abp(Some(Defect::FenceOfSteal)), &[2], &[(2, 1)])
+    }),
+    refuted("abp-without-fence-of-reset", ALL, "was taken 2 times", || {
+        deque(Abp(Some(Defect::FenceOfReset)), &[2], &[(3, 1)])
+    }),
+    refuted("abp-without-tag", ALL, "was taken 2 times", || {
+        deque(Abp(Some(Defect::Tag)), &[1, 0, 1], &[(1, 1)])
+    }),
     sound("in-place-of-3.6", ALL, || deque(Ring::of(4, 1), &[1, 1], &[(2, 1)])),
     // The sound one without what makes it so.
     refuted("given-back-early", ALL, "was taken", || {

@@ -86,7 +86,7 @@ impl Scheme for Ring {
 }
 
 /// Item `i`: its words say so, and belong together.
-fn item(i: u32) -> Item {
+pub fn item(i: u32) -> Item {
     [i + 1, !i]
 }
 
@@ -141,7 +141,7 @@ pub fn deque<S: Scheme>(scheme: S, owner: &[u32], thieves: &[(u32, u32)]) {
     check(&taken, pushed);
 }
 
-fn tell(words: &Traced, taken: &[Item]) {
+pub fn tell(words: &Traced, taken: &[Item]) {
     if !taken.is_empty() {
         let items: Vec<String> = taken.iter().map(|&i| number(i).to_string()).collect();
         words.say(&format!("HAS ITEM {}", items.join(", ")));
@@ -149,7 +149,7 @@ fn tell(words: &Traced, taken: &[Item]) {
 }
 
 /// Every item once.
-fn check(taken: &[Item], n: u32) {
+pub fn check(taken: &[Item], n: u32) {
     let mut times = vec![0; n as usize];
     taken.iter().for_each(|&item| times[number(item)] += 1);
     for (i, times) in times.into_iter().enumerate() {

@@ -1,10 +1,12 @@
 //! Deques as they are printed in [da Silva 2013], for the checker to refute: algorithm 3.13, whose
-//! owner takes without an exchange, and algorithm 3.6 with weaker order than it needs.
+//! owner takes without an exchange; and algorithm 3.6 of `ccd-core` without a fence or the tag.
 
 use super::models::Scheme;
 use super::words::Traced;
-use ccd_core::backend::kernel::Words;
+use ccd_core::backend::kernel::{FencedWords, Words};
+use ccd_core::backend::scheduling::abp_deque::AbpDeque;
 use ccd_core::backend::scheduling::deque::Item;
+use std::cell::Cell;
 
 /// Items a take, of algorithm 3.13.
 const POP_SIZE: u32 = 1;
@@ -84,76 +86,100 @@ impl Scheme for Lazy {
     }
 }
 
-/// Algorithm 3.6: `bot` in one word, `age`, which is `top` and a tag, in another; with a fence
-/// wherever all threads must see one order, or, not `sequential`, with acquire and release alone.
+/// Algorithm 3.6: the deque of `ccd-core`, or the same with a defect.
 #[derive(Clone, Copy)]
-pub struct Task {
-    pub sequential: bool,
+pub struct Abp(pub Option<Defect>);
+
+/// What the deque of algorithm 3.6 lacks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Defect {
+    /// The fence of a pop, between `bottom` and `age`.
+    FenceOfPop,
+    /// The fence of a steal, between `age` and `bottom`.
+    FenceOfSteal,
+    /// The fence before `age` is stored.
+    FenceOfReset,
+    /// The tag of `age`.
+    Tag,
 }
 
-/// The tag of `age`, above `top`.
-const TAG: u32 = 1 << 16;
+/// The deque; its first word is `age`, which has `top` in so many bits.
+const ABP: AbpDeque = AbpDeque { base: 0, capacity: ROOM as u32 };
+const TOP_BITS: u32 = 14;
 
-impl Task {
-    fn fence(self, words: &Traced) {
-        if self.sequential {
-            words.fence();
+/// Words without the tag, or without the fence of this number in a call.
+struct View<'w> {
+    words: &'w Traced,
+    missing: Option<u32>,
+    tags: bool,
+    n_fences: Cell<u32>,
+}
+
+impl Abp {
+    fn view(self, words: &Traced, fences: [Option<Defect>; 2]) -> View<'_> {
+        let missing = fences.iter().position(|fence| fence.is_some() && *fence == self.0);
+        let (missing, tags) = (missing.map(|k| k as u32), self.0 != Some(Defect::Tag));
+        View { words, missing, tags, n_fences: Cell::new(0) }
+    }
+}
+
+impl View<'_> {
+    /// What is stored where `value` is to be.
+    fn stored(&self, i: usize, value: u32) -> u32 {
+        if i == 0 && !self.tags { value % (1 << TOP_BITS) } else { value }
+    }
+}
+
+impl FencedWords for View<'_> {
+    fn fence(&self) {
+        if self.missing != Some(self.n_fences.replace(self.n_fences.get() + 1)) {
+            self.words.fence();
         }
     }
 }
 
-impl Scheme for Task {
+impl Words for View<'_> {
+    fn load(&self, i: usize) -> u32 {
+        self.words.load(i)
+    }
+    fn store(&self, i: usize, value: u32) {
+        self.words.store(i, self.stored(i, value));
+    }
+    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
+        self.words.add_acquire_release(i, value)
+    }
+    fn load_acquire(&self, i: usize) -> u32 {
+        self.words.load_acquire(i)
+    }
+    fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
+        self.words.compare_exchange(i, old, self.stored(i, new))
+    }
+}
+
+impl Scheme for Abp {
     fn words(self) -> usize {
-        ITEMS + 2 * ROOM
+        AbpDeque::words(ABP.capacity)
     }
 
     fn name(i: usize) -> &'static str {
-        ["age", "bot", ""][i.min(2)]
+        match i {
+            0 => "age",
+            16 => "bottom",
+            _ => "",
+        }
     }
 
     fn push(self, words: &Traced, items: &[Item]) -> bool {
-        for &item in items {
-            let bot = words.load(BOTTOM);
-            if bot as usize == ROOM {
-                return false;
-            }
-            put(words, bot, item);
-            words.store_release(BOTTOM, bot + 1);
-        }
-        true
+        let view = self.view(words, [None; 2]);
+        items.iter().all(|&item| ABP.push(&view, item).is_ok())
     }
 
     fn pop(self, words: &Traced) -> Vec<Item> {
-        let bot = words.load(BOTTOM);
-        if bot == 0 {
-            return Vec::new();
-        }
-        let bot = bot - 1;
-        words.store_release(BOTTOM, bot);
-        self.fence(words);
-        let item = get(words, bot);
-        let old = words.load_acquire(TOP);
-        let (top, tag) = (old % TAG, old / TAG);
-        if bot > top {
-            return vec![item];
-        }
-        words.store_release(BOTTOM, 0);
-        let new = (tag + 1) * TAG;
-        if bot == top && words.compare_exchange(TOP, old, new) == old {
-            return vec![item];
-        }
-        words.store_release(TOP, new);
-        Vec::new()
+        let fences = [Defect::FenceOfPop, Defect::FenceOfReset].map(Some);
+        Vec::from_iter(ABP.pop(&self.view(words, fences)))
     }
 
     fn steal(self, words: &Traced, _: u32) -> Vec<Item> {
-        let old = words.load_acquire(TOP);
-        self.fence(words);
-        let bot = words.load_acquire(BOTTOM);
-        if bot <= old % TAG {
-            return Vec::new();
-        }
-        let item = get(words, old % TAG);
-        if words.compare_exchange(TOP, old, old + 1) == old { vec![item] } else { Vec::new() }
+        Vec::from_iter(ABP.steal(&self.view(words, [Some(Defect::FenceOfSteal), None])))
     }
 }

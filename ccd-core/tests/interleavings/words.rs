@@ -31,7 +31,7 @@ pub struct Traced {
 
 impl Traced {
     /// `n` words, all 0; `name`: of a word, empty if it is not traced.
-    /// `weak`: additions are relaxed, which is wrong.
+    /// `weak`: additions and loads that acquire are relaxed, which is wrong.
     pub fn new(n: usize, name: fn(usize) -> &'static str, weak: bool) -> Self {
         let zeros = |n| Arc::new((0..n).map(|_| AtomicU32::new(0)).collect());
         Self { words: zeros(n), gates: zeros(0), name, weak, who: "owner" }
@@ -105,7 +105,8 @@ impl Words for Traced {
         old
     }
     fn load_acquire(&self, i: usize) -> u32 {
-        let value = self.word(i).load(Ordering::Acquire);
+        let order = if self.weak { Ordering::Relaxed } else { Ordering::Acquire };
+        let value = self.word(i).load(order);
         self.tell(i, |name| format!("{name} is {value:#x}"));
         value
     }

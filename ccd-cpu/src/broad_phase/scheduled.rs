@@ -7,11 +7,13 @@ use crate::broad_phase::front::{Fronts, List};
 use crate::broad_phase::leaf_boxes::{Order, Sides};
 use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::rows::{Gathered, HandOn, Row, Rows};
+use crate::broad_phase::scheduler::abp_stealing::abp_stealing;
 use crate::broad_phase::scheduler::balanced::{Balanced, NEVER};
 use crate::broad_phase::scheduler::frontier::Frontier;
 use crate::broad_phase::scheduler::lazy_stealing::LazyStealing;
 use crate::broad_phase::scheduler::self_scheduling::SelfScheduling;
-use crate::broad_phase::scheduler::stealing::Stealing;
+use crate::broad_phase::scheduler::shared_queue::{self, blocking, lock_free};
+use crate::broad_phase::scheduler::stealing::{self, stealing};
 use crate::broad_phase::scheduler::{Hand, Lists, PAIRS_OF_NODES, Schedule};
 use crate::broad_phase::tasks::{MIN_TASKS, share};
 use crate::clock::{Instant, milliseconds};
@@ -107,6 +109,12 @@ impl Scheduled {
         self.descent.n_split + by_workers
     }
 
+    /// The same of each worker.
+    #[cfg(test)]
+    pub fn visits_by_worker(&self) -> Vec<u64> {
+        self.buffers.iter().map(|Own(buffer)| buffer.n_expanded).collect()
+    }
+
     /// What fronts the last step left, if any are kept.
     pub fn front(&self) -> Option<FrontCounts> {
         self.descent.fronts.as_ref().map(Fronts::counts)
@@ -173,7 +181,10 @@ pub fn scheduler_of(choice: Scheduler, options: WorkerOptions) -> Result<Box<dyn
         Scheduler::Frontier => Box::new(Frontier::default()),
         Scheduler::Static => Box::new(Balanced::new(NEVER)),
         Scheduler::Balanced { idle } => Box::new(Balanced::new(idle)),
-        Scheduler::Stealing => Box::new(Stealing::new(Stealing::CAPACITY)),
+        Scheduler::BlockingQueue => Box::new(blocking(shared_queue::CAPACITY)),
+        Scheduler::LockFreeQueue => Box::new(lock_free(shared_queue::CAPACITY)),
+        Scheduler::Stealing => Box::new(stealing(stealing::CAPACITY)),
+        Scheduler::StealingAbp => Box::new(abp_stealing(stealing::CAPACITY)),
         Scheduler::LazyStealing => Box::new(LazyStealing::new(LazyStealing::CAPACITY, options)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })

@@ -4,6 +4,8 @@ use super::*;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::catalogue::{Catalogued, every};
 use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions, Volume};
+#[cfg(feature = "catalogue")]
+use ccd_core::model::scheduling::{Scheduler, WorkerOptions};
 
 /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
 const BOUNDS: [f32; 13] = [
@@ -178,6 +180,31 @@ fn fewer_visits_find_the_same() {
     let before = broad.visits();
     broad.self_pairs::<f32>(&[]).unwrap();
     assert!(before > 0 && broad.visits() == 0);
+}
+
+/// Static lists give each worker some of the tasks, and nobody takes another's: so as many expand
+/// pairs as there are, by option at most that number, and never more than threads.
+#[test]
+#[cfg(feature = "catalogue")]
+fn workers_are_as_many_as_were_chosen() {
+    let at = |i: u32| [i % 16, i / 16 % 16, i / 256].map(|c| c as f32);
+    let boxes: Vec<_> =
+        (0..4096).map(|i| Aabb { min: at(i), max: at(i).map(|c| c + 1.5) }).collect();
+    let cut = BroadPhaseMethod::Tree(TreeOptions::default().traversal(Traversal::CUT));
+    for method in [BroadPhaseMethod::Blocks, cut] {
+        let mut n_pairs = None;
+        for (chosen, want) in [(0, 4), (1, 1), (2, 2), (3, 3), (4, 4), (9, 4)] {
+            let options = WorkerOptions::default().workers(chosen);
+            let by = Scheduling::default().scheduler(Scheduler::Static).workers(options);
+            let mut broad = BroadPhase::scheduled(4, method, by).unwrap();
+            let n = broad.self_pairs(&boxes).unwrap().len();
+            assert_eq!(*n_pairs.get_or_insert(n), n, "{method}, {chosen} workers");
+            let Method::Scheduled(scheduled) = &broad.method else { panic!("no scheduler") };
+            let visits = scheduled.visits_by_worker();
+            let busy: Vec<bool> = visits.iter().map(|&n| n > 0).collect();
+            assert_eq!(busy, [0, 1, 2, 3].map(|k| k < want), "{method}, {chosen}: {visits:?}");
+        }
+    }
 }
 
 #[test]

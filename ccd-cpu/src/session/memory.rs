@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// orders, boxes at both ends, vertices, the keys of a sort, bodies; of a vertex also its row of
 /// the table, and positions where they are gathered.
 const ELEMENT: u64 = 192;
-/// The same for the nodes of a binary tree, and for their oriented boxes.
+/// The same for the nodes of a binary tree, and for oriented boxes of nodes and triangles.
 const TREE: u64 = 256;
 const ORIENTED: u64 = 192;
 /// Of a face, for all that pairs of triangles are expanded by.

@@ -88,8 +88,8 @@ impl Scene<'_> {
     }
 
     /// Counts the lanes of `mask` whose features are wanted and that are `first` to name them, and
-    /// hands those on that no axis keeps apart. Of a face in `a` and vertices in `b` pairs have the
-    /// vertex first, as all do.
+    /// hands those on that are not known to be `apart`, and that no axis keeps apart. Of a face in
+    /// `a` and vertices in `b` pairs have the vertex first, as all do.
     #[inline(always)]
     pub fn hand_on<'a, W: Take, S: RowSimd, const N: usize, const M: usize>(
         &self,
@@ -97,7 +97,7 @@ impl Scene<'_> {
         simd: S,
         (a, lane): (impl Side<'a, N>, usize),
         b: impl Side<'a, M>,
-        [mut mask, first]: [u32; 2],
+        [mut mask, first, apart]: [u32; 3],
     ) {
         let (kind, face_first) = (kind_of(N), N == 3);
         if self.selection.is_of_features() && mask != 0 {
@@ -105,7 +105,7 @@ impl Scene<'_> {
         }
         worker.count(kind, (mask & first).count_ones() as u64);
         if W::FILTERED && mask != 0 {
-            mask &= !separated(simd, a.ends(), lane, b.ends(), self.needed_gap());
+            mask &= !apart & !separated(simd, a.ends(), lane, b.ends(), self.needed_gap());
         }
         if mask == 0 {
             return;
@@ -231,7 +231,7 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
             bodies_b,
         );
         mask = self.scene.confirmed(simd, (of_a, lane), of_b, mask);
-        self.scene.hand_on(worker, simd, (of_a, lane), of_b, [mask, !0]);
+        self.scene.hand_on(worker, simd, (of_a, lane), of_b, [mask, !0, 0]);
     }
 
     fn begin(&self, worker: &mut W, task: usize) {

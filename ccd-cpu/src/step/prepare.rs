@@ -17,6 +17,7 @@ use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::backend::rules::Rules;
 use ccd_core::math::vec3::max_abs;
 use ccd_core::model::mesh::Mesh;
+use ccd_core::model::method::{BroadPhaseMethod, Volume};
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
@@ -40,6 +41,8 @@ pub struct Prepared {
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
     units: Table,
+    /// How far oriented boxes of triangles are grown, if they have any.
+    contact_reach: Option<f32>,
     pub vertices: Feature<1>,
     pub edges: Feature<2>,
     pub faces: Feature<3>,
@@ -65,6 +68,7 @@ impl Prepared {
             scan: Scan::NONE,
             table: Vec::new(),
             units: Table::AS_GIVEN,
+            contact_reach: None,
             // Vertices are only sought in faces.
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
@@ -153,6 +157,12 @@ impl Prepared {
         self.still.look(threads, (x.x0, x.x1), options.min_distance, runs)?;
         self.call = x.times.moved.map(|to| to.call);
         self.units = self.fill_table(threads, x);
+        self.contact_reach = match options.broad_phase {
+            BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb => {
+                Some(self.units.contact_reach(options.min_distance))
+            }
+            _ => None,
+        };
         self.sweep(threads, x, ccd_core::backend::quantization::margin(options.min_distance));
         Ok(())
     }
@@ -337,7 +347,7 @@ impl Prepared {
         rules: Option<&Rules>,
         first: bool,
     ) -> Result<bool, Error> {
-        let Self { vertices, edges, faces, triangles, table, built, .. } = self;
+        let Self { vertices, edges, faces, triangles, table, built, contact_reach, .. } = self;
         let boxes =
             FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
         let Some(leaves) = triangles else { return Ok(false) };
@@ -351,6 +361,7 @@ impl Prepared {
             *built = true;
         }
         leaves.place(threads, boxes, table);
+        leaves.orient(threads, table, *contact_reach);
         Ok(loose)
     }
 

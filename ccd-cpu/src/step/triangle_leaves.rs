@@ -4,6 +4,7 @@
 //! A feature that a triangle does not test has the empty box there, which overlaps nothing, so that
 //! no test asks who represents what.
 
+use crate::broad_phase::keep;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
@@ -18,6 +19,7 @@ use ccd_core::backend::rules::Rules;
 use ccd_core::backend::triangle_pairs::free_regions::{FreeRegions, NONE, Root};
 use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
 use ccd_core::backend::triangle_pairs::representatives::Triangles;
+use ccd_core::math::obb::Obb;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::{Aabb, Error};
@@ -43,6 +45,9 @@ pub struct TriangleLeaves {
     pub features: Vec<[Block; 6]>,
     /// Boxes at the start and at the end, of the positions in the table: corners, sides, the face.
     pub ends: Vec<Ends>,
+    /// Oriented boxes of the triangles during the step, of the positions in the table, grown so
+    /// that those of triangles in contact meet; empty by another volume.
+    pub oriented: Vec<[Obb<f32>; WIDTH]>,
 }
 
 /// Features of eight triangles.
@@ -117,6 +122,7 @@ impl TriangleLeaves {
             bodies: BlockBodies::default(),
             features: Vec::new(),
             ends: Vec::new(),
+            oriented: Vec::new(),
         }
     }
 
@@ -202,6 +208,30 @@ impl TriangleLeaves {
                 face: ends(table, &[a, b, c]),
             }
         });
+    }
+
+    /// Oriented boxes during the step, grown by `reach`; or none.
+    pub fn orient(&mut self, threads: &Threads, table: &[[f32; WIDTH]], reach: Option<f32>) {
+        let Some(reach) = reach else { return self.oriented.clear() };
+        let Self { blocks, oriented, .. } = self;
+        oriented.resize(blocks.len(), [Obb::everything(); WIDTH]);
+        threads.fill(oriented, |i| {
+            std::array::from_fn(|j| {
+                let [p, q, r] = blocks[i].corners.map(|ids| table[ids[j] as usize]);
+                let at = |k: usize| [p, q, r].map(|x| [x[k], x[k + 1], x[k + 2]]);
+                Obb::of_moving_triangle(&at(0), &at(4)).grown(reach)
+            })
+        });
+    }
+
+    /// The lanes of `mask` whose triangles in block `b` are apart from that of a lane of `a`.
+    #[inline(never)]
+    pub fn apart(&self, (a, lane): (usize, usize), b: usize, mask: u32) -> u32 {
+        if self.oriented.is_empty() {
+            return 0;
+        }
+        let (one, others) = (&self.oriented[a][lane], &self.oriented[b]);
+        keep(mask, |j| one.separated(&others[j]))
     }
 
     /// Corner `k` of each triangle of a block.

@@ -68,6 +68,9 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
             return;
         }
         near &= mask;
+        // Of triangles with a common vertex boxes are never apart.
+        let apart = if W::FILTERED { leaves.apart((a, lane), b, mask & !near) } else { 0 };
+        counts.separated = apart.count_ones() as u64;
         let mut represented = 0;
         let tests = |k: usize| of_a.tests[k] >> lane & 1 == 1;
         // Lanes whose test of two features is the one that counts.
@@ -79,13 +82,13 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 if tests(k) && faces != 0 {
                     represented += faces.count_ones();
                     let (vertex, face) = (leaves.corner(a, k), leaves.face(b));
-                    self.expand(worker, simd, (vertex, lane), face, [faces, near, first(k)]);
+                    self.expand(worker, simd, (vertex, lane), face, [faces, near, first(k), apart]);
                 }
                 let vertices = mask & of_b.tests[k];
                 if is_face && vertices != 0 {
                     represented += vertices.count_ones();
                     let (face, vertex) = (leaves.face(a), leaves.corner(b, k));
-                    let masks = [vertices, near, of_b.represents[k]];
+                    let masks = [vertices, near, of_b.represents[k], apart];
                     self.expand(worker, simd, (face, lane), vertex, masks);
                 }
             }
@@ -100,7 +103,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                     let edges = mask & of_b.tests[3 + j];
                     if edges != 0 {
                         represented += edges.count_ones();
-                        let masks = [edges, near, first(3 + i) & of_b.represents[3 + j]];
+                        let first = first(3 + i) & of_b.represents[3 + j];
+                        let masks = [edges, near, first, apart];
                         self.expand(worker, simd, (edge, lane), leaves.side(b, j), masks);
                     }
                 }
@@ -115,7 +119,8 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                     rest &= rest - 1;
                     if mask >> other.lane & 1 == 1 {
                         let pair = [of_a.ids[lane], other.id];
-                        represented += self.stand_in(worker, pair, other.tests);
+                        let apart = apart >> other.lane & 1 == 1;
+                        represented += self.stand_in(worker, pair, other.tests, apart);
                     }
                 }
             }
@@ -141,8 +146,8 @@ impl<W: Take> TrianglePairs<'_, W> {
     }
 
     /// Hands on the lanes of a mask in which two features are candidates; with it: those in which
-    /// they may have a common vertex, and those that count, of which no other pair of triangles
-    /// counts the same.
+    /// they may have a common vertex; those that count, of which no other pair of triangles counts
+    /// the same; and those of triangles that are apart.
     #[inline(always)]
     fn expand<S: RowSimd, const N: usize, const M: usize>(
         &self,
@@ -150,7 +155,7 @@ impl<W: Take> TrianglePairs<'_, W> {
         simd: S,
         (a, lane): (TriangleSide<N>, usize),
         b: TriangleSide<M>,
-        [mut mask, near, first]: [u32; 3],
+        [mut mask, near, first, apart]: [u32; 4],
     ) {
         mask &= simd.overlaps(a.boxes(), lane, b.boxes());
         if mask & near != 0 {
@@ -162,19 +167,20 @@ impl<W: Take> TrianglePairs<'_, W> {
             mask &= first;
         }
         if mask != 0 {
-            self.scene.hand_on(worker, simd, (a, lane), b, [mask, first]);
+            self.scene.hand_on(worker, simd, (a, lane), b, [mask, first, apart]);
         }
     }
 
-    /// Makes tests besides those that two triangles represent; returns how many.
+    /// Makes tests besides those that two triangles represent; returns how many. `apart`: of none
+    /// of them more than its candidate is counted.
     #[inline(never)]
-    fn stand_in(&self, worker: &mut W, [first, second]: [u32; 2], tests: u16) -> u32 {
+    fn stand_in(&self, worker: &mut W, [first, second]: [u32; 2], tests: u16, apart: bool) -> u32 {
         let mut n = 0;
         for test in Test::all(tests) {
             let (kind, pair) = test.features(&self.leaves.triangles, first, second);
             if self.wants(kind) {
                 n += 1;
-                self.test(worker, kind, pair);
+                self.test(worker, kind, pair, apart);
             }
         }
         n
@@ -201,7 +207,7 @@ impl<W: Take> TrianglePairs<'_, W> {
                 let skipped = self.in_free_region(kind, pair);
                 if self.wants(kind) && !skipped && self.of_wanted_bodies(kind, pair) {
                     orphans += 1;
-                    self.test(worker, kind, pair);
+                    self.test(worker, kind, pair, false);
                 }
             }
             let mut counts = TriangleCounts::default();
@@ -228,20 +234,20 @@ impl<W: Take> TrianglePairs<'_, W> {
     }
 
     /// One test of two features of wanted bodies without a common vertex.
-    fn test(&self, worker: &mut W, kind: Kind, pair: Pair) {
+    fn test(&self, worker: &mut W, kind: Kind, pair: Pair, apart: bool) {
         let [v0, v1, v2, v3] = self.scene.mesh.vertices_of(kind, pair);
         match kind {
             Kind::VertexFace => {
                 debug_assert!(!is_corner(v0, [v1, v2, v3]));
                 let boxes =
                     [&self.boxes.vertices[pair.a as usize], &self.boxes.faces[pair.b as usize]];
-                self.test_of(worker, kind, pair, boxes, [v0], [v1, v2, v3]);
+                self.test_of(worker, (kind, pair, apart), boxes, [v0], [v1, v2, v3]);
             }
             _ => {
                 debug_assert!(!share_vertex([v0, v1], [v2, v3]));
                 let edges = self.boxes.edges;
                 let boxes = [&edges[pair.a as usize], &edges[pair.b as usize]];
-                self.test_of(worker, kind, pair, boxes, [v0, v1], [v2, v3]);
+                self.test_of(worker, (kind, pair, apart), boxes, [v0, v1], [v2, v3]);
             }
         }
     }
@@ -249,8 +255,7 @@ impl<W: Take> TrianglePairs<'_, W> {
     fn test_of<const N: usize, const M: usize>(
         &self,
         worker: &mut W,
-        kind: Kind,
-        pair: Pair,
+        (kind, pair, apart): (Kind, Pair, bool),
         boxes: [&Aabb<f32>; 2],
         a: [u32; N],
         b: [u32; M],
@@ -263,12 +268,12 @@ impl<W: Take> TrianglePairs<'_, W> {
         }
         worker.count(kind, 1);
         let table = self.scene.table;
-        let apart = || {
+        let axis_apart = || {
             let (a0, b0) = (bounds(table, a, 0), bounds(table, b, 0));
             let (a1, b1) = (bounds(table, a, 4), bounds(table, b, 4));
             axis_separated(&a0, &a1, &b0, &b1, self.scene.needed_gap())
         };
-        if !(W::FILTERED && apart()) {
+        if !(W::FILTERED && (apart || axis_apart())) {
             worker.take_one(self.scene, kind, pair);
         }
     }

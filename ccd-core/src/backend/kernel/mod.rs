@@ -21,7 +21,7 @@ mod threads;
 mod word_access;
 
 pub use table::{Id, TABLE};
-pub use word_access::{ReadWords, Words};
+pub use word_access::{FencedWords, ReadWords, Words};
 
 /// What a kernel does with a buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

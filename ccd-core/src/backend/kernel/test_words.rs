@@ -1,7 +1,7 @@
 //! Words of memory as threads of this machine share them, for tests.
 
-use super::Words;
-use std::sync::atomic::{AtomicU32, Ordering};
+use super::{FencedWords, Words};
+use std::sync::atomic::{AtomicU32, Ordering, fence};
 use std::vec::Vec;
 
 pub struct Atomics(pub Vec<AtomicU32>);
@@ -9,6 +9,12 @@ pub struct Atomics(pub Vec<AtomicU32>);
 impl Atomics {
     pub fn new(n: usize, word: u32) -> Self {
         Self((0..n).map(|_| AtomicU32::new(word)).collect())
+    }
+}
+
+impl FencedWords for Atomics {
+    fn fence(&self) {
+        fence(Ordering::SeqCst);
     }
 }
 

@@ -18,6 +18,13 @@ pub trait Words {
     fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32;
 }
 
+/// The same with fences, which kernels do not have.
+pub trait FencedWords: Words {
+    /// A fence of sequential consistency: all threads see the same order of what stands before and
+    /// behind any two of them.
+    fn fence(&self);
+}
+
 /// The same to be read only: also a buffer that no thread writes in the same dispatch.
 pub trait ReadWords {
     /// Word `i`.

@@ -42,14 +42,22 @@ impl<T: Real> Obb<T> {
 
     /// The box of a triangle that moves from `t0` to `t1`: it holds both, and so all in between.
     ///
-    /// No leaf of a tree here has it. Candidates are the pairs whose boxes along the axes overlap,
-    /// by every method the same, and counted; this box tells many of those apart, and a tree of
-    /// such leaves would lose them. It may only leave out what is a candidate already, which the
-    /// filters do for less: of two features in half a step rather than in all of it, eight or
-    /// sixteen pairs at a time. For those who look for pairs by rules of their own.
+    /// No leaf of a tree here has it: candidates are the pairs whose boxes along the axes overlap,
+    /// by every method the same, and a tree of such leaves would lose many of those. Pairs of
+    /// triangles on a CPU are rejected by it once their candidates are counted.
     #[inline]
     pub fn of_moving_triangle(t0: &[[T; 3]; 3], t1: &[[T; 3]; 3]) -> Self {
         Self::around(&[t0[0], t0[1], t0[2], t1[0], t1[1], t1[2]])
+    }
+
+    /// The same box, reaching further by `distance` along each axis: it holds every point that is
+    /// so near to one of the box, or nearer, by axes of length 1. Axes are up to `8 u` longer: what
+    /// counts on this has that in its distance.
+    #[inline]
+    pub fn grown(self, distance: T) -> Self {
+        // A sum and a product are rounded, `2 u`.
+        let up = T::splat(1.0) + T::UNIT * T::splat(4.0);
+        Self { half: scale(add(self.half, [distance; 3]), up), ..self }
     }
 
     /// The box of an edge that moves from `t0` to `t1`, likewise.

@@ -18,7 +18,8 @@
 //! Cost: a few atomic operations a batch rather than a pair, and none while a stack neither
 //! overflows nor runs empty. Choose it where tasks differ much and processors are not one's own.
 
-use super::stealing::{Deques, ROUNDS, pause};
+use super::stealing::Deques;
+use super::task_pool::{ROUNDS, TaskPool, pause};
 use super::{Launch, Lists, Schedule, drain};
 use crate::stop::Stop;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;

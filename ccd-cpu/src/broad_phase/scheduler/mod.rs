@@ -8,7 +8,9 @@
 //! | [`frontier`] | the queue of the next level | takes the next piece of the queue |
 //! | static lists, of [`balanced`] | the worker's own stack | is done |
 //! | [`balanced`] | the worker's own stack | waits until all is dealt out again |
+//! | [`shared_queue`] | one queue of all workers | takes the first of that queue |
 //! | [`stealing`] | the worker's own deque | takes one from another's deque |
+//! | [`abp_stealing`] | the same, as printed | takes one from another's deque |
 //! | [`lazy_stealing`] | the worker's stack, then its deque | takes batches from all deques |
 //!
 //! They know pairs of words and nothing of boxes or trees: what a pair is, and where rows of leaves
@@ -18,11 +20,14 @@
 //!
 //! docs/SCHEDULING.md compares them.
 
+pub mod abp_stealing;
 pub mod balanced;
 pub mod frontier;
 pub mod lazy_stealing;
 pub mod self_scheduling;
+pub mod shared_queue;
 pub mod stealing;
+pub mod task_pool;
 #[cfg(test)]
 mod tests;
 

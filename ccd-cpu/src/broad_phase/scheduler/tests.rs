@@ -1,9 +1,11 @@
 //! Every pair once, by every scheduler, on any number of workers, in deques of any capacity.
 
+use super::abp_stealing::abp_stealing;
 use super::balanced::{Balanced, NEVER};
 use super::lazy_stealing::LazyStealing;
 use super::self_scheduling::SelfScheduling;
-use super::stealing::Stealing;
+use super::shared_queue::{blocking, lock_free};
+use super::stealing::stealing;
 use super::*;
 use crate::broad_phase::scheduled::scheduler_of;
 use crate::threads::Threads;
@@ -65,7 +67,10 @@ fn schedulers() -> Vec<(String, Box<dyn Schedule>)> {
     };
     let mut all: Vec<_> = rows.map(of).collect();
     for capacity in [2, 8] {
-        all.push((format!("stealing, capacity {capacity}"), Box::new(Stealing::new(capacity))));
+        all.push((format!("stealing, capacity {capacity}"), Box::new(stealing(capacity))));
+        all.push((format!("as printed, capacity {capacity}"), Box::new(abp_stealing(capacity))));
+        all.push((format!("blocking queue, capacity {capacity}"), Box::new(blocking(capacity))));
+        all.push((format!("lock-free queue, capacity {capacity}"), Box::new(lock_free(capacity))));
         all.push((
             format!("lazy stealing, capacity {capacity}"),
             Box::new(LazyStealing::new(capacity, WorkerOptions::default())),

@@ -4,9 +4,9 @@
 
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::node_numbering::BRANCH;
-use ccd_core::backend::kernel::Words;
+use ccd_core::backend::kernel::{FencedWords, Words};
 use ccd_core::backend::layout::Branch;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering, fence};
 
 /// Words that threads share.
 #[derive(Clone, Copy)]
@@ -28,6 +28,12 @@ impl Words for Shared<'_> {
     fn compare_exchange(&self, i: usize, old: u32, new: u32) -> u32 {
         let (taken, lost) = (Ordering::AcqRel, Ordering::Relaxed);
         self.0[i].compare_exchange(old, new, taken, lost).unwrap_or_else(|seen| seen)
+    }
+}
+
+impl FencedWords for Shared<'_> {
+    fn fence(&self) {
+        fence(Ordering::SeqCst);
     }
 }
 
