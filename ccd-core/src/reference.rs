@@ -31,7 +31,7 @@ use alloc::vec::Vec;
 /// 0. Of the options, methods and their scheduling have no effect.
 ///
 /// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd::{Mesh, Options};
 ///
 /// // A triangle, and a vertex of another one that falls through it.
 /// let mesh = Mesh::new(6, &[[0, 1, 2], [3, 4, 5]])?;
@@ -43,7 +43,7 @@ use alloc::vec::Vec;
 /// x1[3][2] = -1.0;
 /// let report = ccd_core::reference::step(&mesh.into(), &x0, &x1, &Options::default())?;
 /// assert!(report.toi.is_some_and(|toi| toi <= 0.5 && toi > 0.5 - 1e-6));
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 ///
 /// # Errors

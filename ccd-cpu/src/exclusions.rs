@@ -15,8 +15,7 @@ use ccd_core::{Coordinate, Error, Real};
 /// each other are not listed.
 ///
 /// ```
-/// use ccd_core::model::mesh::Mesh;
-/// use ccd_cpu::near_at_rest;
+/// use ccd::{Mesh, near_at_rest};
 ///
 /// // Two squares, one above the other.
 /// let mesh = Mesh::new(8, &[[0, 1, 2], [2, 1, 3], [4, 5, 6], [6, 5, 7]])?;
@@ -24,7 +23,7 @@ use ccd_core::{Coordinate, Error, Real};
 ///     (0..8).map(|i| [(i % 2) as f64, (i / 4) as f64 * 0.5, (i / 2 % 2) as f64]).collect();
 /// assert_eq!(near_at_rest(&mesh, &rest, 0.4)?.vf, [[0u32; 2]; 0]);
 /// assert_eq!(near_at_rest(&mesh, &rest, 0.6)?.vf.len(), 12);
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 ///
 /// # Errors

@@ -37,9 +37,7 @@ pub use once::{earliest_toi, step};
 /// calls but those of [`Engine`] are [those of every backend](session::Session).
 ///
 /// ```
-/// use ccd_core::model::mesh::Mesh;
-/// use ccd_core::model::options::Options;
-/// use ccd_cpu::Session;
+/// use ccd::{Mesh, Options, Session};
 /// use std::sync::Arc;
 ///
 /// // Many sessions share one mesh.
@@ -57,15 +55,14 @@ pub use once::{earliest_toi, step};
 ///     let contact = report.contacts[0];
 ///     assert_eq!(report.mesh().faces()[contact.b as usize], [0, 1, 2]);
 /// }
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 ///
 /// Between steps a session may go on with another mesh or other options, and have its calls ended
 /// by another thread.
 ///
 /// ```
-/// use ccd_core::{Error, model::{cancel::CancelToken, mesh::Mesh, options::Options}};
-/// use ccd_cpu::Session;
+/// use ccd::{CancelToken, Error, Mesh, Options, Session};
 ///
 /// let mut session = Session::new(Mesh::new(3, &[[0, 1, 2]])?, Options::default())?;
 /// session.set_mesh(Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?)?;
@@ -88,14 +85,13 @@ pub type Session = session::Session<Engine>;
 /// Candidates of a step, lent by the session, in an order that no thread changes.
 ///
 /// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
-/// use ccd_cpu::Session;
+/// use ccd::{Mesh, Options, Session};
 ///
 /// let mut session = Session::new(Mesh::new(4, &[[0, 1, 2]])?, Options::default())?;
 /// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 0.0, 0.2]];
 /// let candidates = session.candidates(&x, &x)?;
 /// assert_eq!((candidates.vf.len(), candidates.ee.len()), (1, 0));
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 pub type Candidates<'a> = session::Candidates<Pairs<'a>, &'a [Pair]>;
 

@@ -6,11 +6,11 @@ use std::fmt;
 /// How shaders reach the driver.
 ///
 /// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions, Path};
+/// use ccd::gpu::{Device, DeviceOptions, Path};
 ///
 /// let options = DeviceOptions { path: Some(Path::Wgsl), ..DeviceOptions::default() };
 /// assert_eq!(Device::open(&options)?.info().path, Path::Wgsl);
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
@@ -23,7 +23,7 @@ pub enum Path {
 /// What is wanted of a device.
 ///
 /// ```
-/// use ccd_gpu::{DeviceOptions, Path};
+/// use ccd::gpu::{DeviceOptions, Path};
 ///
 /// let mut options = DeviceOptions::default();
 /// options.adapter = Some("llvmpipe".into());
@@ -54,7 +54,7 @@ pub struct DeviceOptions {
 /// What a device is and how it is used.
 ///
 /// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions};
+/// use ccd::gpu::{Device, DeviceOptions};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;
 /// let info = device.info();
@@ -62,7 +62,7 @@ pub struct DeviceOptions {
 /// if !info.wide {
 ///     println!("what f32 leaves open is decided on the CPU");
 /// }
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Info {
@@ -185,7 +185,7 @@ pub async fn choose(
 /// is known, the PCI id, which tells adapters of one name apart.
 ///
 /// ```
-/// use ccd_gpu::{Device, described};
+/// use ccd::gpu::{Device, described};
 ///
 /// for (number, adapter) in Device::adapters().iter().enumerate() {
 ///     println!("{number}: {}", described(adapter));

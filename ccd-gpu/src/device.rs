@@ -18,11 +18,11 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 /// A GPU, its queue, and the compiled kernels. Clones share them.
 ///
 /// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions};
+/// use ccd::gpu::{Device, DeviceOptions};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;
 /// println!("{}", device.info());
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 #[derive(Clone)]
 pub struct Device {

@@ -6,8 +6,8 @@ use thiserror::Error;
 /// [`Error::Lost`], and can be given another device after that.
 ///
 /// ```no_run
-/// use ccd_core::model::{mesh::Mesh, options::Options};
-/// use ccd_gpu::{Device, DeviceOptions, Error, Session};
+/// use ccd::{Mesh, Options};
+/// use ccd::gpu::{Device, DeviceOptions, Error, Session};
 ///
 /// fn contacts(session: &mut Session, x: &[[f32; 3]]) -> Result<usize, Error> {
 ///     if let Err(Error::Lost { why }) = session.step(x, x) {

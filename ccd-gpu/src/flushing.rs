@@ -20,9 +20,9 @@ impl Device {
     /// What the device refuses.
     ///
     /// ```no_run
-    /// let device = ccd_gpu::Device::open(&Default::default())?;
+    /// let device = ccd::gpu::Device::open(&Default::default())?;
     /// println!("flushed to zero: {}", device.flushes()?.join(", "));
-    /// # Ok::<(), ccd_gpu::Error>(())
+    /// # Ok::<(), ccd::gpu::Error>(())
     /// ```
     pub fn flushes(&self) -> Result<Vec<&'static str>, Error> {
         let inputs = [[HALF, NORMAL], [NORMAL + HALF, NORMAL]];

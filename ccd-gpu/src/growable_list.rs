@@ -67,7 +67,7 @@ pub fn parts(n: u32, limit: u32, capacity_out: u32) -> impl Iterator<Item = Disp
 /// A list on the device.
 ///
 /// ```no_run
-/// use ccd_gpu::{Error, Session};
+/// use ccd::gpu::{Error, Session};
 ///
 /// // The first `n` entries of a list are in the first `bytes(n)` of `buffer()`.
 /// fn show(session: &mut Session, x: &[[f32; 3]]) -> Result<(), Error> {

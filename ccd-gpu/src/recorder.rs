@@ -23,7 +23,7 @@ const MAX_STAGES: u32 = 128;
 /// What timestamps of the device measure.
 ///
 /// ```no_run
-/// use ccd_gpu::{Error, Session, Timing};
+/// use ccd::gpu::{Error, Session, Timing};
 ///
 /// fn show(session: &mut Session, x: &[[f32; 3]]) -> Result<(), Error> {
 ///     session.set_timing(Timing::Stages)?;

@@ -26,22 +26,22 @@ pub use on_device::{GeometryOnDevice, OnDevice};
 /// clock; stages are in [`Engine::stages`].
 ///
 /// ```no_run
-/// use ccd_core::model::{mesh::Mesh, options::Options};
-/// use ccd_gpu::{Device, DeviceOptions, Session};
+/// use ccd::{Mesh, Options};
+/// use ccd::gpu::{Device, DeviceOptions, Session};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;
 /// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
 /// let mut session = Session::new(&device, mesh, Options::default())?;
 /// let report = session.step(&[[0.0f32; 3]; 4], &[[1.0; 3]; 4])?;
 /// println!("{} contacts of {:?}", report.contacts.len(), report.mesh());
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 pub type Session = session::Session<Engine, On<Device>>;
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
 ///
 /// ```no_run
-/// use ccd_gpu::{Error, Session};
+/// use ccd::gpu::{Error, Session};
 ///
 /// fn most(session: &mut Session, x: &[[f32; 3]]) -> Result<usize, Error> {
 ///     let mut candidates = session.candidates(x, x)?;

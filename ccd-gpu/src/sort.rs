@@ -76,12 +76,12 @@ impl Sort {
 /// Sorts keys with their values on a device, for tests and benches.
 ///
 /// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions, Sorter};
+/// use ccd::gpu::{Device, DeviceOptions, Sorter};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;
 /// let sorted = Sorter::new(&device, 3)?.sort(&[7, 1, 7], &[0, 1, 2])?;
 /// assert_eq!(sorted, (vec![1, 7, 7], vec![1, 0, 2]));
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 pub struct Sorter {
     device: Device,

@@ -19,8 +19,8 @@ const CRATES: [&str; 9] = [
     "xtask/src/",
 ];
 
-/// A module: its names from the root of the crate.
-type Path = Vec<String>;
+/// A module or an item: its names from the root of the crate, or from a crate.
+pub type Path = Vec<String>;
 
 struct Module<'a> {
     file: &'a str,
@@ -76,7 +76,7 @@ fn circles<'a>(files: impl Iterator<Item = (&'a str, &'a str, &'a str)>) -> Vec<
 }
 
 /// Without comments, texts, and the tests at the end.
-fn code(text: &str) -> String {
+pub fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or(text);
     let mut out = String::new();
     for line in text.lines() {
@@ -89,7 +89,7 @@ fn code(text: &str) -> String {
 }
 
 /// Paths named by every `use` of a file.
-fn uses(code: &str) -> Vec<Path> {
+pub fn uses(code: &str) -> Vec<Path> {
     let mut all = Vec::new();
     for line in code.match_indices("use ").filter_map(|(at, _)| {
         let before = code[..at].rsplit('\n').next().unwrap_or("").trim();

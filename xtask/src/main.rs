@@ -9,6 +9,7 @@ mod checked;
 mod ci;
 mod circles;
 mod compile_times;
+mod doc_examples;
 #[cfg(feature = "report")]
 mod gpu;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]

@@ -14,14 +14,15 @@ use core::ops::Range;
 /// The rules of [`Bodies`], to be read.
 ///
 /// ```
-/// use ccd_core::{backend::rules::Rules, model::bodies::Bodies};
+/// use ccd::Bodies;
+/// use ccd_core::backend::rules::Rules;
 ///
 /// // Two bodies without self-contact, the first fixed.
 /// let rules = Rules::new(&Bodies::new(&[0, 0, 1]).with_fixed(0, true).with_self_contacts(false))?;
 /// assert!(rules.wants(0, 2) && !rules.wants(0, 1));
 /// // So simple that words say all of it.
 /// assert_eq!((rules.still(), rules.has_table()), (&[0, 1][..], false));
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Rules {

@@ -11,7 +11,7 @@ use bytemuck::{Pod, Zeroable};
 /// | `max` | 12..24 | length |
 ///
 /// ```
-/// use ccd_core::Aabb;
+/// use ccd::Aabb;
 ///
 /// let unit = Aabb { min: [0.0f32; 3], max: [1.0; 3] };
 /// // Boxes are closed: these touch.

@@ -86,7 +86,7 @@ pub trait Num:
 /// A single number that can be compared and divided: `f32` or `f64`.
 ///
 /// ```
-/// use ccd_core::Real;
+/// use ccd::Real;
 ///
 /// // A cast rounds to the nearest `f32`, these to either side.
 /// let x = 0.1f64;

@@ -20,8 +20,7 @@ use alloc::vec::Vec;
 /// is left is found as without them.
 ///
 /// ```
-/// use ccd_core::model::bodies::Bodies;
-/// use ccd_core::model::groups::Groups;
+/// use ccd::{Bodies, Groups};
 ///
 /// let floor = Groups { memberships: 1, filter: 2 };
 /// let bodies = Bodies::new(&[0, 0, 1, 2])
@@ -178,16 +177,14 @@ impl Bodies {
     /// Without the pairs of features of these lists, besides those before.
     ///
     /// ```
-    /// use ccd_core::model::bodies::Bodies;
-    /// use ccd_core::model::exclusions::Exclusions;
-    /// use ccd_core::model::mesh::Mesh;
+    /// use ccd::{Bodies, Exclusions, Mesh};
     ///
     /// // One body, whose neighbouring features are nearer than some minimum distance.
     /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
     /// let near = Exclusions::of_neighbours(&mesh, 1);
     /// let bodies = Bodies::new(&[0; 5]).with_exclusions(&near);
     /// assert!(bodies.check(&mesh).is_ok());
-    /// # Ok::<(), ccd_core::Error>(())
+    /// # Ok::<(), ccd::Error>(())
     /// ```
     #[must_use]
     pub fn with_exclusions(self, lists: &Exclusions) -> Self {

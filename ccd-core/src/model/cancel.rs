@@ -11,7 +11,7 @@ use core::sync::atomic::{AtomicBool, Ordering::Relaxed};
 /// token, or without one, as a new session would.
 ///
 /// ```
-/// use ccd_core::model::cancel::CancelToken;
+/// use ccd::CancelToken;
 ///
 /// let token = CancelToken::new();
 /// let of_another_thread = token.clone();

@@ -8,7 +8,7 @@ use core::mem::discriminant;
 /// What there is to say about a choice.
 ///
 /// ```
-/// use ccd_core::model::{catalogue::Catalogued, method::Builder};
+/// use ccd::{Builder, Catalogued};
 ///
 /// let row = Builder::Lbvh.row();
 /// assert_eq!((row.name, row.source), ("lbvh", Some("Karras 2012")));
@@ -30,7 +30,7 @@ pub struct Row<T> {
 /// A choice that has a row for each of its values.
 ///
 /// ```
-/// use ccd_core::model::{catalogue::Catalogued, method::BroadPhaseMethod};
+/// use ccd::{BroadPhaseMethod, Catalogued};
 ///
 /// let mut names = BroadPhaseMethod::ROWS.iter().map(|row| row.name);
 /// assert!(names.any(|name| name == "blocks"));
@@ -202,7 +202,7 @@ impl BroadPhaseMethod {
 /// Every method of a backend with its default settings, trees in every combination of theirs.
 ///
 /// ```
-/// use ccd_core::model::catalogue::every;
+/// use ccd::every;
 ///
 /// assert!(every("cpu").any(|method| method.to_string() == "tree-ploc-half-aabb"));
 /// ```

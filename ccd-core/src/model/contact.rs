@@ -10,7 +10,7 @@ use crate::narrow_phase::search::Answer;
 /// Which features touch.
 ///
 /// ```
-/// use ccd_core::model::contact::Kind;
+/// use ccd::Kind;
 ///
 /// // In this order contacts come.
 /// assert!(Kind::VertexFace < Kind::EdgeEdge);
@@ -51,7 +51,7 @@ impl Kind {
 /// How certain a contact is.
 ///
 /// ```
-/// use ccd_core::model::contact::{Contact, Kind, State};
+/// use ccd::{Contact, Kind, State};
 ///
 /// // Either ends a step; only a hit certainly is a contact.
 /// let contacts = [(0.5, State::Hit), (0.25, State::Undecided)]
@@ -74,7 +74,7 @@ pub enum State {
 /// A contact between two features.
 ///
 /// ```
-/// use ccd_core::model::contact::{Approach, Contact, Kind, State};
+/// use ccd::{Approach, Contact, Kind, State};
 ///
 /// let edges = Contact::new(Kind::EdgeEdge, State::Hit, 3, 7, 0.25);
 /// let face = Contact::new(Kind::VertexFace, State::Undecided, 9, 0, 0.5);
@@ -143,7 +143,7 @@ impl From<&Touch> for Contact {
 /// A number for each kind of pair.
 ///
 /// ```
-/// use ccd_core::model::contact::PerKind;
+/// use ccd::PerKind;
 ///
 /// let sum = PerKind::new(3, 4).plus(PerKind::new(1, 1));
 /// assert_eq!((sum.vf, sum.ee, sum.total()), (4, 5, 9));

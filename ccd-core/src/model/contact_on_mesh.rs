@@ -33,8 +33,7 @@ impl Contact {
     /// [`contact_geometry`].
     ///
     /// ```
-    /// use ccd_core::model::contact::{Contact, Kind, State};
-    /// use ccd_core::model::mesh::Mesh;
+    /// use ccd::{Contact, Kind, Mesh, State};
     ///
     /// // A vertex falls through a triangle.
     /// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
@@ -56,7 +55,7 @@ impl Contact {
     ///     (0..3).map(|k| part * at.normal[k] * (x1[v][k] - x0[v][k])).sum::<f64>()
     /// };
     /// assert_eq!((0..4).map(along).sum::<f64>(), -2.0);
-    /// # Ok::<(), ccd_core::Error>(())
+    /// # Ok::<(), ccd::Error>(())
     /// ```
     ///
     /// Positions are whatever [`Session::step`](super::session::Session::step) takes; what is

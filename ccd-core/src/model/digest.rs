@@ -6,8 +6,7 @@ use crate::layout::Pair;
 /// Number of pairs and the sum of their hashes.
 ///
 /// ```
-/// use ccd_core::records::Pair;
-/// use ccd_core::model::digest::Digest;
+/// use ccd::{Digest, Pair};
 ///
 /// let pairs = [Pair { a: 1, b: 2 }, Pair { a: 0, b: 7 }];
 /// let digest = Digest::of(1, pairs.into_iter());

@@ -13,8 +13,7 @@ use crate::narrow_phase::query::LEAST_TOLERANCE;
 /// the caller set ended the call, [`Error::Memory`] or [`Error::Cancelled`].
 ///
 /// ```
-/// use ccd_core::Error;
-/// use ccd_core::model::mesh::Mesh;
+/// use ccd::{Error, Mesh};
 ///
 /// let error = Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]).unwrap_err();
 /// assert!(matches!(error, Error::Index { at: 1, vertex: 7, .. }));

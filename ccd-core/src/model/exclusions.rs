@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 /// Pairs of features, by their ids in a mesh; sorted, each once.
 ///
 /// ```
-/// use ccd_core::model::exclusions::Exclusions;
+/// use ccd::Exclusions;
 ///
 /// let some = Exclusions::new(vec![[4, 0]], vec![[2, 5], [1, 2]]);
 /// let all = some.and(&Exclusions::new(vec![[4, 0], [3, 1]], vec![]));
@@ -42,15 +42,14 @@ impl Exclusions {
     /// some `6 rings^2` faces a vertex, and as many edges an edge, times three.
     ///
     /// ```
-    /// use ccd_core::model::exclusions::Exclusions;
-    /// use ccd_core::model::mesh::Mesh;
+    /// use ccd::{Exclusions, Mesh};
     ///
     /// // A strip of three triangles.
     /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
     /// let near = Exclusions::of_neighbours(&mesh, 1);
     /// // Vertex 0 reaches 1 and 2, and so the faces of these.
     /// assert_eq!(near.vf[..2], [[0, 1], [0, 2]]);
-    /// # Ok::<(), ccd_core::Error>(())
+    /// # Ok::<(), ccd::Error>(())
     /// ```
     pub fn of_neighbours(mesh: &Mesh, rings: u32) -> Self {
         if rings == 0 {

@@ -4,7 +4,7 @@
 /// a bit a group, as rapier's interaction groups.
 ///
 /// ```
-/// use ccd_core::model::groups::Groups;
+/// use ccd::Groups;
 ///
 /// // Bit 0: walls, bit 1: ghosts. A ghost goes through walls.
 /// let wall = Groups { memberships: 0b01, ..Groups::ALL };

@@ -20,11 +20,11 @@ use alloc::vec::Vec;
 /// Its `Debug` says how many vertices, edges and faces there are, not which.
 ///
 /// ```
-/// use ccd_core::model::mesh::Mesh;
+/// use ccd::Mesh;
 ///
 /// let square = Mesh::new(4, &[[0, 1, 2], [2, 1, 3]])?;
 /// assert_eq!(square.edges(), [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]);
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Clone, Default, PartialEq, Eq)]
 pub struct Mesh {

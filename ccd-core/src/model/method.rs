@@ -6,9 +6,7 @@ use super::error::{Error, check_setting};
 /// How a broad phase finds overlapping boxes; all methods give the same set.
 ///
 /// ```
-/// use ccd_core::model::catalogue::Catalogued;
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_core::model::options::Options;
+/// use ccd::{BroadPhaseMethod, Catalogued, Options};
 ///
 /// let options = Options::default().with_broad_phase(BroadPhaseMethod::SweepAndPrune);
 /// assert_eq!(options.broad_phase.row().name, "sweep-and-prune");
@@ -43,7 +41,7 @@ pub enum BroadPhaseMethod {
 /// Which binary tree, and how it is traversed.
 ///
 /// ```
-/// use ccd_core::model::method::{Builder, TreeOptions, Traversal};
+/// use ccd::{Builder, Traversal, TreeOptions};
 ///
 /// let tree = TreeOptions::default().builder(Builder::Lbvh).traversal(Traversal::Half);
 /// assert_eq!(tree, TreeOptions::default());
@@ -64,7 +62,7 @@ pub struct TreeOptions {
 /// How a binary tree over boxes is built.
 ///
 /// ```
-/// use ccd_core::model::method::Builder;
+/// use ccd::Builder;
 ///
 /// assert_eq!(Builder::PLOC, Builder::Ploc { radius: 16 });
 /// assert!(Builder::NEAREST_PAIR.check(1_000_000).is_err());
@@ -119,7 +117,7 @@ impl Builder {
 /// How pairs are found in a binary tree.
 ///
 /// ```
-/// use ccd_core::model::method::{Descent, Traversal};
+/// use ccd::{Descent, Traversal};
 ///
 /// assert_eq!(Traversal::SIMULTANEOUS, Traversal::Simultaneous(Descent::Both));
 /// ```
@@ -171,7 +169,7 @@ impl Traversal {
 /// How a pair of nodes that overlap is expanded.
 ///
 /// ```
-/// use ccd_core::model::method::{BroadPhaseMethod, Descent, Traversal, TreeOptions};
+/// use ccd::{BroadPhaseMethod, Descent, Traversal, TreeOptions};
 ///
 /// let by_size = Traversal::Simultaneous(Descent::Larger);
 /// let method = BroadPhaseMethod::Tree(TreeOptions::default().traversal(by_size));
@@ -192,7 +190,7 @@ pub enum Descent {
 /// What bounds the nodes of a binary tree.
 ///
 /// ```
-/// use ccd_core::model::method::{BroadPhaseMethod, TreeOptions, Volume};
+/// use ccd::{BroadPhaseMethod, TreeOptions, Volume};
 ///
 /// let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(Volume::Obb));
 /// assert_eq!(method.to_string(), "tree-lbvh-half-obb");

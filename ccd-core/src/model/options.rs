@@ -12,7 +12,7 @@ use crate::narrow_phase::search::Search;
 /// What a step looks for and how.
 ///
 /// ```
-/// use ccd_core::model::options::Options;
+/// use ccd::Options;
 ///
 /// let options = Options::default().with_min_distance(0.001).with_threads(1);
 /// assert_eq!(options.min_distance, 0.001);

@@ -5,8 +5,7 @@
 /// [`TriangleOptions::free_regions`] certifies.
 ///
 /// ```
-/// use ccd_core::model::options::Options;
-/// use ccd_core::model::pipeline::Pipeline;
+/// use ccd::{Options, Pipeline};
 ///
 /// let options = Options::default().with_pipeline(Pipeline::TRIANGLES);
 /// assert_ne!(options.pipeline, Pipeline::Features);
@@ -27,7 +26,7 @@ pub enum Pipeline {
 /// How pairs of triangles are found and expanded.
 ///
 /// ```
-/// use ccd_core::model::pipeline::TriangleOptions;
+/// use ccd::TriangleOptions;
 ///
 /// let few = TriangleOptions::default().orphans(true).free_regions(true);
 /// assert!(few.orphans && few.free_regions);

@@ -7,7 +7,7 @@ use crate::math::real::Real;
 /// Something in one of the two precisions.
 ///
 /// ```
-/// use ccd_core::model::{positions::ends, precision::Precision};
+/// use ccd::positions::{Precision, ends};
 ///
 /// let x = [[0.0f64; 3]; 2];
 /// assert!(matches!(ends(&x, &x), Precision::F64(_)));
@@ -51,8 +51,7 @@ mod sealed {
 /// A type of coordinates that callers may have: `f32` or `f64`.
 ///
 /// ```
-/// use ccd_core::Coordinate;
-/// use ccd_core::model::positions::AsPositions;
+/// use ccd::{AsPositions, Coordinate};
 ///
 /// fn n_vertices<T: Coordinate>(x: &[[T; 3]]) -> usize {
 ///     x.as_positions().len()

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 /// Where the time of a step went, in milliseconds of wall clock.
 ///
 /// ```
-/// use ccd_core::model::report::Report;
+/// use ccd::Report;
 ///
 /// /// The part of a step that went into deciding pairs.
 /// fn deciding(report: &Report) -> f64 {
@@ -41,7 +41,7 @@ pub struct Times {
 /// time, a GPU all of the step.
 ///
 /// ```
-/// use ccd_core::model::report::TriangleCounts;
+/// use ccd::TriangleCounts;
 ///
 /// let mut counts = TriangleCounts::default();
 /// (counts.pairs, counts.represented, counts.orphans) = (4, 20, 2);
@@ -95,7 +95,7 @@ impl TriangleCounts {
 /// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
 ///
 /// ```
-/// use ccd_core::model::report::FrontCounts;
+/// use ccd::FrontCounts;
 ///
 /// let both = FrontCounts::new(100, 90, 1600).plus(FrontCounts::new(50, 0, 800));
 /// assert_eq!((both.pairs, both.begun, both.bytes), (150, 90, 2400));
@@ -130,8 +130,7 @@ impl FrontCounts {
 /// the session is borrowed, and after it has gone on to another mesh.
 ///
 /// ```
-/// # use ccd_core::model::report::Report;
-/// # use ccd_core::model::contact::Kind;
+/// # use ccd::{Kind, Report};
 /// fn wake(report: &Report, mut wake_vertex: impl FnMut(u32)) {
 ///     for c in &report.contacts {
 ///         match c.kind {
@@ -207,7 +206,7 @@ impl Report {
     /// contact in it. By its number, as many as the greatest one says.
     ///
     /// ```
-    /// use ccd_core::model::{bodies::Bodies, report::Report};
+    /// use ccd::{Bodies, Report};
     ///
     /// let bodies = Bodies::new(&[0, 1]).with_worlds(&[0, 2]);
     /// assert_eq!(Report::default().toi_of_worlds(&bodies), [None; 3]);

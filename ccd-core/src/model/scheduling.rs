@@ -18,8 +18,7 @@ pub use workers::WorkerOptions;
 /// but the default.
 ///
 /// ```
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_core::model::scheduling::{Front, Scheduler, Scheduling};
+/// use ccd::{BroadPhaseMethod, Front, Scheduler, Scheduling};
 ///
 /// let stealing = Scheduling::default().scheduler(Scheduler::Stealing).front(Front::ON);
 /// assert!(stealing.check(BroadPhaseMethod::Blocks).is_ok());
@@ -43,8 +42,7 @@ pub struct Scheduling {
 /// them, are shared out among workers: threads of a CPU, workgroups of a GPU.
 ///
 /// ```
-/// use ccd_core::model::catalogue::Catalogued;
-/// use ccd_core::model::scheduling::Scheduler;
+/// use ccd::{Catalogued, Scheduler};
 ///
 /// assert_eq!(Scheduler::named("stealing"), Some(Scheduler::Stealing));
 /// ```
@@ -96,7 +94,7 @@ impl Scheduler {
 /// Where the descent of a step begins.
 ///
 /// ```
-/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling};
+/// use ccd::{Front, FrontOptions, Scheduling};
 ///
 /// let kept = Scheduling::default().front(Front::ON);
 /// assert_eq!(kept.front, Front::On(FrontOptions::default()));
@@ -126,7 +124,7 @@ impl Front {
 /// that a front only gets deeper. One that is too deep is more work than it saves.
 ///
 /// ```
-/// use ccd_core::model::scheduling::{Front, FrontOptions, Scheduling};
+/// use ccd::{Front, FrontOptions, Scheduling};
 ///
 /// let kept = FrontOptions::default().growth(200).memory(64);
 /// assert_ne!(Scheduling::default().front(Front::On(kept)), Scheduling::default());

@@ -213,21 +213,18 @@ impl<E: Engine, P> Session<E, P> {
     /// body that is named stands at its `x1` afterwards; after an error all stand where they stood.
     ///
     /// ```
-    /// use ccd_core::model::{bodies::Bodies, mesh::Mesh, options::Options, session::BodyMotion};
-    /// # use ccd_core::Error;
-    /// # use ccd_core::model::session::{Engine, Session};
+    /// use ccd::{Bodies, BodyMotion, Mesh, Options, Session};
     ///
-    /// # fn contacts<E: Engine<On = (), Error = Error>>() -> Result<usize, Error> {
     /// // A floor of one face, and a particle above it.
     /// let bodies = Bodies::new(&[0, 0, 0, 1]).with_fixed(0, true).with_self_contacts(false);
     /// let options = Options::default().with_bodies(bodies);
-    /// let mut session = Session::<E>::new(Mesh::new(4, &[[0, 1, 2]])?, options)?;
+    /// let mut session = Session::new(Mesh::new(4, &[[0, 1, 2]])?, options)?;
     /// let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
     /// session.set_positions(&x)?;
     /// let (from, to) = ([x[3]], [[0.2, -1.0, 0.2]]);
     /// let report = session.step_bodies(&[BodyMotion::new(1, &from, &to)])?;
-    /// # Ok(report.contacts.len())
-    /// # }
+    /// assert_eq!(report.contacts.len(), 1);
+    /// # Ok::<(), ccd::Error>(())
     /// ```
     ///
     /// # Errors

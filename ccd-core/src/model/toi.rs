@@ -7,7 +7,7 @@ use crate::math::real::Real;
 /// A cast rounds to the nearest, which may be later than the contact.
 ///
 /// ```
-/// use ccd_core::model::toi::toi_to_f32;
+/// use ccd::toi_to_f32;
 ///
 /// let toi = 0.1f64.next_down();
 /// assert!(toi as f32 as f64 > toi);

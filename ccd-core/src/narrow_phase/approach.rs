@@ -52,9 +52,9 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// Whether features come nearer at the time of impact.
 ///
 /// ```
+/// use ccd::geometry::{Motion, Patch};
 /// use ccd_core::narrow_phase::approach::Approach;
 /// use ccd_core::narrow_phase::query::search;
-/// use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 /// use ccd_core::narrow_phase::search::Search;
 ///
 /// // A vertex rises from above a triangle, or falls; nearer than 0.2 is contact.

@@ -24,7 +24,7 @@ const PATCH: Patch = Patch::Parallelogram;
 /// A vertex-edge query: `v e0 e1` at both ends of the step.
 ///
 /// ```
-/// use ccd_core::narrow_phase::codimensional::{VertexEdge, vertex_edge};
+/// use ccd::{VertexEdge, vertex_edge};
 ///
 /// let t0 = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
 /// // All move alike.
@@ -42,7 +42,7 @@ pub struct VertexEdge<T> {
 /// A vertex-vertex query: `v w` at both ends of the step.
 ///
 /// ```
-/// use ccd_core::narrow_phase::codimensional::{VertexVertex, vertex_vertex};
+/// use ccd::{VertexVertex, vertex_vertex};
 ///
 /// // Two particles of radius 0.5 meet half-way.
 /// let (t0, t1) = ([[0.0; 3], [3.0, 0.0, 0.0]], [[0.0; 3], [-1.0, 0.0, 0.0]]);
@@ -63,8 +63,7 @@ pub struct VertexVertex<T> {
 /// is undecided, not wrong.
 ///
 /// ```
-/// use ccd_core::narrow_phase::codimensional::{VertexEdge, vertex_edge};
-/// use ccd_core::Verdict;
+/// use ccd::{Verdict, VertexEdge, vertex_edge};
 ///
 /// // A particle falls through a wire.
 /// let wire = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];

@@ -35,8 +35,8 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// vector.
 ///
 /// ```
+/// use ccd::geometry::Patch;
 /// use ccd_core::narrow_phase::contact_geometry::contact_geometry;
-/// use ccd_core::narrow_phase::relative_motion::Patch;
 ///
 /// // Two edges that cross, the first above the second, at rest.
 /// let x = [[-1.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 3.0f64]];

@@ -15,7 +15,7 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// be more between them.
 ///
 /// ```
-/// use ccd_core::narrow_phase::distance::Distance;
+/// use ccd::Distance;
 ///
 /// let d = Distance::vertex_vertex([[0.0, 0.0, 0.0], [3.0, 4.0, 0.0]]);
 /// assert!(d.least <= 5.0 && d.greatest >= 5.0 && d.greatest - d.least < 1e-12);
@@ -35,7 +35,7 @@ impl Distance {
     /// Of a vertex and a face, `v f0 f1 f2`.
     ///
     /// ```
-    /// use ccd_core::narrow_phase::distance::Distance;
+    /// use ccd::Distance;
     ///
     /// let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     /// let d = Distance::vertex_face([[0.2, 0.5, 0.2], face[0], face[1], face[2]]);

@@ -18,7 +18,7 @@ use crate::narrow_phase::search::{Answer, Search};
 /// A vertex-face query: `v f0 f1 f2` at both ends of the step.
 ///
 /// ```
-/// use ccd_core::{VertexFace, vertex_face};
+/// use ccd::{VertexFace, vertex_face};
 ///
 /// let t0 = [[0.2, 1.0, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0f32]];
 /// let mut t1 = t0;
@@ -39,7 +39,7 @@ pub struct VertexFace<T> {
 /// An edge-edge query: `ea0 ea1 eb0 eb1` at both ends of the step.
 ///
 /// ```
-/// use ccd_core::{EdgeEdge, edge_edge};
+/// use ccd::{EdgeEdge, edge_edge};
 ///
 /// // An edge falls onto another one.
 /// let at = |y: f64| [[-1.0, y, 0.0], [1.0, y, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
@@ -74,7 +74,7 @@ widen!(EdgeEdge);
 /// underflows in `R` is undecided, not wrong.
 ///
 /// ```
-/// use ccd_core::{Verdict, VertexFace, vertex_face};
+/// use ccd::{Verdict, VertexFace, vertex_face};
 ///
 /// // A vertex falls through a triangle: half of the way down.
 /// let t0 = [[0.2, 1.0, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0f64]];
@@ -93,7 +93,7 @@ pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
 /// Decides an edge-edge query in the arithmetic of `R`. See [`vertex_face`] for what is accepted.
 ///
 /// ```
-/// use ccd_core::{EdgeEdge, Verdict, edge_edge};
+/// use ccd::{EdgeEdge, Verdict, edge_edge};
 ///
 /// let t0 = [[-1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];
 /// let t1 = [[-1.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0f64]];

@@ -16,8 +16,7 @@ use crate::math::vec3::{add, max_abs, scale, sub};
 /// The region of `(s, r)` in which the patch exists.
 ///
 /// ```
-/// use ccd_core::narrow_phase::closest_point::closest;
-/// use ccd_core::narrow_phase::relative_motion::Patch;
+/// use ccd::geometry::{Patch, closest};
 ///
 /// // The point (1, 1) is a corner of the parallelogram and beside the triangle.
 /// let (a, b, c) = ([1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0f64]);
@@ -36,7 +35,7 @@ pub enum Patch {
 /// A query after recentring; index 0 is `t = 0`, index 1 is `t = 1`.
 ///
 /// ```
-/// use ccd_core::narrow_phase::relative_motion::Motion;
+/// use ccd::geometry::Motion;
 ///
 /// // `v f0 f1 f2`, far from the origin: differences are small.
 /// let t0 = [[9.0, 1.0, 0.0], [9.0, 0.0, 0.0], [10.0, 0.0, 0.0], [9.0, 0.0, 1.0f64]];

@@ -14,8 +14,8 @@ pub const LEAST_TOLERANCE: f64 = 1e-12;
 /// What a query looks for.
 ///
 /// ```
+/// use ccd::geometry::{Motion, Patch};
 /// use ccd_core::narrow_phase::query::search;
-/// use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 /// use ccd_core::narrow_phase::search::Search;
 ///
 /// // A vertex falls through a triangle at 0.5: not in the first quarter of the step.
@@ -53,7 +53,7 @@ impl<R: Real> Search<R> {
 /// The answer of a query.
 ///
 /// ```
-/// use ccd_core::Verdict;
+/// use ccd::Verdict;
 ///
 /// // What a conservative caller may advance to.
 /// assert_eq!(Verdict::Undecided { toi: 0.25 }.toi(), Some(0.25));
@@ -92,8 +92,9 @@ impl<R: Real> Verdict<R> {
 /// What a query found.
 ///
 /// ```
-/// use ccd_core::Verdict;
-/// use ccd_core::narrow_phase::{approach::Approach, search::Answer};
+/// use ccd::Verdict;
+/// use ccd_core::narrow_phase::approach::Approach;
+/// use ccd_core::narrow_phase::search::Answer;
 ///
 /// let answer = Answer::from(Verdict::Hit { toi: 0.5 });
 /// assert_eq!(answer.approach, Approach::Unknown);

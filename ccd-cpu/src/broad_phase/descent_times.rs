@@ -15,10 +15,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// ```
 ///
 /// ```
-/// use ccd_core::model::mesh::Mesh;
-/// use ccd_core::model::options::Options;
-/// use ccd_core::model::scheduling::{Scheduler, Scheduling};
-/// use ccd_cpu::Session;
+/// use ccd::{Mesh, Options, Scheduler, Scheduling, Session};
 ///
 /// let stealing = Scheduling::default().scheduler(Scheduler::Stealing);
 /// let options = Options::default().with_scheduling(stealing).with_threads(1);
@@ -26,7 +23,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// session.set_timed(true);
 /// session.step(&[[0.0; 3]; 4], &[[0.0; 3]; 4])?;
 /// assert!(session.descent_times().is_some());
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DescentTimes {

@@ -75,16 +75,13 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 /// The order of pairs depends on the boxes and the method, not on the number of threads.
 ///
 /// ```
-/// use ccd_core::Aabb;
-/// use ccd_core::records::Pair;
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_cpu::BroadPhase;
+/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Pair};
 ///
 /// let at = |x: f32| Aabb { min: [x, 0.0, 0.0], max: [x + 1.0, 1.0, 1.0] };
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
 /// let pairs = broad_phase.self_pairs(&[at(0.0), at(5.0), at(0.5)])?;
 /// assert_eq!(pairs.to_vec(), [Pair { a: 0, b: 2 }]);
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct BroadPhase {
@@ -102,15 +99,13 @@ pub struct BroadPhase {
 /// Milliseconds of a search by the clock.
 ///
 /// ```
-/// use ccd_core::Aabb;
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_cpu::BroadPhase;
+/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod};
 ///
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
 /// broad_phase.self_pairs(&[Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 100])?;
 /// let times = broad_phase.times();
 /// assert!(times.build > 0.0 && times.search > 0.0);
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BroadPhaseTimes {

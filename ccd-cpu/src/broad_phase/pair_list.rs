@@ -8,15 +8,13 @@ use ccd_core::backend::layout::Pair;
 /// wrote them.
 ///
 /// ```
-/// use ccd_core::Aabb;
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_cpu::BroadPhase;
+/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod};
 ///
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
 /// let pairs = broad_phase.self_pairs(&[Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 3])?;
 /// assert_eq!((pairs.len(), pairs.iter().count()), (3, 3));
 /// assert!(pairs.iter().all(|pair| pair.a < pair.b));
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pairs<'a> {

@@ -27,8 +27,7 @@ use ccd_core::{Error, Num};
 /// costs less.
 ///
 /// ```
-/// use ccd_core::model::{contact::State, mesh::Mesh, options::Options};
-/// use ccd_cpu::intersections;
+/// use ccd::{Mesh, Options, State, intersections};
 ///
 /// let mesh = Mesh::new(6, &[[0, 1, 2], [3, 4, 5]])?;
 /// let x = [
@@ -45,7 +44,7 @@ use ccd_core::{Error, Num};
 /// let found = intersections(&mesh, &[&x[..3], &end].concat(), &Options::default())?;
 /// assert_eq!((found[0].face, found[0].state), (0, State::Hit));
 /// assert_eq!(mesh.edges()[found[0].edge as usize], [3, 4]);
-/// # Ok::<(), ccd_core::Error>(())
+/// # Ok::<(), ccd::Error>(())
 /// ```
 ///
 /// # Errors

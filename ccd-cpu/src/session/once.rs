@@ -10,16 +10,16 @@ use ccd_core::model::report::Report;
 /// Every contact of one step, with no session to keep: see [`Session::step`].
 ///
 /// ```
-/// use ccd_core::model::{mesh::Mesh, options::Options};
+/// use ccd::{Mesh, Options};
 ///
 /// let mesh = Mesh::new(4, &[[0, 1, 2]])?;
 /// let before = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
 /// let mut after = before;
 /// after[3][1] = -1.0;
-/// let report = ccd_cpu::step(&mesh, &before, &after, &Options::default())?;
+/// let report = ccd::step(&mesh, &before, &after, &Options::default())?;
 /// assert_eq!(report.contacts.len(), 1);
-/// assert_eq!(report.toi, ccd_cpu::earliest_toi(&mesh, &before, &after, &Options::default())?);
-/// # Ok::<(), ccd_core::Error>(())
+/// assert_eq!(report.toi, ccd::earliest_toi(&mesh, &before, &after, &Options::default())?);
+/// # Ok::<(), ccd::Error>(())
 /// ```
 ///
 /// # Errors

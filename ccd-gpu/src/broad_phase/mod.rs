@@ -43,15 +43,14 @@ use worker_counts::WorkerCounts;
 /// that is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
 ///
 /// ```no_run
-/// use ccd_core::Aabb;
-/// use ccd_core::model::method::BroadPhaseMethod;
-/// use ccd_gpu::{BroadPhase, Device, DeviceOptions};
+/// use ccd::{Aabb, BroadPhaseMethod};
+/// use ccd::gpu::{BroadPhase, Device, DeviceOptions};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;
 /// let mut broad_phase = BroadPhase::new(&device, BroadPhaseMethod::default())?;
 /// let unit = Aabb { min: [0.0; 3], max: [1.0; 3] };
 /// assert_eq!(broad_phase.self_pairs(&[unit, unit])?.len(), 1);
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 pub struct BroadPhase {
     device: Device,

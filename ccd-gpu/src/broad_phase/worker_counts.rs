@@ -10,7 +10,7 @@ use crate::recorder::{Bench, submit};
 /// What a worker of a device, a workgroup, did in the last search.
 ///
 /// ```
-/// use ccd_gpu::WorkerCounts;
+/// use ccd::gpu::WorkerCounts;
 ///
 /// /// The part of their threads that expanded a pair, over all turns.
 /// fn busy(all: &[WorkerCounts]) -> f64 {

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 /// What the kernels that a device has used so far took to compile.
 ///
 /// ```no_run
-/// use ccd_gpu::{Device, DeviceOptions};
+/// use ccd::gpu::{Device, DeviceOptions};
 ///
 /// // A folder that nobody else may write.
 /// let kernel_folder = Some("/home/me/.cache/my-game".into());
@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 /// // .. after the first step:
 /// let done = device.compilation();
 /// println!("{} kernels in {:?}, kept: {}", done.kernels, done.time, done.kept);
-/// # Ok::<(), ccd_gpu::Error>(())
+/// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]

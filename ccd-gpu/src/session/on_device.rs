@@ -17,7 +17,7 @@ use ccd_core::model::session;
 /// the list longer.
 ///
 /// ```no_run
-/// use ccd_gpu::{Error, Session, wgpu};
+/// use ccd::gpu::{Error, Session, wgpu};
 ///
 /// /// A step of whatever is in `session.paths()`, and a copy of its contacts to `out`.
 /// fn frame(
@@ -51,7 +51,7 @@ pub struct OnDevice<'a> {
 /// next call.
 ///
 /// ```no_run
-/// use ccd_gpu::{Error, Session, wgpu};
+/// use ccd::gpu::{Error, Session, wgpu};
 ///
 /// fn frame(session: &mut Session, encoder: &mut wgpu::CommandEncoder) -> Result<(), Error> {
 ///     session.record(encoder)?;

@@ -19,7 +19,7 @@ pub const EDGE_EDGE: u32 = 1;
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
 ///
 /// ```
-/// use ccd_core::records::Pair;
+/// use ccd::Pair;
 ///
 /// assert_eq!(Pair::ordered(7, 3), Pair { a: 3, b: 7 });
 /// ```
@@ -269,8 +269,8 @@ pub struct NearTest {
 /// | `approach` | 24..28 |
 ///
 /// ```
+/// use ccd::{Contact, Kind};
 /// use ccd_core::records::{Touch, split};
-/// use ccd_core::model::contact::{Contact, Kind};
 ///
 /// let touch = Touch { a: 3, b: 7, toi: split(0.25), ..Touch::default() };
 /// let contact = Contact::from(&touch);

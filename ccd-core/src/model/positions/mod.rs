@@ -31,7 +31,8 @@ use crate::model::precision::{Coordinate, Erased, Precision};
 /// Something that has positions, one a vertex: what `step` and its like take for either end.
 ///
 /// ```
-/// use ccd_core::model::positions::{AsPositions, PositionView};
+/// use ccd::AsPositions;
+/// use ccd::positions::PositionView;
 ///
 /// /// An engine's own container.
 /// struct Cloth {
@@ -58,7 +59,7 @@ pub trait AsPositions {
 /// Positions with coordinates `T`, somewhere.
 ///
 /// ```
-/// use ccd_core::model::positions::AsPositions;
+/// use ccd::AsPositions;
 ///
 /// let x = [[0.0f32; 3]; 4];
 /// let view = x.as_positions();
@@ -81,8 +82,7 @@ pub(crate) enum Form<'a, T> {
 /// Positions at both ends of a step, in one precision.
 ///
 /// ```
-/// use ccd_core::model::positions::ends;
-/// use ccd_core::model::precision::Precision;
+/// use ccd::positions::{Precision, ends};
 ///
 /// let (x0, x1) = ([[0.0f32; 3]; 4], vec![[1.0f32; 3]; 4]);
 /// assert!(matches!(ends(&x0, &x1), Precision::F32([a, b]) if a.len() == b.len()));
@@ -140,7 +140,8 @@ impl<'a, T: Coordinate> PositionView<'a, T> {
 /// with the feature `glam` its `Vec3` and `DVec3`.
 ///
 /// ```
-/// use ccd_core::model::positions::{AsPositions, Point};
+/// use ccd::AsPositions;
+/// use ccd::positions::Point;
 ///
 /// fn count<P: Point>(points: &[P]) -> usize {
 ///     points.as_positions().len()

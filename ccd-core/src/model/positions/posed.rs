@@ -17,7 +17,7 @@ use crate::model::precision::Coordinate;
 /// `Mat4::transform_point3`.
 ///
 /// ```
-/// use ccd_core::model::positions::Posed;
+/// use ccd::Posed;
 ///
 /// let rest = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [5.0, 5.0, 5.0]];
 /// let mut still = [[0.0; 4]; 4];
@@ -46,7 +46,8 @@ pub struct Posed<'a, T> {
 /// `glam` its `Mat4` and `DMat4`.
 ///
 /// ```
-/// use ccd_core::model::positions::{Matrix, Posed};
+/// use ccd::Posed;
+/// use ccd::positions::Matrix;
 ///
 /// fn posed<'a, M: Matrix<Scalar = f32>>(rest: &'a [[f32; 3]], pose: &'a M) -> Posed<'a, f32> {
 ///     Posed::one(rest, pose)

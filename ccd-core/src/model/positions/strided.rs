@@ -12,7 +12,7 @@ use core::marker::PhantomData;
 /// address: they are read one by one, unaligned.
 ///
 /// ```
-/// use ccd_core::model::positions::Strided;
+/// use ccd::Strided;
 ///
 /// // Two vertices: a normal, a position, a pair of texture coordinates.
 /// let first = [0.0f32, 0.0, 1.0, 7.0, 8.0, 9.0, 0.5, 0.5];

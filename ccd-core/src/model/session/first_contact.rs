@@ -11,7 +11,7 @@ use crate::model::precision::{Given, Precision};
 /// A contact, and how its features meet: the answer of [`Session::first_contact`].
 ///
 /// ```
-/// use ccd_core::model::session::Hit;
+/// use ccd::Hit;
 ///
 /// /// The velocity of a body after it has bounced off what it hit.
 /// fn bounced(hit: &Hit, body: u32, velocity: [f64; 3]) -> [f64; 3] {
@@ -63,23 +63,19 @@ impl<E: Engine, P> Session<E, P> {
     /// up to the contact.
     ///
     /// ```
-    /// use ccd_core::model::{bodies::Bodies, mesh::Mesh, options::Options};
-    /// # use ccd_core::Error;
-    /// # use ccd_core::model::session::{Engine, Hit, Session};
+    /// use ccd::{Bodies, Mesh, Options, Session};
     ///
-    /// # fn first<E: Engine<On = (), Error = Error>>() -> Result<Option<Hit>, Error> {
     /// // A floor of one face, and a particle that falls through it.
     /// let bodies = Bodies::new(&[0, 0, 0, 1]).with_fixed(0, true).with_self_contacts(false);
     /// let options = Options::default().with_bodies(bodies);
-    /// let mut session = Session::<E>::new(Mesh::new(4, &[[0, 2, 1]])?, options)?;
+    /// let mut session = Session::new(Mesh::new(4, &[[0, 2, 1]])?, options)?;
     /// let mut x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, 1.0, 0.2]];
     /// let before = x;
     /// x[3][1] = -1.0;
     /// let hit = session.first_contact(&before, &x)?.expect("half way");
     /// assert_eq!((hit.bodies, hit.vertices), ([1, 0], [3, 0, 2, 1]));
     /// assert_eq!(hit.normal_towards(1), [0.0, 1.0, 0.0]);
-    /// # Ok(Some(hit))
-    /// # }
+    /// # Ok::<(), ccd::Error>(())
     /// ```
     ///
     /// # Errors

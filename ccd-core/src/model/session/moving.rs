@@ -13,8 +13,7 @@ use core::ops::Range;
 /// ids.
 ///
 /// ```
-/// use ccd_core::model::positions::Posed;
-/// use ccd_core::model::session::BodyMotion;
+/// use ccd::{BodyMotion, Posed};
 ///
 /// let crate_at_rest = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let before = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
