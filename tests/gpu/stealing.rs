@@ -8,7 +8,7 @@
 use crate::support::{bytes, not_run, read, run};
 use ccd::gpu::bind::StealStress;
 use ccd::gpu::{Device, Error, harness};
-use ccd_core::backend::kernel::{Id, Words};
+use ccd_core::backend::kernel::{FencedWords, Id, Words};
 use ccd_core::backend::layout::{Params, Stealing};
 use ccd_core::backend::scheduling::deque::Full;
 use ccd_core::backend::scheduling::stealing::Workers;
