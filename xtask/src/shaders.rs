@@ -2,17 +2,19 @@
 //!
 //! The nightly builds SPIR-V (ccd-shaders/builder); naga validates it and translates it to WGSL; a
 //! manifest says what there is and what it was made from. The products are committed. A test here,
-//! on stable, compares the hash of the sources with that of the manifest.
+//! on stable, compares hashes of the sources and of the products with those of the manifest.
 
 #[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
+#[cfg(any(feature = "shaders", test))]
+use std::collections::BTreeMap;
 use std::path::Path;
 #[cfg(any(feature = "shaders", test))]
 use std::path::PathBuf;
 use std::process::Command;
 
 /// Folder of the products.
-#[cfg(feature = "shaders")]
+#[cfg(any(feature = "shaders", test))]
 const PRODUCTS: &str = "ccd-gpu/shaders";
 #[cfg(any(feature = "shaders", test))]
 const MANIFEST: &str = "ccd-gpu/shaders/manifest.json";
@@ -44,21 +46,40 @@ fn hash_of_inputs(root: &Path) -> Result<String, String> {
     for input in INPUTS {
         collect(&root.join(input), &mut files)?;
     }
-    files.sort();
+    Ok(hash_of(read(root, &files)?.iter()))
+}
+
+/// SHA-256 of the names and contents of all products.
+#[cfg(any(feature = "shaders", test))]
+fn hash_of_products(products: &Files) -> String {
+    hash_of(products.iter().filter(|(name, _)| *name != "manifest.json"))
+}
+
+/// Contents by name.
+#[cfg(any(feature = "shaders", test))]
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// The contents of files by their names below a folder.
+#[cfg(any(feature = "shaders", test))]
+fn read(root: &Path, files: &[PathBuf]) -> Result<Files, String> {
+    let name = |file: &Path| -> Result<String, String> {
+        let name = file.strip_prefix(root).map_err(|e| e.to_string())?;
+        Ok(name.to_string_lossy().replace('\\', "/"))
+    };
+    let text = |file: &Path| std::fs::read(file).map_err(|e| format!("{}: {e}", file.display()));
+    files.iter().map(|file| Ok((name(file)?, text(file)?))).collect()
+}
+
+#[cfg(any(feature = "shaders", test))]
+fn hash_of<'a>(files: impl Iterator<Item = (&'a String, &'a Vec<u8>)>) -> String {
     let mut hash = Sha256::new();
-    for file in files {
-        let name = file
-            .strip_prefix(root)
-            .map_err(|e| e.to_string())?
-            .to_string_lossy()
-            .replace('\\', "/");
-        let text = std::fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?;
+    for (name, text) in files {
         hash.update(name.as_bytes());
         hash.update([0]);
         hash.update((text.len() as u64).to_le_bytes());
         hash.update(text);
     }
-    Ok(hash.finalize().iter().map(|b| format!("{b:02x}")).collect())
+    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// All files below a folder.
@@ -106,7 +127,10 @@ pub use build::run;
 
 #[cfg(feature = "shaders")]
 mod build {
-    use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs, missing, toolchain};
+    use super::{
+        ATTRIBUTES, Files, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs, hash_of_products,
+        missing, toolchain,
+    };
     use crate::instructions::{instructions, opcode, words};
     use ccd_core::backend::kernel::TABLE;
     use serde_json::{Value, json};
@@ -158,11 +182,7 @@ mod build {
     }
 
     /// All products by file name.
-    fn translate(
-        root: &Path,
-        modules: &Path,
-        toolchain: &str,
-    ) -> Result<BTreeMap<String, Vec<u8>>, String> {
+    fn translate(root: &Path, modules: &Path, toolchain: &str) -> Result<Files, String> {
         let mut products = BTreeMap::new();
         let mut kernels = Vec::new();
         let mut names: Vec<_> = std::fs::read_dir(modules)
@@ -190,11 +210,15 @@ mod build {
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), wgsl);
         }
-        let manifest =
-            json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
+        products.insert(".gitattributes".into(), ATTRIBUTES.into());
+        let manifest = json!({
+            "inputs": hash_of_inputs(root)?,
+            "products": hash_of_products(&products),
+            "toolchain": toolchain,
+            "kernels": kernels,
+        });
         let text = serde_json::to_string_pretty(&manifest).map_err(|e| e.to_string())? + "\n";
         products.insert("manifest.json".into(), text.into_bytes());
-        products.insert(".gitattributes".into(), ATTRIBUTES.into());
         Ok(products)
     }
 
@@ -262,7 +286,7 @@ mod build {
         instructions(&words(spirv)).filter(|i| opcode(i) == OP_CONTROL_BARRIER).count()
     }
 
-    fn write(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+    fn write(root: &Path, products: &Files) -> Result<(), String> {
         let folder = root.join(PRODUCTS);
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
@@ -273,7 +297,7 @@ mod build {
         Ok(())
     }
 
-    fn compare(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+    fn compare(root: &Path, products: &Files) -> Result<(), String> {
         let folder = root.join(PRODUCTS);
         let mut different: Vec<_> = products
             .iter()
@@ -318,6 +342,15 @@ mod tests {
             manifest["inputs"],
             want.as_str(),
             "a shader source changed: run `cargo xtask shaders`"
+        );
+        let folder = root().join(PRODUCTS);
+        let mut files = Vec::new();
+        collect(&folder, &mut files).unwrap();
+        let products = read(&folder, &files).unwrap();
+        assert_eq!(
+            manifest["products"],
+            hash_of_products(&products).as_str(),
+            "a product changed: run `cargo xtask shaders`"
         );
     }
 
