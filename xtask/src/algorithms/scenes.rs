@@ -120,7 +120,7 @@ pub fn cloths_on_spheres(root: &Path) -> Result<Vec<Draped>, String> {
         });
         let [ball, cloth] = triangles.each_ref().map(|all| -> Vec<Aabb<f32>> {
             let of = |t: &Triangle| {
-                let points = t.map(|x| Aabb::of_point(x));
+                let points = t.map(Aabb::of_point);
                 points[0].union(&points[1]).union(&points[2]).inflated(REACH).round_out()
             };
             all.iter().map(of).collect()
