@@ -20,9 +20,10 @@ const MAX_EDGES_EMULATED: usize = 50_000;
 const MAX_BOXES_EMULATED: usize = 10_000;
 
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
-/// run by the default and the default tree, and an emulated GPU has trees that differ from that in
-/// one choice, or have a kernel of their own, and no brute force over many boxes; through WGSL, by
-/// which `tests/gpu` runs every kernel and every method, it has the default and the default tree.
+/// run by the default, the default tree and the grid of a CPU, and an emulated GPU has trees that
+/// differ from the default tree in one choice, or have a kernel of their own, and no brute force
+/// over many boxes; through WGSL, by which `tests/gpu` runs every kernel and every method, it has
+/// the default and the default tree.
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// Whether nothing is left out.
@@ -40,7 +41,9 @@ pub fn methods(
     let whole = is_whole();
     let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE];
     let chosen = |method: &BroadPhaseMethod| match source {
-        Source::Real(_) => usual.contains(method),
+        Source::Real(_) => {
+            usual.contains(method) || backend == "cpu" && *method == BroadPhaseMethod::UniformGrid
+        }
         _ if emulated && place == WGSL => usual.contains(method),
         Source::Boxes(make) if emulated && *method == BroadPhaseMethod::BruteForce => {
             make().len() <= MAX_BOXES_EMULATED

@@ -100,7 +100,7 @@ impl Catalogued for BroadPhaseMethod {
             .source("Karras 2012a")
             .on(GPU),
         Row::new(Self::UniformGrid, "uniform-grid")
-            .about("Boxes in the cells of a grid; for boxes of about the same size")
+            .about("Boxes in cells, on a CPU of a grid for each size; a GPU has one, for one size")
             .source("Karras 2012a"),
         Row::new(Self::Blocks, "blocks")
             .about("Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU"),

@@ -203,8 +203,8 @@ pub enum Error {
         /// The greatest that it may be.
         greatest: u64,
     },
-    /// Boxes for which a grid is not made: some so large, beside the others, that cells as large as
-    /// they are hold too many.
+    /// Boxes for which the grid of a GPU is not made: some so large, beside the others, that cells
+    /// as large as they are hold too many.
     CrowdedCells {
         /// The largest side of any box.
         largest: f64,

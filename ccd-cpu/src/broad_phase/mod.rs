@@ -166,8 +166,7 @@ impl BroadPhase {
     /// Pairs within one set, each once, lesser index first.
     ///
     /// # Errors
-    /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
-    /// limits.
+    /// [`Error::Box`]; [`Error::TooMany`] where the method has such a limit.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.search::<true>(T::erase::<Boxes<2>>([boxes; 2]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
@@ -176,8 +175,7 @@ impl BroadPhase {
     /// Pairs of a box of `a` with a box of `b`.
     ///
     /// # Errors
-    /// [`Error::Box`]; [`Error::TooMany`] and [`Error::CrowdedCells`] where the method has such
-    /// limits.
+    /// [`Error::Box`]; [`Error::TooMany`] where the method has such a limit.
     pub fn pairs<T: Coordinate>(
         &mut self,
         a: &[Aabb<T>],

@@ -187,9 +187,9 @@ fn fewer_visits_find_the_same() {
 #[test]
 #[cfg(feature = "catalogue")]
 fn workers_are_as_many_as_were_chosen() {
-    let at = |i: u32| [i % 16, i / 16 % 16, i / 256].map(|c| c as f32);
+    let at = |i: u32| [i % 32, i / 32 % 32, i / 1024].map(|c| c as f32);
     let boxes: Vec<_> =
-        (0..4096).map(|i| Aabb { min: at(i), max: at(i).map(|c| c + 1.5) }).collect();
+        (0..1 << 17).map(|i| Aabb { min: at(i), max: at(i).map(|c| c + 1.5) }).collect();
     let cut = BroadPhaseMethod::Tree(TreeOptions::default().traversal(Traversal::CUT));
     for method in [BroadPhaseMethod::Blocks, cut] {
         let mut n_pairs = None;

@@ -1,120 +1,109 @@
 //! Uniform grid: boxes sorted by the cell of their centre, each compared with those in the cells
-//! around its own [Karras 2012a].
+//! around its own [Karras 2012a]; for boxes of unequal sizes several grids over each other.
 //!
-//! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
+//! Twin: on a GPU `key_intervals.rs`, by the keys of this method, with one grid.
 //!
 //! The rule, its proof, a drawing and the cost are beside it in the core
-//! ([`ccd_core::backend::broad_phase::uniform_grid`]). Here there is no table of cells, neither by
+//! ([`ccd_core::backend::broad_phase::uniform_grid`], and for several grids
+//! [`ccd_core::backend::broad_phase::grid_levels`]). Here there is no table of cells, neither by
 //! number nor by hash: cells are visited in the order of the sort, and so are the rows of cells
-//! around them, so that where each row begins and ends in the sorted boxes only moves on. The boxes
-//! of a cell are compared with a row eight at a time.
+//! around them, so that where each row begins and ends in the sorted boxes only moves on. Rows of
+//! another grid are found by bisection. Boxes of a cell are compared with a row eight at a time.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
-use ccd_core::backend::broad_phase::uniform_grid::{
-    self as cells, OWN_ROW, ROWS, Sizes, TESTS_A_BOX,
-};
+use ccd_core::backend::broad_phase::grid_levels::{LEVELS, Levels};
+use ccd_core::backend::broad_phase::uniform_grid::{self as cells, CELLS, OWN_ROW, ROWS, Sizes};
 use ccd_core::{Aabb, Error};
 use std::ops::Range;
 
 /// Leaves a task.
 const TASK: usize = 512;
-/// Boxes of a set whose cells are counted to estimate how full cells are.
-const SAMPLE: usize = 1 << 13;
+/// Leaves a row of cells up to which all of a level are compared, rather than each row found.
+const LEAVES_A_ROW: usize = 64;
+/// Bits of a cell's number; above them a key has the level.
+const CELL_BITS: u32 = 3 * cells::BITS;
+/// A sort takes keys of 63 bits from above.
+const UNUSED_BITS: u32 = 63 - CELL_BITS - (usize::BITS - LEVELS.leading_zeros());
 
-/// The grid, and the cell of every leaf.
+/// The grids, and the cell of every leaf.
 #[derive(Debug, Default)]
 pub struct UniformGrid {
-    grid: cells::UniformGrid,
-    /// Of each set: the number of the cell of each leaf, ascending.
-    keys: Vec<Vec<u32>>,
-    /// Sizes of boxes, and the sum of the largest side of each.
-    chunks: Vec<(Sizes, f64)>,
-    sample: Vec<u32>,
+    levels: Levels,
+    sets: Vec<Keys>,
+    sizes: Vec<Sizes>,
     radix: RadixSort,
 }
 
-impl UniformGrid {
-    /// Sizes of the boxes of all sets, and the sum of the largest side of each.
-    fn measure(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> (Sizes, f64) {
-        let none = (Sizes::NONE, 0.0);
-        let merged =
-            |all: &(Sizes, f64), part: &(Sizes, f64)| (all.0.merged(&part.0), all.1 + part.1);
-        let part = |boxes: &[Aabb<f32>]| {
-            boxes.iter().fold(none, |all, b| {
-                let sizes = Sizes::of(b);
-                merged(&all, &(sizes, largest_side(&sizes)))
-            })
-        };
-        threads.fold(sets, none, &mut self.chunks, &part, &merged)
+/// Levels and cells of the leaves of a set.
+#[derive(Debug, Default)]
+struct Keys {
+    /// Ascending.
+    keys: Vec<u64>,
+    /// Leaves before each level.
+    before: [usize; LEVELS + 1],
+}
+
+impl Keys {
+    fn of_level(&self, level: usize) -> Range<usize> {
+        self.before[level]..self.before[level + 1]
     }
 
-    /// About how many boxes of a set are in the cells around each in the mean, and about how many
-    /// in the fullest cell: exactly up to [`SAMPLE`] boxes, from as many of them if there are more.
-    fn fullness(&mut self, boxes: &[Aabb<f32>]) -> (f64, u64) {
-        let Self { grid, sample, .. } = self;
-        let (n, m) = (boxes.len() as u64, boxes.len().min(SAMPLE) as u64);
-        sample.clear();
-        // One of each of so many parts of the list; which one follows no pattern of the input.
-        let pick = |j: u64| {
-            let offset = ((j as u32).wrapping_mul(0x9e37_79b9) as u64 * n) >> 32;
-            if n == m { j } else { (j * n + offset) / m }
-        };
-        sample.extend((0..m).map(|j| cells::key(grid.cell(&boxes[pick(j) as usize]))));
-        sample.sort_unstable();
-        let mut runs = [const { 0..0 }; ROWS as usize];
-        let (mut pairs, mut fullest) = (0, 0);
-        for cell in sample.chunk_by(|a, b| a == b) {
-            let mut around = 0;
-            for (row, run) in (0..ROWS).zip(&mut runs) {
-                let [first, last] = cells::row(cells::cell_of(cell[0]), row, false);
-                if first <= last {
-                    advance(run, sample, first, last);
-                    around += run.len() as u64;
-                }
-            }
-            pairs += cell.len() as u64 * (around - 1);
-            fullest = fullest.max(cell.len() as u64);
+    /// The leaves of a range with keys from `first` to `last`.
+    fn between(&self, leaves: &Range<usize>, first: u64, last: u64) -> Range<usize> {
+        let keys = &self.keys[leaves.clone()];
+        let start = keys.partition_point(|&key| key < first);
+        let len = keys[start..].partition_point(|&key| key <= last);
+        leaves.start + start..leaves.start + start + len
+    }
+
+    /// Runs of leaves of a level that hold all with cells from `from` to `to`, and no leaf twice.
+    fn runs(&self, level: usize, [from, to]: [[u32; 3]; 2], mut run: impl FnMut(Range<usize>)) {
+        let all = self.of_level(level);
+        let n_rows = |k: usize| (to[k] - from[k] + 1) as usize;
+        if all.len() <= LEAVES_A_ROW * n_rows(1) * n_rows(2) {
+            return run(all);
         }
-        // A box of the sample has this part of the others around it.
-        let part = m.saturating_sub(1) as f64 / n.saturating_sub(1).max(1) as f64;
-        let tests = if part > 0.0 { pairs as f64 / m as f64 / part } else { 0.0 };
-        (tests, fullest * n / m.max(1))
+        for z in from[2]..=to[2] {
+            let layer = [[0, 0, z], [CELLS - 1, CELLS - 1, z]].map(|cell| key(level, cell));
+            let layer = self.between(&all, layer[0], layer[1]);
+            if layer.len() <= LEAVES_A_ROW * n_rows(1) {
+                run(layer);
+                continue;
+            }
+            for y in from[1]..=to[1] {
+                run(self.between(&layer, key(level, [from[0], y, z]), key(level, [to[0], y, z])));
+            }
+        }
     }
 }
 
-/// The largest side of a box.
-fn largest_side(sizes: &Sizes) -> f64 {
-    2.0 * sizes.half.iter().fold(0.0, |m: f64, &half| m.max(half as f64))
+/// The number of a level and a cell, by which boxes are sorted.
+#[inline(always)]
+fn key(level: usize, cell: [u32; 3]) -> u64 {
+    (level as u64) << CELL_BITS | cells::key(cell) as u64
+}
+
+impl UniformGrid {
+    #[inline(always)]
+    fn key(&self, b: &Aabb<f32>) -> u64 {
+        let (level, cell) = self.levels.cell(b);
+        key(level, cell)
+    }
 }
 
 impl Order for UniformGrid {
-    /// Cells as large as the largest box of all sets; refuses if that makes them too full.
+    /// Cells of the coarsest grid as large as the largest box of all sets.
     fn survey(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
-        let (sizes, sum) = self.measure(threads, sets);
-        self.grid = cells::UniformGrid::new(&sizes);
-        let (mut tests, mut fullest) = (0.0, 0);
-        // Fewer boxes than that cannot take as many tests.
-        for boxes in sets.iter().filter(|boxes| boxes.len() as u64 > TESTS_A_BOX) {
-            let (of_set, cell) = self.fullness(boxes);
-            if of_set > tests {
-                (tests, fullest) = (of_set, cell);
-            }
-        }
-        if tests <= TESTS_A_BOX as f64 {
-            return Ok(());
-        }
-        let n: usize = sets.iter().map(|boxes| boxes.len()).sum();
-        Err(Error::CrowdedCells {
-            largest: largest_side(&sizes),
-            mean: sum / n as f64,
-            fullest,
-            tests: tests as u64,
-            limit: TESTS_A_BOX,
-        })
+        let part = |boxes: &[Aabb<f32>]| {
+            boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b)))
+        };
+        let sizes = threads.fold(sets, Sizes::NONE, &mut self.sizes, &part, &Sizes::merged);
+        self.levels = Levels::new(&sizes);
+        Ok(())
     }
 
     /// Moved boxes are in other cells.
@@ -130,20 +119,27 @@ impl Order for UniformGrid {
         _marks: &Marks,
         order: &mut Vec<u32>,
     ) {
-        let grid = &self.grid;
-        // In the upper bits, which the sort takes digit by digit.
-        let key = |i: usize| (cells::key(grid.cell(&boxes[i])) as u64) << 33;
-        self.radix.sort(threads, boxes.len(), key, order);
+        let Self { levels, radix, .. } = self;
+        let key = |i: usize| {
+            let (level, cell) = levels.cell(&boxes[i]);
+            key(level, cell) << UNUSED_BITS
+        };
+        radix.sort(threads, boxes.len(), key, order);
     }
 
     fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         let set = leaves.set().index;
-        if self.keys.len() <= set {
-            self.keys.resize_with(set + 1, Vec::new);
+        if self.sets.len() <= set {
+            self.sets.resize_with(set + 1, Keys::default);
         }
-        let (grid, keys) = (&self.grid, &mut self.keys[set]);
-        keys.resize(leaves.len(), 0);
-        threads.fill(keys, |leaf| cells::key(grid.cell(&leaves.get(leaf))));
+        let mut of_set = std::mem::take(&mut self.sets[set]);
+        of_set.keys.resize(leaves.len(), 0);
+        threads.fill(&mut of_set.keys, |leaf| self.key(&leaves.get(leaf)));
+        let keys = &of_set.keys;
+        of_set.before = std::array::from_fn(|level| {
+            keys.partition_point(|&key| (key >> CELL_BITS) < level as u64)
+        });
+        self.sets[set] = of_set;
         1.0
     }
 }
@@ -154,8 +150,9 @@ impl RowSource for UniformGrid {
     }
 
     fn task(&self, k: usize, (a, b): Sides, _scratch: &mut Scratch, rows: &mut Rows) {
-        let (own, other) = (&self.keys[a.set().index], b.unwrap_or(a));
-        let keys = &self.keys[other.set().index];
+        let (own, other) = (&self.sets[a.set().index].keys, b.unwrap_or(a));
+        let of_other = &self.sets[other.set().index];
+        let keys = &of_other.keys;
         let end = ((k + 1) * TASK).min(a.len());
         let forward = b.is_none();
         let first_row = if forward { OWN_ROW } else { 0 };
@@ -164,8 +161,11 @@ impl RowSource for UniformGrid {
         while leaf < end {
             let cell = own[leaf];
             let n = own[leaf..end].iter().take_while(|&&key| key == cell).count();
+            let level = cell >> CELL_BITS;
             for row in first_row..ROWS {
-                let [first, last] = cells::row(cells::cell_of(cell), row, forward);
+                let own_cell = (cell & ((1 << CELL_BITS) - 1)) as u32;
+                let around = cells::row(cells::cell_of(own_cell), row, forward);
+                let [first, last] = around.map(|cell| level << CELL_BITS | cell as u64);
                 if first > last {
                     continue;
                 }
@@ -185,6 +185,20 @@ impl RowSource for UniformGrid {
                 }
                 *cursor = Some(run);
             }
+            let level = level as usize;
+            let first_level = if forward { level + 1 } else { 0 };
+            let is_other = |l: &usize| *l != level && !of_other.of_level(*l).is_empty();
+            for other_level in (first_level..self.levels.len()).filter(is_other) {
+                for query in leaf..leaf + n {
+                    let reach = self.levels.reach(other_level, &a.get(query));
+                    of_other.runs(other_level, reach, |run| {
+                        let (blocks, others, queries) =
+                            (a.blocks(), other.blocks(), query..query + 1);
+                        let compare = Compare { blocks, queries, others, run, after: false, rows };
+                        crate::simd::run_rows!(compare);
+                    });
+                }
+            }
             leaf += n;
         }
     }
@@ -192,7 +206,7 @@ impl RowSource for UniformGrid {
 
 /// Moves a run on to the leaves with the cells `first ..= last`; both only go up.
 #[inline(always)]
-fn advance(run: &mut Range<usize>, keys: &[u32], first: u32, last: u32) {
+fn advance(run: &mut Range<usize>, keys: &[u64], first: u64, last: u64) {
     while run.start < keys.len() && keys[run.start] < first {
         run.start += 1;
     }

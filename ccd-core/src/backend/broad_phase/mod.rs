@@ -5,6 +5,7 @@ pub mod balanced;
 pub mod block_bvh;
 pub mod block_workers;
 pub mod candidate;
+pub mod grid_levels;
 pub mod key_intervals;
 pub mod morton_key;
 pub mod nearest_pair;

@@ -27,9 +27,10 @@
 //! in common.
 //!
 //! Cost: a sort, and for every box the boxes of its neighbourhood: constant for boxes of about one
-//! size, but `n` where one box is as large as the scene. That is why unequal sizes are refused
-//! ([`TESTS_A_BOX`]). The sizes along the three axes count apart, and are at least a 1024th of the
-//! scene. Choose it for many boxes of about one size that overlap few others.
+//! size, but `n` where one box is as large as the scene. That is why a GPU, which has one grid,
+//! refuses unequal sizes ([`TESTS_A_BOX`]), and a CPU has several, each with cells half as large
+//! ([`super::grid_levels`]). The sizes along the three axes count apart, and are at least a 1024th
+//! of the scene. Choose it for many boxes of about one size that overlap few others.
 
 use crate::math::aabb::Aabb;
 
@@ -42,8 +43,8 @@ pub const MARGIN: f32 = 0.003_906_25;
 /// Half of the least side of a cell, beside which numbers that a device flushes to zero vanish:
 /// 2^-97.
 const LEAST_HALF: f32 = 6.310_887e-30;
-/// Tests a box, in the mean over all boxes of a set, above which the grid is refused; so up to that
-/// many boxes never are. A CPU then takes some five times as long as with blocks.
+/// Tests a box, in the mean over all boxes of a set, above which a GPU refuses; so up to that many
+/// boxes never are.
 pub const TESTS_A_BOX: u64 = 4096;
 /// Rows of three cells around a cell, its own being the middle one.
 pub const ROWS: u32 = 9;
@@ -87,7 +88,7 @@ pub struct UniformGrid {
     /// A quarter of the scene's least corner.
     quarter_origin: [f32; 3],
     /// One over half of a cell's sides.
-    inverse: [f32; 3],
+    pub(super) inverse: [f32; 3],
 }
 
 impl UniformGrid {
@@ -113,21 +114,31 @@ impl UniformGrid {
     pub fn cell(&self, b: &Aabb<f32>) -> [u32; 3] {
         let mut out = [0; 3];
         for k in 0..3 {
-            let origin = self.quarter_origin[k];
-            // Half of the way from the origin to the centre. Quarters, because the sum of halves
-            // may not be finite.
-            let half = (b.min[k] * 0.25 - origin) + (b.max[k] * 0.25 - origin);
-            let place = half * self.inverse[k];
-            // Written so that NaN gives cell 0.
-            out[k] = if place >= (CELLS - 1) as f32 {
-                CELLS - 1
-            } else if place > 0.0 {
-                place as u32
-            } else {
-                0
-            };
+            out[k] = cell_at(self.place(b, k));
         }
         out
+    }
+
+    /// Where a box's centre is along an axis, in cells.
+    #[inline(always)]
+    pub(super) fn place(&self, b: &Aabb<f32>, k: usize) -> f32 {
+        let origin = self.quarter_origin[k];
+        // Half of the way from the origin to the centre. Quarters, because the sum of halves may
+        // not be finite.
+        let half = (b.min[k] * 0.25 - origin) + (b.max[k] * 0.25 - origin);
+        half * self.inverse[k]
+    }
+}
+
+/// The cell of a place along an axis; NaN is in cell 0.
+#[inline(always)]
+pub(super) fn cell_at(place: f32) -> u32 {
+    if place >= (CELLS - 1) as f32 {
+        CELLS - 1
+    } else if place > 0.0 {
+        place as u32
+    } else {
+        0
     }
 }
 
