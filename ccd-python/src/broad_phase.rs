@@ -21,8 +21,9 @@ use std::sync::Mutex;
 /// threads : int
 ///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
 /// method : str
-///     "blocks", "tree", "sweep-and-prune", "sweep-in-strips" (CPU), "sweep-by-end-points" (GPU),
-///     "uniform-grid" or "brute-force"; all find the same pairs.
+///     "blocks", "tree", "sweep-and-prune", "uniform-grid" or "brute-force"; on a CPU also
+///     "sweep-in-strips" and "sweep-and-tiniest-queue", on a GPU "sweep-by-end-points"; all find
+///     the same pairs.
 /// device : str, optional
 ///     None or "cpu"; "gpu", an error if there is none. Boxes on a GPU are float32.
 ///

@@ -91,6 +91,10 @@ impl Catalogued for BroadPhaseMethod {
         Row::new(Self::SweepAndPrune, "sweep-and-prune")
             .about("Boxes sorted along one axis, each against those that begin before it ends")
             .source("Karras 2012a"),
+        Row::new(Self::SweepAndTiniestQueue, "sweep-and-tiniest-queue")
+            .about("The same in rounds: each box moves on by a step while its interval lasts")
+            .source("Belgrod 2023")
+            .on(CPU),
         Row::new(Self::SweepInStrips, "sweep-in-strips")
             .about("Sweep and prune in strips along the axis; for many boxes, of any sizes")
             .source("Liu 2010")
@@ -143,6 +147,12 @@ impl Catalogued for Traversal {
         Row::new(Self::Half, "half")
             .about("In the order of leaves, each looking only at those after its own")
             .source("Karras 2012b"),
+        Row::new(Self::DoubleRecursion, "double-recursion")
+            .about(
+                "One tree to a leaf, that leaf through the other tree, by one thread",
+            )
+            .source("Tian and Wan")
+            .on(CPU),
         Row::new(Self::SIMULTANEOUS, "simultaneous")
             .about("Pairs of nodes from the root on, by one thread")
             .source("Karras 2012b")

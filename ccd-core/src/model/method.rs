@@ -21,6 +21,9 @@ pub enum BroadPhaseMethod {
     /// Boxes sorted along the axis of largest variance, each compared with those that begin before
     /// it ends [Cohen 1995], [Karras 2012a].
     SweepAndPrune,
+    /// The same with a queue of boxes that have not met their end, each of which moves on by one
+    /// step a round [Belgrod 2023].
+    SweepAndTiniestQueue,
     /// Boxes in all strips along the axis that they touch, swept within each [Liu 2010]: the sweep
     /// for many boxes, of any sizes.
     SweepInStrips,
@@ -136,6 +139,9 @@ pub enum Traversal {
     /// The same, each looking only at leaves after its own, so that every pair is found once.
     #[default]
     Half,
+    /// The first of two trees to each of its leaves, and that leaf through the second, by functions
+    /// that call themselves, one after the other [Tian and Wan].
+    DoubleRecursion,
     /// Pairs of nodes from the root on, one after the other.
     Simultaneous(Descent),
     /// Pairs of nodes from all pairs of a cut through the tree on, in parallel.

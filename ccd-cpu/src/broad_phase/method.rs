@@ -9,7 +9,8 @@ use crate::broad_phase::tree::TreeSource;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::{
     brute_force::BruteForce, descend::PairsOfNodes, scheduled::Scheduled,
-    sweep_and_prune::SweepAndPrune, sweep_in_strips::SweepInStrips, uniform_grid::UniformGrid,
+    sweep_and_prune::SweepAndPrune, sweep_and_tiniest_queue::SweepAndTiniestQueue,
+    sweep_in_strips::SweepInStrips, uniform_grid::UniformGrid,
 };
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -60,6 +61,8 @@ impl Method {
             BroadPhaseMethod::BruteForce => Box::new(BruteForce),
             #[cfg(feature = "catalogue")]
             BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
+            #[cfg(feature = "catalogue")]
+            BroadPhaseMethod::SweepAndTiniestQueue => Box::new(SweepAndTiniestQueue::default()),
             #[cfg(feature = "catalogue")]
             BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
             #[cfg(feature = "catalogue")]

@@ -42,6 +42,8 @@ mod sorted_tests;
 #[cfg(feature = "catalogue")]
 mod sweep_and_prune;
 #[cfg(feature = "catalogue")]
+mod sweep_and_tiniest_queue;
+#[cfg(feature = "catalogue")]
 mod sweep_in_strips;
 mod tasks;
 #[cfg(test)]

@@ -9,7 +9,7 @@ use ccd_core::model::catalogue::every;
 fn methods() -> impl Iterator<Item = BroadPhaseMethod> {
     let own = |method: &BroadPhaseMethod| {
         use BroadPhaseMethod::*;
-        matches!(method, SweepAndPrune | SweepInStrips | UniformGrid)
+        matches!(method, SweepAndPrune | SweepAndTiniestQueue | SweepInStrips | UniformGrid)
     };
     every("cpu").filter(own)
 }

@@ -63,16 +63,27 @@ impl RowSource for SweepAndPrune {
     }
 
     fn task(&self, k: usize, (a, b): Sides, _scratch: &mut Scratch, rows: &mut Rows) {
+        for sweep in self.sweeps(k, (a, b)) {
+            crate::simd::run_rows!(Forward { sweep, rows });
+        }
+    }
+}
+
+impl SweepAndPrune {
+    /// The sweeps of a task, one for each of its blocks.
+    pub(super) fn sweeps<'a>(
+        &self,
+        k: usize,
+        (a, b): Sides<'a>,
+    ) -> impl Iterator<Item = Sweep<'a>> {
         let axes = self.axes;
         let (role, leaves, others, first) = match b {
             None => (Role::Only, a, a, k),
             Some(b) if k < n_tasks(a) => (Role::First, a, b, k),
             Some(b) => (Role::Second, b, a, k - n_tasks(a)),
         };
-        for block in first * TASK..((first + 1) * TASK).min(leaves.blocks().len()) {
-            let sweep = Sweep { axes, role, leaves, others: others.blocks(), block };
-            crate::simd::run_rows!(Forward { sweep, rows });
-        }
+        let blocks = first * TASK..((first + 1) * TASK).min(leaves.blocks().len());
+        blocks.map(move |block| Sweep { axes, role, leaves, others: others.blocks(), block })
     }
 }
 
@@ -103,17 +114,31 @@ pub enum Role {
 
 /// A block of leaves, and those that it is compared with.
 #[derive(Clone, Copy)]
-struct Sweep<'a> {
-    axes: [usize; 3],
-    role: Role,
-    leaves: &'a LeafBoxes,
-    others: &'a [Block],
-    block: usize,
+pub(super) struct Sweep<'a> {
+    pub axes: [usize; 3],
+    pub role: Role,
+    pub leaves: &'a LeafBoxes,
+    pub others: &'a [Block],
+    pub block: usize,
 }
 
 impl Sweep<'_> {
+    /// Lanes of the block that are leaves.
+    #[inline(always)]
+    pub fn lanes(&self) -> usize {
+        (self.leaves.len() - self.block * WIDTH).min(WIDTH)
+    }
+
+    /// Whether a leaf of the block ends before any of block `b` begins.
+    #[inline(always)]
+    pub fn is_past(&self, lane: usize, b: usize) -> bool {
+        let axis = self.axes[0];
+        let end = self.leaves.blocks()[self.block].max[axis].0[lane];
+        is_past(end, self.others[b].min[axis].0[0])
+    }
+
     /// The first block of the others in which one may begin inside these leaves.
-    fn start(&self) -> usize {
+    pub fn start(&self) -> usize {
         if self.role == Role::Only {
             return self.block;
         }
@@ -125,7 +150,7 @@ impl Sweep<'_> {
 
     /// Which lanes of block `b` leaf `lane` finds, of those that it overlaps.
     #[inline(always)]
-    fn finds<S: RowSimd>(&self, simd: S, lane: usize, b: usize) -> u32 {
+    pub fn finds<S: RowSimd>(&self, simd: S, lane: usize, b: usize) -> u32 {
         let axis = self.axes[0];
         if self.role == Role::Only {
             // In one order leaves that begin at one place come one after the other.
@@ -152,7 +177,7 @@ impl<S: RowSimd> Work<S> for Forward<'_, '_> {
         let [x, y, _] = sweep.axes;
         let block = &sweep.leaves.blocks()[sweep.block];
         let ends = simd.load(&block.max[x]);
-        let lanes = (1u32 << (sweep.leaves.len() - sweep.block * WIDTH).min(WIDTH)) - 1;
+        let lanes = (1u32 << sweep.lanes()) - 1;
         let mut b = sweep.start();
         while b < sweep.others.len() {
             let other = &sweep.others[b];

@@ -142,7 +142,11 @@ fn cloth_and_sphere() -> [Section; 2] {
         let pairs = Builder::NearestPair { limit: u32::MAX };
         let builders = [pairs, Builder::PLOC, Builder::SplitLists, Builder::Lbvh];
         let row = |b: Builder| (b.row().name.to_owned(), tree(b, Traversal::Half));
-        Section { what, ms, rows: builders.map(row).into(), figures: &[], plot: None }
+        let both = |b: Builder| {
+            (format!("{}, double recursion", b.row().name), tree(b, Traversal::DoubleRecursion))
+        };
+        let rows = builders.map(row).into_iter().chain([pairs, Builder::Lbvh].map(both)).collect();
+        Section { what, ms, rows, figures: &[], plot: None }
     })
 }
 

@@ -28,10 +28,10 @@ use ccd_core::model::method::{Builder, Traversal, TreeOptions, Volume};
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
 use statistics::statistics;
-#[cfg(feature = "catalogue")]
-use traversal::cut::Cut;
 use traversal::queries::Queries;
 use traversal::{Traverse, Trees};
+#[cfg(feature = "catalogue")]
+use traversal::{cut::Cut, double_recursion::DoubleRecursion};
 
 /// A tree per set that needs one, and what builds and traverses them.
 #[derive(Debug)]
@@ -151,6 +151,8 @@ fn traversal_of(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
         Traversal::LeafOrder | Traversal::Half => Box::new(Queries::new(choice)),
         #[cfg(feature = "catalogue")]
         Traversal::Recursive | Traversal::Iterative => Box::new(Queries::new(choice)),
+        #[cfg(feature = "catalogue")]
+        Traversal::DoubleRecursion => Box::new(DoubleRecursion),
         #[cfg(feature = "catalogue")]
         Traversal::Simultaneous(descent) => Box::new(Cut::new(1, descent)),
         #[cfg(feature = "catalogue")]

@@ -9,12 +9,15 @@
 //! | leaf order: in the order of leaves | |
 //! | half: leaves after its own | |
 //!
-//! Down the table each changes one thing in the one above it.
+//! Down the table each changes one thing in the one above it. In [`double_recursion`] a descent of
+//! one tree makes the queries of the other.
 
 #[cfg(feature = "catalogue")]
 mod binary_pairs;
 #[cfg(feature = "catalogue")]
 pub mod cut;
+#[cfg(feature = "catalogue")]
+pub mod double_recursion;
 pub mod queries;
 #[cfg(feature = "catalogue")]
 mod recursive;
