@@ -27,17 +27,24 @@ impl BodyOptions {
         self.bodies.as_deref()
     }
 
-    /// The bodies of a mesh, if any option speaks of them.
-    pub fn of(&self, mesh: &Mesh) -> Result<Option<Bodies>, Failure> {
-        if self.bodies.is_none() && !self.no_self_contact && self.fixed.is_empty() {
+    /// The bodies of a mesh, if any option speaks of them; of several objects, that of each vertex
+    /// and which stand still, unless a file has others.
+    pub fn of(
+        &self,
+        mesh: &Mesh,
+        objects: Option<(Vec<u32>, Vec<bool>)>,
+    ) -> Result<Option<Bodies>, Failure> {
+        let is_chosen = self.bodies.is_some() || self.no_self_contact || !self.fixed.is_empty();
+        if !is_chosen && objects.is_none() {
             return Ok(None);
         }
-        let of_vertex = match &self.bodies {
-            Some(path) => read(path, mesh.n_vertices())?,
-            None => parts(mesh),
+        let (of_vertex, mut fixed) = match (&self.bodies, objects) {
+            (Some(path), _) => (read(path, mesh.n_vertices())?, Vec::new()),
+            (None, Some(objects)) => objects,
+            (None, None) => (parts(mesh), Vec::new()),
         };
         let most = of_vertex.iter().max().copied();
-        let mut fixed = vec![false; most.map_or(0, |most| most as usize + 1)];
+        fixed.resize(most.map_or(0, |most| most as usize + 1), false);
         for &body in &self.fixed {
             match fixed.get_mut(body as usize) {
                 Some(fixed) => *fixed = true,

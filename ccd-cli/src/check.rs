@@ -1,15 +1,15 @@
 //! `ccd check`: contacts between two frames.
 
+use super::objects::{Files, Objects, mesh_of};
 use super::output::{self, Counts, MeshSize, TimesMs};
 use super::start::{self, Intersections};
 use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
 use ccd::any::{Error, Place, Session};
-use ccd::io::{Frame, MESH_EXTENSIONS, listed, read_frame};
-use ccd::{Front, Kind, Mesh};
+use ccd::io::{Frame, MESH_EXTENSIONS, listed};
+use ccd::{Front, Kind};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;
-use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -21,6 +21,10 @@ pub struct Check {
     /// The same mesh at the end of the step
     #[arg(value_name = "T1")]
     t1: PathBuf,
+    /// Another object: a file of what stands still, or two with a comma, its start and its end; may
+    /// be given several times. Every object is a body, the first one being 0
+    #[arg(long = "with", value_name = "B0[,B1]")]
+    others: Vec<Files>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted; `-` is
     /// standard output
     #[arg(long, value_name = "OUT.csv")]
@@ -59,12 +63,13 @@ impl Check {
         let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
         let listed = listed.transpose()?;
         let start = Instant::now();
-        let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
-        let mesh = mesh_of(&self.t0, &t0)?;
-        same_topology((&self.t0, &t0), (&self.t1, &t1))?;
+        let files = [Files::moving(&self.t0, &self.t1)].into_iter().chain(self.others.clone());
+        let objects = Objects::read(files.collect())?;
+        let (t0, t1) = (&objects.start, &objects.end);
+        let mesh = mesh_of(&self.t0, t0)?;
         let load = start.elapsed().as_secs_f64() * 1e3;
 
-        let mut session = self.options.session(mesh)?;
+        let mut session = self.options.session_of(mesh, objects.bodies())?;
         if session.options().scheduling.front != Front::Off {
             eprintln!(
                 "ccd: --front on changes nothing of one step: a front is what a step leaves for \
@@ -72,15 +77,16 @@ impl Check {
             );
         }
         if let Some(file) = listed {
-            list_candidates(&mut session, self.options.precision, &t0, &t1, file)?;
+            list_candidates(&mut session, self.options.precision, t0, t1, file)?;
         }
         let precision = self.options.precision;
-        step(&mut session, precision, (&self.t0, &t0), (&self.t1, &t1))?;
-        let start = look_at_start(&mut session, precision, &self.t0, &t0)?;
+        let place = |time, vertex| objects.place(time == 1, vertex);
+        step(&mut session, precision, [t0, t1], place)?;
+        let start = look_at_start(&mut session, precision, t0, place)?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         if let Some(mut file) = file {
-            let [x0, x1] = [&t0, &t1].map(|frame| self.options.precision.round(&frame.positions));
+            let [x0, x1] = [t0, t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
             file.contacts(None, &report.contacts, &step)?;
             file.done()?;
@@ -110,7 +116,7 @@ impl Check {
                 intersections_ms: start.ms,
             })?;
         } else if self.options.prints_text() && !self.lists_to_stdout() {
-            print(&session, &start, load, compilation);
+            print(&session, &objects, &start, load, compilation);
         }
         output::flush();
         Ok(contacts.total() > 0 || start.pairs > 0)
@@ -140,6 +146,7 @@ fn list_candidates(
 
 fn print(
     session: &Session,
+    objects: &Objects,
     start: &Intersections,
     load: f64,
     compilation: Option<ccd::gpu::Compilation>,
@@ -154,6 +161,7 @@ fn print(
             format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()),
         );
     }
+    objects.print();
     let candidates = Counts::from(report.candidates);
     output::line("candidates", format_args!("{candidates} (swept boxes overlap)"));
     output::line(
@@ -183,44 +191,51 @@ fn print(
     output::line("", parts);
 }
 
-/// Intersections of the frame that steps start from.
-pub fn look_at_start(
+/// Intersections of the frame that steps start from; `place` as of [`step`].
+pub fn look_at_start<'a>(
     session: &mut Session,
     precision: Precision,
-    path: &Path,
     frame: &Frame,
+    place: impl Fn(u32, usize) -> (&'a Path, usize),
 ) -> Result<Intersections, Failure> {
     let x = precision.round(&frame.positions);
-    Intersections::of(session, &x).map_err(|e| named(e.into(), precision, path, path))
+    Intersections::of(session, &x).map_err(|e| named(e.into(), precision, place))
 }
 
-/// One step between two frames; an error in coordinates names the file.
-pub fn step(
+/// One step between two frames; an error in coordinates names the file by `place`, which has that
+/// of a vertex at a time, and its number there.
+pub fn step<'a>(
     session: &mut Session,
     precision: Precision,
-    t0: (&Path, &Frame),
-    t1: (&Path, &Frame),
+    [t0, t1]: [&Frame; 2],
+    place: impl Fn(u32, usize) -> (&'a Path, usize),
 ) -> Result<(), Failure> {
     let result = match precision {
-        Precision::F64 => session.step(&t0.1.positions, &t1.1.positions).map(|_| ()),
-        Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
+        Precision::F64 => session.step(&t0.positions, &t1.positions).map(|_| ()),
+        Precision::F32 => session.step(&t0.positions_f32(), &t1.positions_f32()).map(|_| ()),
     };
-    result.map_err(|e| named(e, precision, t0.0, t1.0))
+    result.map_err(|e| named(e, precision, place))
 }
 
-/// An error of a step between two files, with the one that it is in.
-fn named(e: Error, precision: Precision, t0: &Path, t1: &Path) -> Failure {
+/// An error of a step, with the file that it is in.
+fn named<'a>(
+    e: Error,
+    precision: Precision,
+    place: impl Fn(u32, usize) -> (&'a Path, usize),
+) -> Failure {
     match e {
         Error::Input(ccd::Error::Coordinate { time, vertex, axis, value }) => {
             let name = ["x", "y", "z"][axis as usize];
             let precision = precision.name();
+            let (path, vertex) = place(time as u32, vertex as usize);
             let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
-            in_file(if time == 0 { t0 } else { t1 }, format_args!("{what} {precision}"))
+            in_file(path, format_args!("{what} {precision}"))
         }
         Error::Input(ccd::Error::FixedMoves { vertex }) => {
-            let (vertex, from) = (vertex + 1, t0.display());
+            let [(from, _), (path, vertex)] = [0, 1].map(|time| place(time, vertex as usize));
+            let (vertex, from) = (vertex + 1, from.display());
             let what = format!("vertex {vertex} (counted from 1) is not where it is in {from}");
-            in_file(t1, format_args!("{what}, and its body is --fixed"))
+            in_file(path, format_args!("{what}, and its body is --fixed"))
         }
         _ => e.into(),
     }
@@ -234,38 +249,4 @@ impl Precision {
             Precision::F32 => positions.iter().map(|p| p.map(|x| x as f32 as f64)).collect(),
         }
     }
-}
-
-/// An error that names the first difference in topology.
-pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failure> {
-    let ((path_a, a), (path_b, b)) = (a, b);
-    let counts = [
-        ("vertices", a.positions.len(), b.positions.len()),
-        ("faces", a.faces.len(), b.faces.len()),
-        ("edges", a.edges.len(), b.edges.len()),
-    ];
-    for (what, n_a, n_b) in counts {
-        if n_a != n_b {
-            return Err(in_file(
-                path_b,
-                format_args!("has {n_b} {what}, {} has {n_a}", path_a.display()),
-            ));
-        }
-    }
-    let other = other("triangle", &a.faces, &b.faces).or(other("edge", &a.edges, &b.edges));
-    other.map_or(Ok(()), |(what, [x, y])| {
-        let path_a = path_a.display();
-        Err(in_file(path_b, format_args!("{what} is {y}, in {path_a} it is {x}")))
-    })
-}
-
-/// The first element that two frames do not share: its name, and its vertices in each.
-fn other<T: PartialEq + Debug>(name: &str, a: &[T], b: &[T]) -> Option<(String, [String; 2])> {
-    let i = a.iter().zip(b).position(|(a, b)| a != b)?;
-    Some((format!("{name} {} (counted from 1)", i + 1), [&a[i], &b[i]].map(|v| format!("{v:?}"))))
-}
-
-/// The mesh of a frame with the path in its errors.
-pub fn mesh_of(path: &Path, frame: &Frame) -> Result<Mesh, Failure> {
-    frame.mesh().map_err(|e| in_file(path, e))
 }

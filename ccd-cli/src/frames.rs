@@ -1,8 +1,8 @@
 //! The frames of a sequence: files, folders and patterns, in the order of the numbers in their
 //! names; or one file of positions over time, with a mesh.
 
-use super::check::{mesh_of, same_topology};
 use super::files::has_extension;
+use super::objects::{mesh_of, same_topology};
 use super::{Failure, in_file};
 use ccd::Mesh;
 use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame};

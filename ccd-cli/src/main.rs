@@ -22,6 +22,7 @@ mod merge;
 mod mesh_file;
 mod method;
 mod named;
+mod objects;
 mod output;
 mod part;
 mod picture;
@@ -214,9 +215,18 @@ impl StepOptions {
 
     /// A session for a mesh where the options want it.
     fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
+        self.session_of(mesh, None)
+    }
+
+    /// The same of several objects: the body of each vertex, and which of them stand still.
+    fn session_of(
+        &self,
+        mesh: ccd::Mesh,
+        objects: Option<(Vec<u32>, Vec<bool>)>,
+    ) -> Result<ccd::any::Session, Failure> {
         let options = ccd::Options::default()
             .with_min_distance(self.min_distance)
-            .with_bodies(self.bodies.of(&mesh)?)
+            .with_bodies(self.bodies.of(&mesh, objects)?)
             .with_threads(self.threads)
             .with_max_memory(self.max_memory);
         let choice = self.backend.choose(mesh.edges().len())?;

@@ -67,8 +67,10 @@ impl Sequence {
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
         let precision = self.options.precision;
         let is_first = self.part.is_none_or(|part| part.index == 1);
-        let start = is_first
-            .then(|| check::look_at_start(&mut session, precision, &frames.name(0), &before));
+        let first = frames.name(0);
+        let start = is_first.then(|| {
+            check::look_at_start(&mut session, precision, &before, |_, vertex| (&first, vertex))
+        });
         let start = start.transpose()?;
         let bar = output::progress(todo.len(), "steps");
         let mut steps: Vec<Step> = Vec::new();
@@ -81,7 +83,9 @@ impl Sequence {
             let after = frames.next(&before, i + 1)?;
             load += start.elapsed().as_secs_f64() * 1e3;
             let [path_0, path_1] = [i, i + 1].map(|at| frames.name(at));
-            step(&mut session, precision, (&path_0, &before), (&path_1, &after))?;
+            let place =
+                |time: u32, vertex| (if time == 0 { path_0.as_path() } else { &path_1 }, vertex);
+            step(&mut session, precision, [&before, &after], place)?;
             let report = session.report();
             let row = Step {
                 frame: i,

@@ -148,9 +148,7 @@ impl Catalogued for Traversal {
             .about("In the order of leaves, each looking only at those after its own")
             .source("Karras 2012b"),
         Row::new(Self::DoubleRecursion, "double-recursion")
-            .about(
-                "One tree to a leaf, that leaf through the other tree, by one thread",
-            )
+            .about("One tree to a leaf, that leaf through the other tree, by one thread")
             .source("Tian and Wan")
             .on(CPU),
         Row::new(Self::SIMULTANEOUS, "simultaneous")
