@@ -227,12 +227,12 @@ fn named<'a>(
         Error::Input(ccd::Error::Coordinate { time, vertex, axis, value }) => {
             let name = ["x", "y", "z"][axis as usize];
             let precision = precision.name();
-            let (path, vertex) = place(time as u32, vertex as usize);
+            let (path, vertex) = place(time as u32, vertex);
             let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
             in_file(path, format_args!("{what} {precision}"))
         }
         Error::Input(ccd::Error::FixedMoves { vertex }) => {
-            let [(from, _), (path, vertex)] = [0, 1].map(|time| place(time, vertex as usize));
+            let [(from, _), (path, vertex)] = [0, 1].map(|time| place(time, vertex));
             let (vertex, from) = (vertex + 1, from.display());
             let what = format!("vertex {vertex} (counted from 1) is not where it is in {from}");
             in_file(path, format_args!("{what}, and its body is --fixed"))
