@@ -5,7 +5,7 @@ use super::files::has_extension;
 use super::objects::{mesh_of, same_topology};
 use super::{Failure, in_file};
 use ccd::Mesh;
-use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame};
+use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame, read_frame_as};
 use std::path::{Path, PathBuf};
 
 /// Source of frames.
@@ -73,7 +73,8 @@ impl Frames {
     /// The first frame of a part, and the mesh.
     pub fn first(&mut self, at: usize) -> Result<(Frame, Mesh), Failure> {
         let frame = match self {
-            Self::Files(files) => read_frame(&files[at])?,
+            Self::Files(files) if at == 0 => read_frame(&files[0])?,
+            Self::Files(files) => read_frame_as(&files[at], &read_frame(&files[0])?)?,
             Self::Cache { mesh, cache, .. } => {
                 Frame { positions: cache.frame(at)?, ..Frame::clone(mesh) }
             }
@@ -86,7 +87,7 @@ impl Frames {
     pub fn next(&mut self, before: &Frame, at: usize) -> Result<Frame, Failure> {
         match self {
             Self::Files(files) => {
-                let frame = read_frame(&files[at])?;
+                let frame = read_frame_as(&files[at], before)?;
                 same_topology((&files[at - 1], before), (&files[at], &frame))?;
                 Ok(frame)
             }

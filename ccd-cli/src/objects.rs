@@ -2,7 +2,7 @@
 
 use super::{Failure, in_file, output};
 use ccd::Mesh;
-use ccd::io::{Frame, read_frame};
+use ccd::io::{Frame, read_frame, read_frame_as};
 use std::convert::Infallible;
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
@@ -54,7 +54,7 @@ impl Objects {
             let start = read_frame(&files.start)?;
             mesh_of(&files.start, &start)?;
             if let Some(path) = &files.end {
-                let end = read_frame(path)?;
+                let end = read_frame_as(path, &start)?;
                 same_topology((&files.start, &start), (path, &end))?;
                 append(&mut all.end, &end);
             } else {

@@ -175,7 +175,7 @@ impl Reading<'_> {
         let mut vertices = Vec::new();
         for p in reader.read_positions().ok_or(outside)? {
             let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
-            vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame.positions));
+            vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame));
         }
         let order: Vec<u32> = match indices {
             None => vertices.clone(),

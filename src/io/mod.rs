@@ -76,6 +76,9 @@ pub struct Frame {
     pub edges: Vec<[u32; 2]>,
     /// For each triangle the face of the file that it is cut from, counted from 0.
     pub polygons: Vec<u32>,
+    /// For each vertex that the file has, in its order, the vertex that it became; empty where none
+    /// are merged.
+    pub merged: Vec<u32>,
 }
 
 impl Frame {
@@ -219,6 +222,27 @@ pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     };
     let checked = frame.and_then(|frame| frame.check().map(|()| frame));
     checked.map_err(|kind| ReadError { path: path.to_owned(), kind })
+}
+
+/// Reads another frame of the mesh of `first`. Vertices of STL and glTF files are merged as they are
+/// there, so that bodies which touch in one of the frames alone do not change the mesh.
+///
+/// ```no_run
+/// use ccd::io::{read_frame, read_frame_as};
+///
+/// let before = read_frame("before.stl".as_ref())?;
+/// let after = read_frame_as("after.stl".as_ref(), &before)?;
+/// assert_eq!(before.faces, after.faces);
+/// # Ok::<(), ccd::io::ReadError>(())
+/// ```
+///
+/// # Errors
+/// As [`read_frame`]; [`ReadErrorKind::Element`] with a vertex that was at the place of another one
+/// in `first`, and is not here. A frame of another mesh is no error, and has its own topology.
+pub fn read_frame_as(path: &Path, first: &Frame) -> Result<Frame, ReadError> {
+    let frame = read_frame(path)?;
+    let merged = weld::merged_as(frame, first);
+    merged.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
 /// What the name of a file ends in, in lower case.

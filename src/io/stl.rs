@@ -43,7 +43,7 @@ fn binary(triangles: &[u8]) -> Frame {
         };
         // A normal comes first.
         let corner = |k: usize| [0, 4, 8].map(|axis| number(12 + 12 * k + axis));
-        let corners = [0, 1, 2].map(|k| weld.vertex(corner(k), &mut frame.positions));
+        let corners = [0, 1, 2].map(|k| weld.vertex(corner(k), &mut frame));
         frame.push_polygon(&corners);
     }
     frame
@@ -76,7 +76,7 @@ fn text(text: &str) -> Result<Frame, ReadErrorKind> {
                         quote(line.trim())
                     )));
                 }
-                corners.push(weld.vertex(position, &mut frame.positions));
+                corners.push(weld.vertex(position, &mut frame));
             }
             "endloop" if in_facet => {}
             "endfacet" if in_facet => {

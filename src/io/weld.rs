@@ -1,5 +1,7 @@
-//! Vertices that have exactly the same position become one.
+//! Vertices that have exactly the same position become one; in a later frame of the same mesh, those
+//! that became one in the first.
 
+use super::{Frame, ReadErrorKind};
 use std::collections::HashMap;
 
 /// Positions seen so far, by their bits; both zeros are one.
@@ -9,12 +11,42 @@ pub(super) struct Weld {
 }
 
 impl Weld {
-    /// The vertex at a position, which is appended to `positions` if there is none yet.
-    pub fn vertex(&mut self, position: [f64; 3], positions: &mut Vec<[f64; 3]>) -> u32 {
+    /// The vertex at a position, which is appended to the frame if there is none yet.
+    pub fn vertex(&mut self, position: [f64; 3], frame: &mut Frame) -> u32 {
         let bits = position.map(|x| (x + 0.0).to_bits());
-        *self.seen.entry(bits).or_insert_with(|| {
-            positions.push(position);
-            positions.len() as u32 - 1
-        })
+        let vertex = *self.seen.entry(bits).or_insert_with(|| {
+            frame.positions.push(position);
+            frame.positions.len() as u32 - 1
+        });
+        frame.merged.push(vertex);
+        vertex
     }
+}
+
+/// The frame with the vertices of `first`. As it is, if it is not of the same mesh: then its
+/// topology tells it.
+pub(super) fn merged_as(mut frame: Frame, first: &Frame) -> Result<Frame, ReadErrorKind> {
+    if first.merged.is_empty() || frame.merged.len() != first.merged.len() {
+        return Ok(frame);
+    }
+    let mut positions: Vec<Option<[f64; 3]>> = vec![None; first.positions.len()];
+    for (at, (&of_first, &own)) in first.merged.iter().zip(&frame.merged).enumerate() {
+        let position = frame.positions[own as usize];
+        if *positions[of_first as usize].get_or_insert(position) != position {
+            let what = "was at the place of another one in the first frame, which made them one \
+                        vertex, and is not here: use a format that keeps vertices (PLY, OBJ)";
+            return Err(ReadErrorKind::Element { element: "vertex", at, what: what.into() });
+        }
+    }
+    let positions: Vec<[f64; 3]> = positions.into_iter().flatten().collect();
+    let same = |a: u32, b: u32| frame.positions.get(a as usize) == positions.get(b as usize);
+    let faces = frame.faces.iter().flatten().zip(first.faces.iter().flatten());
+    let edges = frame.edges.iter().flatten().zip(first.edges.iter().flatten());
+    let counts = |frame: &Frame| [frame.faces.len(), frame.edges.len()];
+    if counts(&frame) == counts(first) && faces.chain(edges).all(|(&a, &b)| same(a, b)) {
+        let Frame { faces, edges, merged, .. } = first;
+        (frame.faces, frame.edges) = (faces.clone(), edges.clone());
+        (frame.merged, frame.positions) = (merged.clone(), positions);
+    }
+    Ok(frame)
 }

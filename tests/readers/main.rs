@@ -8,7 +8,7 @@ mod over_time;
 mod refused;
 mod texts;
 
-use ccd::io::{Frame, read_frame};
+use ccd::io::{Frame, read_frame, read_frame_as};
 use std::path::{Path, PathBuf};
 
 fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
@@ -154,4 +154,39 @@ fn integers_of_queries_are_not_too_long() {
     assert_eq!(read(row(300).repeat(8)).unwrap().queries.len(), 1);
     let error = read(row(1_000_000).repeat(8)).unwrap_err();
     assert!(error.contains("has more than 4096 digits"), "{error}");
+}
+
+/// Two triangles with a side in common, and a body beside them, `gap` away at one corner.
+fn stl_with_gap(gap: f64) -> String {
+    let facet = |corners: [[f64; 3]; 3]| {
+        let line = |[x, y, z]: [f64; 3]| format!("vertex {x} {y} {z}\n");
+        format!("facet normal 0 0 1\nouter loop\n{}endloop\nendfacet\n", corners.map(line).concat())
+    };
+    let (a, b, c, d) = ([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]);
+    let body = [[1.0, 1.0, 0.5 + gap], [2.0, 1.0, 3.0], [1.0, 2.0, 3.0]];
+    format!("solid\n{}{}{}endsolid\n", facet([a, b, c]), facet([c, b, d]), facet(body))
+}
+
+#[test]
+fn a_later_frame_is_merged_as_the_first() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = |name: &str, gap: f64| write(dir.path(), name, stl_with_gap(gap).as_bytes());
+    let (apart, touching) = (file("apart.stl", 0.5), file("touching.stl", 0.0));
+    let first = read_frame(&apart).unwrap();
+    assert_eq!(first.merged, [0, 1, 2, 2, 1, 3, 4, 5, 6]);
+    let alone = read_frame(&touching).unwrap();
+    assert_eq!((alone.positions.len(), first.positions.len()), (6, 7));
+    let later = read_frame_as(&touching, &first).unwrap();
+    assert_eq!((&later.faces, &later.merged), (&first.faces, &first.merged));
+    assert_eq!(later.positions[3], later.positions[4]);
+    assert_eq!(later.positions[4], [1.0, 1.0, 0.5]);
+    // What the first frame made one vertex cannot come apart.
+    let why = read_frame_as(&apart, &alone).unwrap_err().to_string();
+    assert!(why.contains("apart.stl: vertex 7 (counted from 1): was at the place"), "{why}");
+    // Another mesh stays what it is, also with as many vertices in its file.
+    let text = stl_with_gap(0.5).replacen("vertex 0 1 0", "vertex 0 0 0", 1);
+    let other = write(dir.path(), "other.stl", text.as_bytes());
+    assert_eq!(read_frame_as(&other, &first).unwrap_err().path, other);
+    let off = write(dir.path(), "other.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    assert_eq!(read_frame_as(&off, &first).unwrap(), read_frame(&off).unwrap());
 }

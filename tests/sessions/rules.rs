@@ -5,7 +5,7 @@ use super::found::Found;
 use ccd::scenes::Random;
 use ccd::{
     Bodies, BroadPhaseMethod, Coordinate, Error, Groups, Kind, Mesh, Options, Pair, Pipeline,
-    Session, TriangleOptions,
+    Session, TriangleOptions, Volume,
 };
 use std::cell::Cell;
 
@@ -121,7 +121,16 @@ fn check_rules<T: Coordinate>(n: usize) {
             for (k, pipeline) in pipelines().into_iter().enumerate() {
                 let options = base.clone().with_threads(1 + (which as usize + k) % 2);
                 let options = options.with_bodies(bodies.clone()).with_broad_phase(method);
-                let got = run(options.with_pipeline(pipeline));
+                let mut got = run(options.with_pipeline(pipeline));
+                let is_oriented =
+                    matches!(method, BroadPhaseMethod::Tree(tree) if tree.volume == Volume::Obb);
+                if is_oriented && pipeline != Pipeline::Features {
+                    // Boxes of triangles leave the filters fewer pairs.
+                    for (got, want) in got.iter_mut().zip(&want) {
+                        assert!(got.filtered.total() <= want.filtered.total(), "{method:?}");
+                        got.filtered = want.filtered;
+                    }
+                }
                 assert!(got == want, "{n}, rules {which}, {method:?}, {pipeline:?}");
             }
         }
