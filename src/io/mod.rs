@@ -224,8 +224,8 @@ pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     checked.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
-/// Reads another frame of the mesh of `first`. Vertices of STL and glTF files are merged as they are
-/// there, so that bodies which touch in one of the frames alone do not change the mesh.
+/// Reads another frame of the mesh of `first`. Vertices of STL and glTF files are merged as they
+/// are there, so that bodies which touch in one of the frames alone do not change the mesh.
 ///
 /// ```no_run
 /// use ccd::io::{read_frame, read_frame_as};

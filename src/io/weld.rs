@@ -1,5 +1,5 @@
-//! Vertices that have exactly the same position become one; in a later frame of the same mesh, those
-//! that became one in the first.
+//! Vertices that have exactly the same position become one; in a later frame of the same mesh,
+//! those that became one in the first.
 
 use super::{Frame, ReadErrorKind};
 use std::collections::HashMap;
