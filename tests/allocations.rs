@@ -42,14 +42,14 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocations of each of 40 steps after 12 to warm up.
+/// Allocations of each of 24 steps after 12 to warm up.
 fn count(
     threads: usize,
     broad_phase: BroadPhaseMethod,
     pipeline: Pipeline,
     scheduling: Scheduling,
 ) -> Vec<usize> {
-    let step = crumpled_sheet(30, 1);
+    let step = crumpled_sheet(20, 1);
     let options = Options::default()
         .with_threads(threads)
         .with_broad_phase(broad_phase)
@@ -72,7 +72,7 @@ fn count(
     for i in 0..12 {
         one(&mut session, i);
     }
-    (12..52).map(|i| one(&mut session, i)).collect()
+    (12..36).map(|i| one(&mut session, i)).collect()
 }
 
 fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
@@ -121,7 +121,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
     if is_small || scheduling.front != Front::Off {
         return;
     }
-    let sheet = crumpled_sheet(150, 1);
+    let sheet = crumpled_sheet(90, 1);
     let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
     let side = x.len().isqrt();
     // A bowl, of which nothing touches anything.

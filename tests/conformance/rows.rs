@@ -5,7 +5,7 @@ use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
 use ccd::{
-    BroadPhaseMethod, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
+    BroadPhaseMethod, Builder, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
     TriangleOptions, Volume,
 };
 use ccd_testkit::methods::{differences, is_near_default};
@@ -16,7 +16,7 @@ pub const WGSL: &str = "gpu-wgsl";
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
 
-/// Brute force over more boxes is left out there.
+/// Brute force over more boxes is left out there, and the tree by nearest pairs.
 const MAX_BOXES_EMULATED: usize = 10_000;
 
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
@@ -45,12 +45,17 @@ pub fn methods(
             usual.contains(method) || backend == "cpu" && *method == BroadPhaseMethod::UniformGrid
         }
         _ if emulated && place == WGSL => usual.contains(method),
-        Source::Boxes(make) if emulated && *method == BroadPhaseMethod::BruteForce => {
-            make().len() <= MAX_BOXES_EMULATED
-        }
+        Source::Boxes(make) if emulated && is_slow(*method) => make().len() <= MAX_BOXES_EMULATED,
         _ => !emulated || has_a_row(*method),
     };
     ccd::every(backend).filter(|method| whole || chosen(method)).collect()
+}
+
+/// Whether a method takes the square of the number of boxes, or waits for one thread of a GPU.
+fn is_slow(method: BroadPhaseMethod) -> bool {
+    let nearest_pair = |tree: TreeOptions| matches!(tree.builder, Builder::NearestPair { .. });
+    method == BroadPhaseMethod::BruteForce
+        || matches!(method, BroadPhaseMethod::Tree(tree) if nearest_pair(tree))
 }
 
 /// Whether a method is no tree, or the default one but for one choice; or another traversal of

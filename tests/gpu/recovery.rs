@@ -160,12 +160,13 @@ fn check_sessions(device: &Device) {
         }
         let options = Options::default().with_scheduling(scheduling);
         check(&small, options.clone().with_broad_phase(aabb), &of_small, 0);
-        // Blocks and triangles with every third scheduling, where a GPU is emulated.
+        // Blocks and triangles with every sixth scheduling, where a GPU is emulated.
         let emulated = device.info().adapter.device_type == DeviceType::Cpu;
-        if i % 3 == 1 || !emulated {
+        if i % 6 == 1 || !emulated {
             check(&of_blocks, options.clone(), &of_large, 0);
-            let options = options.with_broad_phase(if i % 2 == 0 { obb } else { aabb });
-            check(&small, options.with_pipeline(triangles), &of_triangles, i % 2 + 1);
+            let k = (i + i / 6) % 2;
+            let options = options.with_broad_phase([obb, aabb][k]);
+            check(&small, options.with_pipeline(triangles), &of_triangles, k + 1);
         }
     }
     let stacks = Traversal::CutStacks { nodes: 8, descent: Descent::Larger };

@@ -146,7 +146,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(400, 2))]
+    #![proptest_config(config(200, 2))]
 
     #[test]
     fn queries_agree_with_exact_arithmetic(t0 in points(), t1 in points()) {

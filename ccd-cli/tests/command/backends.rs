@@ -14,7 +14,7 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
         let value = json(&ccd(&[args, &["--json", "--contacts", csv]].concat()));
         (value, std::fs::read_to_string(csv).unwrap())
     };
-    for precision in ["f32", "f64"] {
+    for (precision, shaders) in [("f32", &["--shaders", "wgsl"][..]), ("f64", &[])] {
         let check = ["check", a.as_str(), &b];
         let by_triangles =
             [&check[..], &["--pipeline", "triangles", "--free-regions", "on"]].concat();
@@ -25,28 +25,25 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
             let (cpu, want) = rows(&[&args[..], &["--backend", "cpu"]].concat());
             assert!(want.lines().count() > 20, "{want}");
             assert_eq!((&cpu["backend"], &cpu["adapter"]), (&"cpu".into(), &Value::Null));
-            for shaders in [&[][..], &["--shaders", "wgsl"]] {
-                let (gpu, found) = rows(&[&args[..], &["--backend", "gpu"], shaders].concat());
-                let wgsl =
-                    json(&ccd(&[&["info", "--json"], shaders].concat()))["shaders"] == "wgsl";
-                check_same_contacts(&found, &want, wgsl, &format!("{args:?} {shaders:?}"));
-                assert_eq!((&gpu["backend"], &gpu["threads"]), (&"gpu".into(), &Value::Null));
-                assert!(!gpu["adapter"].as_str().unwrap().is_empty());
-                for key in ["contacts", "candidates", "undecided"] {
-                    assert_eq!(gpu[key], cpu[key], "{key}");
-                }
-                let step = |of: &Value| of["steps"].get(1).unwrap_or(of).clone();
-                let (gpu, cpu) = (step(&gpu), step(&cpu));
-                assert_eq!(gpu["triangles"], cpu["triangles"]);
-                for part in ["build", "traverse", "narrow"] {
-                    let ms = [&gpu, &cpu].map(|of| of["times_ms"][part].is_number());
-                    assert_eq!(ms, [false, true], "{part}: {gpu}");
-                    assert!(gpu["times_ms"].get(part).is_some(), "{gpu}");
-                }
-                let kept = [&gpu, &cpu].map(|of| of["front"]["pairs"].as_u64());
-                let is_kept = command.contains(&"--front");
-                assert!(kept.iter().all(|kept| (*kept > Some(0)) == is_kept), "{gpu} {cpu}");
+            let (gpu, found) = rows(&[&args[..], &["--backend", "gpu"], shaders].concat());
+            let wgsl = json(&ccd(&[&["info", "--json"], shaders].concat()))["shaders"] == "wgsl";
+            check_same_contacts(&found, &want, wgsl, &format!("{args:?} {shaders:?}"));
+            assert_eq!((&gpu["backend"], &gpu["threads"]), (&"gpu".into(), &Value::Null));
+            assert!(!gpu["adapter"].as_str().unwrap().is_empty());
+            for key in ["contacts", "candidates", "undecided"] {
+                assert_eq!(gpu[key], cpu[key], "{key}");
             }
+            let step = |of: &Value| of["steps"].get(1).unwrap_or(of).clone();
+            let (gpu, cpu) = (step(&gpu), step(&cpu));
+            assert_eq!(gpu["triangles"], cpu["triangles"]);
+            for part in ["build", "traverse", "narrow"] {
+                let ms = [&gpu, &cpu].map(|of| of["times_ms"][part].is_number());
+                assert_eq!(ms, [false, true], "{part}: {gpu}");
+                assert!(gpu["times_ms"].get(part).is_some(), "{gpu}");
+            }
+            let kept = [&gpu, &cpu].map(|of| of["front"]["pairs"].as_u64());
+            let is_kept = command.contains(&"--front");
+            assert!(kept.iter().all(|kept| (*kept > Some(0)) == is_kept), "{gpu} {cpu}");
         }
     }
     // A refusal of the input is the same refusal, with the file's name.
