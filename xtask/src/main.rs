@@ -168,6 +168,9 @@ struct SchedulersOptions {
     /// Leave the GPU out
     #[arg(long, requires = "schedulers")]
     no_gpu: bool,
+    /// Only the table over the number of workers of the GPU
+    #[arg(long, requires = "schedulers", conflicts_with = "no_gpu")]
+    workers: bool,
     /// The folder with SCHEDULING.md and the folder of plots, scheduling
     #[arg(long, requires = "schedulers", default_value = "docs")]
     folder: std::path::PathBuf,

@@ -10,6 +10,7 @@ mod plot;
 mod rules;
 mod scenes;
 mod tables;
+mod workers;
 
 use crate::SchedulersOptions;
 use crate::cells::Cells;
@@ -41,6 +42,12 @@ pub fn run(root: &Path, options: &SchedulersOptions, mut cells: Cells) -> Result
     let cpus = options.threads.iter().map(|&threads| Place::Cpu { threads });
     let gpu = if options.no_gpu { None } else { Place::gpu() };
     let places: Vec<Place> = cpus.chain(gpu).collect();
+    let of_workers = workers::table(&scenes, &places, effort, &mut cells)?;
+    if options.workers {
+        let tables = [("workers", of_workers)];
+        let is_whole = cells.are_complete();
+        return if is_whole { rewrite(&folder.join("SCHEDULING.md"), &tables) } else { Ok(()) };
+    }
     let mut all = Vec::new();
     for scene in &scenes {
         let measured = Results::of(scene, &places, effort, &mut cells)?;
@@ -64,6 +71,7 @@ pub fn run(root: &Path, options: &SchedulersOptions, mut cells: Cells) -> Result
         ("machine", machine),
         ("summary", tables::summary(&all, &names)),
         ("speedup", tables::speedup(&all, &places)),
+        ("workers", of_workers),
         ("fronts", tables::fronts(&all)),
         ("times", tables::times(&all, &names)),
         ("shares", tables::shares(&all, &shown)),

@@ -9,13 +9,13 @@ use ccd::Volume;
 use std::fmt::Write;
 
 /// Trees with boxes along the axes.
-const TREE: Structure = Structure::Tree(Volume::Aabb);
+pub const TREE: Structure = Structure::Tree(Volume::Aabb);
 /// The dissertation's own scheduler and the one it is compared with, as it has them.
-const LAZY: &str = "lazy-stealing, front";
-const BALANCED: &str = "balanced, front";
+pub const LAZY: &str = "lazy-stealing, front";
+pub const BALANCED: &str = "balanced, front";
 
 /// Three significant digits, down to the microsecond.
-fn ms(cell: Option<&Measured>) -> String {
+pub fn ms(cell: Option<&Measured>) -> String {
     cell.map_or(String::new(), |m| match m.ms() {
         few if few < 0.1 => format!("{few:.3}"),
         ms => digits(ms),
