@@ -95,6 +95,16 @@ pub fn rewrite(path: &Path, tables: &[(&str, String)]) -> Result<(), String> {
     Ok(())
 }
 
+/// Writes one table of such a file that stands for itself: no other is compared with it.
+#[cfg(feature = "report")]
+pub fn rewrite_alone(path: &Path, name: &str, table: &str) -> Result<(), String> {
+    let failed = |e: std::io::Error| format!("{}: {e}", path.display());
+    let text = std::fs::read_to_string(path).map_err(failed)?;
+    std::fs::write(path, replaced(&text, name, table)?).map_err(failed)?;
+    println!("written {}", path.display());
+    Ok(())
+}
+
 /// Three significant digits.
 pub fn digits(x: f64) -> String {
     let places = (2 - x.abs().max(1e-9).log10().floor() as i32).clamp(0, 4) as usize;

@@ -10,7 +10,7 @@ mod pipelines;
 mod scenes;
 
 use crate::cells::Cells;
-use crate::markdown::{Table, digits, rewrite};
+use crate::markdown::{Table, digits, rewrite, rewrite_alone};
 use crate::measure::{Place, median, timed};
 use crate::plot::Bars;
 use ccd::{
@@ -75,8 +75,8 @@ pub fn run(root: &Path, mut cells: Cells) -> Result<(), String> {
 
 /// Rewrites the tables of divergence alone, which no machine changes.
 pub fn divergence(root: &Path) -> Result<(), String> {
-    let tables = [("divergence", divergence::tables(&scenes::all()?)?)];
-    rewrite(&root.join("docs/ALGORITHMS.md"), &tables)
+    let table = divergence::tables(&scenes::all()?)?;
+    rewrite_alone(&root.join("docs/ALGORITHMS.md"), "divergence", &table)
 }
 
 /// A tree of these.

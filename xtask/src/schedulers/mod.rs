@@ -14,7 +14,7 @@ mod workers;
 
 use crate::SchedulersOptions;
 use crate::cells::Cells;
-use crate::markdown::rewrite;
+use crate::markdown::{rewrite, rewrite_alone};
 use crate::measure::Place;
 use ccd::{Pipeline, Scheduling, Volume};
 use measure::{Effort, Measured, Structure, WARM, WATCHED};
@@ -44,9 +44,9 @@ pub fn run(root: &Path, options: &SchedulersOptions, mut cells: Cells) -> Result
     let places: Vec<Place> = cpus.chain(gpu).collect();
     let of_workers = workers::table(&scenes, &places, effort, &mut cells)?;
     if options.workers {
-        let tables = [("workers", of_workers)];
+        let path = folder.join("SCHEDULING.md");
         let is_whole = cells.are_complete();
-        return if is_whole { rewrite(&folder.join("SCHEDULING.md"), &tables) } else { Ok(()) };
+        return if is_whole { rewrite_alone(&path, "workers", &of_workers) } else { Ok(()) };
     }
     let mut all = Vec::new();
     for scene in &scenes {
