@@ -133,5 +133,5 @@ pub use ccd_core::{
 };
 pub use ccd_cpu::{
     BroadPhase, BroadPhaseTimes, Candidates, Intersection, MAX_LOOSENESS, Pairs, Session,
-    earliest_toi, intersections, near_at_rest, step,
+    earliest_toi, instruction_set, intersections, near_at_rest, step,
 };

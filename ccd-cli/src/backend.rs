@@ -18,15 +18,19 @@ const SHADERS: Choices<gpu::Path, 2> = [
     ("wgsl", "WGSL, every GPU API", gpu::Path::Wgsl),
 ];
 
+/// Heading of these options in the help.
+pub const PLACE: &str = "Where it runs";
+
 /// Options of every command that can use a GPU.
 #[derive(Args)]
 pub struct AdapterOptions {
-    /// Use this GPU, whatever it is and however small the mesh: its number in `ccd info`, its PCI
-    /// id or a part of its name
-    #[arg(long, value_name = "GPU")]
+    /// Use this GPU: its number in `ccd info`, or a part of its name
+    ///
+    /// Or its PCI id. Whatever it is and however small the mesh. It is an error if it is not there.
+    #[arg(long, value_name = "GPU", help_heading = PLACE)]
     adapter: Option<String>,
     /// How shaders reach the driver; without it the first that is possible
-    #[arg(long, value_parser = choice(SHADERS))]
+    #[arg(long, value_parser = choice(SHADERS), hide_short_help = true, help_heading = PLACE)]
     shaders: Option<gpu::Path>,
 }
 
@@ -34,6 +38,11 @@ impl AdapterOptions {
     fn of_device(&self) -> DeviceOptions {
         let (adapter, path, kernel_folder) = (self.adapter.clone(), self.shaders, kernel_folder());
         DeviceOptions { adapter, path, narrow: false, kernel_folder }
+    }
+
+    /// Whether one GPU and no other is wanted.
+    pub fn is_named(&self) -> bool {
+        self.adapter.is_some()
     }
 
     /// The device, or why there is none.
@@ -81,7 +90,8 @@ pub fn print_compilation(compilation: Option<Compilation>) {
 #[derive(Args)]
 pub struct BackendOptions {
     /// What runs the work
-    #[arg(long, value_parser = choice(BACKENDS), default_value = "auto")]
+    #[arg(short, long, value_parser = choice(BACKENDS), default_value = "auto")]
+    #[arg(help_heading = PLACE)]
     backend: Backend,
     #[command(flatten)]
     adapter: AdapterOptions,
@@ -90,11 +100,16 @@ pub struct BackendOptions {
 impl BackendOptions {
     /// Chooses. `size`: edges of the mesh, or boxes.
     pub fn choose(&self, size: usize) -> Result<Choice, Failure> {
-        if self.backend == Backend::Cpu && self.adapter.adapter.is_some() {
+        if self.backend == Backend::Cpu && self.adapter.is_named() {
             return Err(Failure("--adapter names a GPU, --backend cpu uses none".into()));
         }
         let choice = self.backend.choose_with(size, &self.adapter.of_device());
-        let choice = choice.map_err(|e| Failure(format!("--backend gpu: {e}")))?;
-        Ok(choice.with_notice(|why| eprintln!("ccd: {why}; going on with the CPU")))
+        let option = if self.adapter.is_named() { "--adapter" } else { "--backend gpu" };
+        let choice = choice.map_err(|e| Failure(format!("{option}: {e}")))?;
+        Ok(choice.with_notice(|why| match why {
+            // Most machines have none; `ccd info` says why.
+            gpu::Error::Unavailable { .. } => output::notice!("no GPU (`ccd info`)"),
+            _ => output::notice!("{why}; going on with the CPU"),
+        }))
     }
 }

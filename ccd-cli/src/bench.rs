@@ -109,7 +109,7 @@ impl Bench {
         // The choice stands: numbers of two backends must not mix.
         let choice = self.backend.choose(usize::MAX)?.fixed();
         let place = BroadPhase::new(&choice, self.threads, BroadPhaseMethod::Blocks)?.place();
-        let machine = machine();
+        let machine = output::processor();
         if !self.json {
             output::line("machine", &machine);
             output::line("runs on", &place);
@@ -323,17 +323,6 @@ struct Timed {
 fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
     times.sort_unstable_by(f64::total_cmp);
     Some((*times.get(times.len() / 2)?, *times.first()?))
-}
-
-/// The processor, as Linux names it; elsewhere its architecture.
-fn machine() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = text
-        .lines()
-        .find(|l| l.starts_with("model name"))
-        .and_then(|l| l.split_once(':'))
-        .map(|(_, name)| name.trim().to_string());
-    name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
 }
 
 /// A session or broad phase that a device can time.

@@ -1,6 +1,6 @@
 //! Bodies of vertices, and which of them do not move.
 
-use super::{Failure, in_file};
+use super::{Failure, INPUT, QUESTION, in_file};
 use ccd::{Bodies, Mesh};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -8,16 +8,19 @@ use std::path::{Path, PathBuf};
 /// Options that select pairs by the bodies of their features.
 #[derive(Args)]
 pub struct BodyOptions {
-    /// The body of each vertex: whole numbers from 0, separated by white space or commas. Without
-    /// it the connected parts of the mesh are the bodies, numbered in the order of their first
-    /// vertices
-    #[arg(long, value_name = "FILE")]
+    /// The body of each vertex, as whole numbers from 0
+    ///
+    /// Separated by white space or commas. Without it the connected parts of the mesh are the
+    /// bodies, numbered in the order of their first vertices.
+    #[arg(long, value_name = "FILE", help_heading = INPUT)]
     bodies: Option<PathBuf>,
     /// Leave out contacts within one body
-    #[arg(long)]
+    #[arg(long, help_heading = QUESTION)]
     no_self_contact: bool,
-    /// Bodies that do not move: contacts between two of them are left out
-    #[arg(long, value_name = "BODY", value_delimiter = ',')]
+    /// Bodies that do not move
+    ///
+    /// Contacts between two of them are left out.
+    #[arg(long, value_name = "BODY", value_delimiter = ',', help_heading = INPUT)]
     fixed: Vec<u32>,
 }
 

@@ -3,10 +3,13 @@
 use super::objects::{Files, Objects, mesh_of};
 use super::output::{self, Counts, MeshSize, TimesMs};
 use super::start::{self, Intersections};
-use super::{Failure, Outcome, Precision, StepOptions, backend, files, in_file, picture, rows};
+use super::{
+    Failure, INPUT, OUTPUT, Outcome, Precision, QUESTION, StepOptions, backend, files, in_file,
+    picture, rows,
+};
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, MESH_EXTENSIONS, listed};
-use ccd::{Front, Kind};
+use ccd::{Contact, Front, Kind};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -21,16 +24,23 @@ pub struct Check {
     /// The same mesh at the end of the step
     #[arg(value_name = "T1")]
     t1: PathBuf,
-    /// Another object: a file of what stands still, or two with a comma, its start and its end; may
-    /// be given several times. Every object is a body, the first one being 0
-    #[arg(long = "with", value_name = "B0[,B1]")]
+    /// Another object: a file if it stands still, else two with a comma
+    ///
+    /// Its start and its end. May be given several times. Every object is a body, the first one
+    /// being 0.
+    #[arg(short = 'w', long = "with", value_name = "B0[,B1]", help_heading = INPUT)]
     others: Vec<Files>,
-    /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted; `-` is
-    /// standard output
-    #[arg(long, value_name = "OUT.csv")]
+    /// Only contacts that exist at some time from A to B in [0, 1]
+    #[arg(long, value_name = "A,B", value_parser = window, help_heading = QUESTION)]
+    window: Option<[f64; 2]>,
+    /// Write and draw only the N contacts with the least times
+    #[arg(long, value_name = "N", help_heading = OUTPUT)]
+    earliest: Option<usize>,
+    /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
+    #[arg(long, value_name = "OUT.csv", hide_short_help = true, help_heading = OUTPUT)]
     candidates: Option<PathBuf>,
     /// What the picture shows
-    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
+    #[arg(long, value_enum, default_value_t = picture::Zoom::All, help_heading = OUTPUT)]
     zoom: picture::Zoom,
     #[command(flatten)]
     pub options: StepOptions,
@@ -71,9 +81,9 @@ impl Check {
 
         let mut session = self.options.session_of(mesh, objects.bodies())?;
         if session.options().scheduling.front != Front::Off {
-            eprintln!(
-                "ccd: --front on changes nothing of one step: a front is what a step leaves for \
-                 the next, as of `ccd sequence`"
+            output::notice!(
+                "--front on changes nothing of one step: a front is what a step leaves for the \
+                 next, as of `ccd sequence`"
             );
         }
         if let Some(file) = listed {
@@ -81,20 +91,22 @@ impl Check {
         }
         let precision = self.options.precision;
         let place = |time, vertex| objects.place(time == 1, vertex);
-        step(&mut session, precision, [t0, t1], place)?;
+        let window = self.window.unwrap_or([0.0, 1.0]);
+        step(&mut session, precision, [t0, t1], window, place)?;
         let start = look_at_start(&mut session, precision, t0, place)?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
+        let shown = self.shown(&report.contacts);
         if let Some(mut file) = file {
             let [x0, x1] = [t0, t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
-            file.contacts(None, &report.contacts, &step)?;
+            file.contacts(None, &shown, &step)?;
             file.done()?;
         }
         if let Some(path) = &self.options.picture {
             let title = output::title(&[&self.t0, &self.t1], &session.place());
             let x = [&t0.positions[..], &t1.positions];
-            let (contacts, zoom) = (&report.contacts, self.zoom);
+            let (contacts, zoom) = (&shown[..], self.zoom);
             let (title, min_distance) = (&title[..], self.options.min_distance);
             let scene = picture::Scene { title, mesh, x, contacts, min_distance, zoom };
             picture::write(path, &scene)?;
@@ -120,6 +132,16 @@ impl Check {
         }
         output::flush();
         Ok(contacts.total() > 0 || start.pairs > 0)
+    }
+
+    /// The contacts that are written and drawn.
+    fn shown<'a>(&self, contacts: &'a [Contact]) -> Cow<'a, [Contact]> {
+        let Some(n) = self.earliest else { return Cow::Borrowed(contacts) };
+        let mut all = contacts.to_vec();
+        // Stable: equal times keep their order.
+        all.sort_by(|a, b| a.toi.total_cmp(&b.toi));
+        all.truncate(n);
+        Cow::Owned(all)
     }
 
     fn lists_to_stdout(&self) -> bool {
@@ -202,17 +224,26 @@ pub fn look_at_start<'a>(
     Intersections::of(session, &x).map_err(|e| named(e.into(), precision, place))
 }
 
-/// One step between two frames; an error in coordinates names the file by `place`, which has that
-/// of a vertex at a time, and its number there.
+/// Two parts of a step, with a comma.
+fn window(text: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once(',').and_then(|(a, b)| Some([a.parse().ok()?, b.parse().ok()?]));
+    ends.ok_or("two numbers with a comma, as 0,0.5".into())
+}
+
+/// One step between two frames, in a window of it; an error in coordinates names the file by
+/// `place`, which has that of a vertex at a time, and its number there.
 pub fn step<'a>(
     session: &mut Session,
     precision: Precision,
     [t0, t1]: [&Frame; 2],
+    window: [f64; 2],
     place: impl Fn(u32, usize) -> (&'a Path, usize),
 ) -> Result<(), Failure> {
     let result = match precision {
-        Precision::F64 => session.step(&t0.positions, &t1.positions).map(|_| ()),
-        Precision::F32 => session.step(&t0.positions_f32(), &t1.positions_f32()).map(|_| ()),
+        Precision::F64 => session.step_window(&t0.positions, &t1.positions, window).map(|_| ()),
+        Precision::F32 => {
+            session.step_window(&t0.positions_f32(), &t1.positions_f32(), window).map(|_| ())
+        }
     };
     result.map_err(|e| named(e, precision, place))
 }

@@ -57,18 +57,18 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Say nothing but what was asked for (JSON, files) and errors
+    #[arg(short, long, global = true)]
+    quiet: bool,
 }
 
 #[derive(Subcommand)]
 enum Command {
     /// Contacts between two frames of a mesh
-    #[command(after_help = format!("EXAMPLES:\n  ccd check before.ply after.ply\n  \
-        ccd check before.ply after.ply --contacts contacts.csv --picture contacts.png\n\n{CSV}"))]
+    #[command(after_help = CHECKS, after_long_help = format!("{CHECKS}\n\n{CSV}"))]
     Check(check::Check),
     /// Contacts over many frames of a mesh, one step from each frame to the next
-    #[command(after_help = format!("EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
-        ccd sequence cloth.npz --mesh cloth.obj\n  \
-        ccd sequence 'frames/*.ply' --json-lines --part 2/8 > 2.jsonl\n\n{CSV}"))]
+    #[command(after_help = SEQUENCES, after_long_help = format!("{SEQUENCES}\n\n{CSV}"))]
     Sequence(sequence::Sequence),
     /// What the parts of a sequence printed as lines of JSON, or wrote as contacts, joined
     #[command(after_help = "EXAMPLES:\n  ccd merge *.jsonl > all.jsonl\n  \
@@ -96,7 +96,7 @@ enum Command {
     Demo(demo::Demo),
     /// The ways to find pairs: broad phases; builders, traversals, volumes of trees; pipelines
     List(method::List),
-    /// The GPU that would be used, how, and which others there are
+    /// The processor, the GPU that would be used and how, and which others there are
     Info(info::InfoCommand),
     /// Times of built-in scenes; needs no file
     #[command(after_help = "EXAMPLES:\n  ccd bench --backend cpu\n  \
@@ -107,6 +107,14 @@ enum Command {
     /// The manual as man pages
     Man(manual::Man),
 }
+
+const CHECKS: &str = "EXAMPLES:\n  ccd check before.ply after.ply\n  \
+    ccd check before.ply after.ply --contacts contacts.csv --picture contacts.png\n  \
+    ccd check a0.obj a1.obj --with level.obj --with b0.obj,b1.obj";
+
+const SEQUENCES: &str = "EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
+    ccd sequence cloth.npz --mesh cloth.obj\n  \
+    ccd sequence 'frames/*.ply' --json-lines --part 2/8 > 2.jsonl";
 
 /// Help on the columns of contacts.
 const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
@@ -143,41 +151,62 @@ impl Precision {
     }
 }
 
-/// Options of every command that steps a mesh.
+/// Headings of options in the help.
+const INPUT: &str = "Input";
+const QUESTION: &str = "What is looked for";
+const OUTPUT: &str = "Output";
+
+/// Options of every command that steps a mesh, in the order of the help.
 #[derive(Args)]
 struct StepOptions {
     #[command(flatten)]
+    bodies: bodies::BodyOptions,
+    /// Coordinates of the step
+    #[arg(long, value_enum, default_value_t = Precision::F64, help_heading = INPUT)]
+    precision: Precision,
+    /// Contact is a distance of at most D, in units of coordinates
+    #[arg(short = 'd', long, value_name = "D", default_value_t = 0.0)]
+    #[arg(allow_negative_numbers = true, help_heading = QUESTION)]
+    min_distance: f64,
+    /// Leave out contacts at the start whose features separate
+    ///
+    /// Where they certainly do, what counts is their next contact. What touches with --min-distance
+    /// 0 is not certain to separate.
+    #[arg(long, help_heading = QUESTION)]
+    leave_contact: bool,
+    /// How early a certain time of impact may be, in units of the step
+    #[arg(long, value_name = "T", default_value_t = ccd::TOI_TOLERANCE)]
+    #[arg(hide_short_help = true, help_heading = QUESTION)]
+    tolerance: f64,
+    /// Print one JSON object instead of text
+    #[arg(short, long, help_heading = OUTPUT)]
+    json: bool,
+    /// Write contacts as CSV; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv", help_heading = OUTPUT)]
+    contacts: Option<PathBuf>,
+    /// Write a picture of the contacts, or of a sequence's times
+    ///
+    /// `-` is standard output.
+    #[arg(short, long, value_name = "OUT.png", help_heading = OUTPUT)]
+    picture: Option<PathBuf>,
+    /// Exit with status 1 if there is a contact
+    ///
+    /// Or if the first frame intersects itself.
+    #[arg(long, help_heading = OUTPUT)]
+    fail_on_contact: bool,
+    #[command(flatten)]
     backend: backend::BackendOptions,
+    /// Threads on the CPU; 0: one per processor
+    #[arg(short, long, value_name = "N", default_value_t = 0, help_heading = backend::PLACE)]
+    threads: usize,
+    /// Memory that may be held, in bytes, or with K, M or G (2G); more is an error
+    ///
+    /// Not counted are the mesh and what is read and written.
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    #[arg(hide_short_help = true, help_heading = backend::PLACE)]
+    max_memory: Option<u64>,
     #[command(flatten)]
     method: method::MethodOptions,
-    #[command(flatten)]
-    bodies: bodies::BodyOptions,
-    /// Contact means a distance of at most D, in the unit of the coordinates
-    #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
-    min_distance: f64,
-    /// Coordinates of the step
-    #[arg(long, value_enum, default_value_t = Precision::F64)]
-    precision: Precision,
-    /// Number of threads on the CPU; 0 means one per processor
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
-    /// Memory that may be held, in bytes, or with K, M or G (2G); more is an error. Not counted
-    /// are the mesh and what is read and written
-    #[arg(long, value_name = "BYTES", value_parser = bytes)]
-    max_memory: Option<u64>,
-    /// Print one JSON object instead of text
-    #[arg(long)]
-    json: bool,
-    /// Write contacts as CSV, columns below; `-` is standard output
-    #[arg(long, value_name = "OUT.csv")]
-    contacts: Option<PathBuf>,
-    /// Write a picture (check: the mesh with its contacts; sequence: times and contacts of each
-    /// step); `-` is standard output
-    #[arg(long, value_name = "OUT.png")]
-    picture: Option<PathBuf>,
-    /// Exit with status 1 if there is a contact, or if the first frame intersects itself
-    #[arg(long)]
-    fail_on_contact: bool,
 }
 
 impl StepOptions {
@@ -226,6 +255,8 @@ impl StepOptions {
     ) -> Result<ccd::any::Session, Failure> {
         let options = ccd::Options::default()
             .with_min_distance(self.min_distance)
+            .with_tolerance(self.tolerance)
+            .with_leave_contact(self.leave_contact)
             .with_bodies(self.bodies.of(&mesh, objects)?)
             .with_threads(self.threads)
             .with_max_memory(self.max_memory);
@@ -273,6 +304,13 @@ impl From<ccd::Error> for Failure {
                 let what = "it must be from 0 to";
                 Failure(format!("the minimum distance is {value:?}; {what} {most:e}"))
             }
+            ccd::Error::Tolerance { value } => {
+                let what = format!("it must be from {:e} to 1", ccd::Options::LEAST_TOLERANCE);
+                Failure(format!("--tolerance is {value:?}; {what}"))
+            }
+            ccd::Error::Window { from, until } => {
+                Failure(format!("--window {from},{until}: it must be within 0,1, and in order"))
+            }
             _ => Failure(e.to_string()),
         }
     }
@@ -298,6 +336,9 @@ type Outcome = Result<bool, Failure>;
 fn main() -> ExitCode {
     environment::prepare();
     let cli = Cli::try_parse().unwrap_or_else(|e| unparsed(&e));
+    if cli.quiet {
+        output::be_quiet();
+    }
     let (outcome, fail_on_contact) = match &cli.command {
         Command::Check(c) => (c.run(), c.options.fail_on_contact),
         Command::Sequence(c) => (c.run(), c.options.fail_on_contact),

@@ -45,7 +45,7 @@ impl Merge {
         parts.sort_by_key(|part| part.share.part.index);
         check(&parts)?;
         for line in parts.iter().flat_map(|part| &part.lines) {
-            output::say!("{line}");
+            output::print(format_args!("{line}"));
         }
         let steps: Vec<Step> = parts.iter_mut().flat_map(|part| part.steps.drain(..)).collect();
         let summary = summarise(&steps);

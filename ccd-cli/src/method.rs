@@ -14,50 +14,51 @@ use serde::Serialize;
 
 /// Options of every command that looks for pairs.
 #[derive(Args)]
-#[command(next_help_heading = "How pairs are found (all find the same contacts; see `ccd list`)")]
+#[command(next_help_heading = "How pairs are found (all find the same contacts)")]
 pub struct MethodOptions {
-    /// Broad phase
+    /// Broad phase; --help has the other options, `ccd list` the names
     #[arg(long, value_name = "NAME", value_parser = named::<BroadPhaseMethod>())]
     #[arg(hide_possible_values = true)]
     broad_phase: Option<BroadPhaseMethod>,
     /// How a tree is built; implies --broad-phase tree, as do the other options of trees
     #[arg(long, value_name = "NAME", value_parser = named::<Builder>())]
-    #[arg(hide_possible_values = true)]
+    #[arg(hide_possible_values = true, hide_short_help = true)]
     builder: Option<Builder>,
     /// How pairs are found in a tree
     #[arg(long, value_name = "NAME", value_parser = named::<Traversal>())]
-    #[arg(hide_possible_values = true)]
+    #[arg(hide_possible_values = true, hide_short_help = true)]
     traversal: Option<Traversal>,
     /// What bounds the nodes of a tree
-    #[arg(long, value_name = "NAME", value_parser = named::<Volume>(), hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = named::<Volume>())]
+    #[arg(hide_possible_values = true, hide_short_help = true)]
     volume: Option<Volume>,
     /// Neighbours to either side that --builder ploc looks at
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     radius: Option<u32>,
     /// Most boxes for --builder nearest-pair, whose time grows with their square
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     limit: Option<u32>,
     /// Nodes of the cut that --traversal cut and cut-stacks start from
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     cut: Option<u32>,
     /// What is paired first, features or triangles
     #[arg(long, value_name = "NAME", value_parser = named::<Pipeline>())]
-    #[arg(hide_possible_values = true)]
+    #[arg(hide_possible_values = true, hide_short_help = true)]
     pipeline: Option<Pipeline>,
     /// Whether --pipeline triangles skips triangles that share a vertex, and tests their features
     /// from a list
-    #[arg(long, value_parser = choice(ON_OFF))]
+    #[arg(long, value_parser = choice(ON_OFF), hide_short_help = true)]
     orphans: Option<bool>,
     /// Whether --pipeline triangles skips regions that certainly do not touch themselves: their
     /// pairs are no candidates, and none of them is undecided
-    #[arg(long, value_parser = choice(ON_OFF))]
+    #[arg(long, value_parser = choice(ON_OFF), hide_short_help = true)]
     free_regions: Option<bool>,
     /// Whether --pipeline triangles tests a vertex or an edge once; off: all 15 tests of each pair,
     /// on a CPU
-    #[arg(long, value_parser = choice(ON_OFF))]
+    #[arg(long, value_parser = choice(ON_OFF), hide_short_help = true)]
     representatives: Option<bool>,
     /// Which of two nodes --traversal simultaneous, cut and cut-stacks expand
-    #[arg(long, value_parser = choice(DESCENTS))]
+    #[arg(long, value_parser = choice(DESCENTS), hide_short_help = true)]
     descent: Option<Descent>,
     #[command(flatten)]
     scheduling: SchedulingOptions,

@@ -6,14 +6,40 @@ use ccd::{FrontCounts, Mesh, PerKind, Report, TriangleCounts};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
 use std::path::{Component, Path};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics.
+/// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics;
+/// nothing with `--quiet`.
 macro_rules! say {
     ($($text:tt)*) => {
-        $crate::output::print(format_args!($($text)*))
+        if !$crate::output::is_quiet() {
+            $crate::output::print(format_args!($($text)*))
+        }
     };
 }
 pub(crate) use say;
+
+/// Tells of something beside the work, on standard error; nothing with `--quiet`.
+macro_rules! notice {
+    ($($text:tt)*) => {
+        if !$crate::output::is_quiet() {
+            eprintln!("ccd: {}", format_args!($($text)*))
+        }
+    };
+}
+pub(crate) use notice;
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on nothing is said but what was asked for: JSON, files, and errors.
+pub fn be_quiet() {
+    QUIET.store(true, Relaxed);
+}
+
+/// Whether `--quiet` was given.
+pub fn is_quiet() -> bool {
+    QUIET.load(Relaxed)
+}
 
 /// Prints a line to standard output.
 pub fn print(text: std::fmt::Arguments) {
@@ -255,16 +281,31 @@ pub fn title(files: &[&Path], place: &any::Place) -> String {
 /// Prints an object as one line of JSON.
 pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;
-    say!("{text}");
+    print(format_args!("{text}"));
     Ok(())
 }
 
-/// Progress bar; hidden if standard error is not a terminal.
+/// Progress bar; hidden if standard error is not a terminal, or with `--quiet`.
 pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
     let template = "{msg} {wide_bar} {pos}/{len}, {eta} left";
     let style = indicatif::ProgressStyle::with_template(template)
         .unwrap_or_else(|_| indicatif::ProgressStyle::default_bar());
-    indicatif::ProgressBar::new(n as u64).with_style(style).with_message(what)
+    let bar = indicatif::ProgressBar::new(n as u64).with_style(style).with_message(what);
+    if is_quiet() {
+        bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
+    }
+    bar
+}
+
+/// The processor, as Linux names it; elsewhere its architecture.
+pub fn processor() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text
+        .lines()
+        .find(|l| l.starts_with("model name"))
+        .and_then(|l| l.split_once(':'))
+        .map(|(_, name)| name.trim().to_string());
+    name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
 }
 
 /// Flushes standard output.

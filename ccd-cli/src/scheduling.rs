@@ -5,17 +5,17 @@ use super::named::named;
 use ccd::{Catalogued, Front, Scheduler, Scheduling, WorkerOptions};
 use clap::Args;
 
-/// Options of schedulers and of fronts; `-h` shows the first ones.
+/// Options of schedulers and of fronts; `-h` shows none of them.
 #[derive(Args)]
-#[command(next_help_heading = "How pairs are found (all find the same contacts; see `ccd list`)")]
+#[command(next_help_heading = "How pairs are found (all find the same contacts)")]
 pub struct SchedulingOptions {
     /// How pairs of nodes are shared out among workers, by blocks and by trees with --traversal
     /// simultaneous and cut
     #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
-    #[arg(hide_possible_values = true)]
+    #[arg(hide_possible_values = true, hide_short_help = true)]
     scheduler: Option<Scheduler>,
     /// Whether a step begins at the pairs of nodes where the one before ended, by the same
-    #[arg(long, value_name = "NAME", value_parser = named::<Front>())]
+    #[arg(long, value_name = "NAME", value_parser = named::<Front>(), hide_short_help = true)]
     front: Option<Front>,
     /// Steps p after which --front on compares the length of the front with that of p steps before
     #[arg(long, value_name = "N", hide_short_help = true)]
@@ -32,7 +32,7 @@ pub struct SchedulingOptions {
     #[arg(long, value_name = "N", hide_short_help = true)]
     front_memory: Option<u32>,
     /// Percentage of workers that must be idle for --scheduler balanced to deal out again
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     idle: Option<u32>,
     /// Workers of --scheduler: threads, never more than --threads; workgroups of a GPU, a power of
     /// two from 16 to 2048

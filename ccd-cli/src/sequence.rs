@@ -6,7 +6,7 @@ use super::lines::{LastLine, Share, Step, Summary, step_ms, summarise};
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
 use super::start::Intersections;
-use super::{Failure, Outcome, StepOptions, backend, plot, rows, toi};
+use super::{Failure, INPUT, OUTPUT, Outcome, StepOptions, backend, plot, rows, toi};
 use ccd::any::Session;
 use ccd::io::{MESH_EXTENSIONS, PointCache, listed};
 use clap::Args;
@@ -22,15 +22,17 @@ pub struct Sequence {
         time ({}) and --mesh", listed(&MESH_EXTENSIONS), listed(&PointCache::EXTENSIONS)))]
     frames: Vec<PathBuf>,
     /// The mesh of a file of positions over time; its own positions are not used
-    #[arg(long, value_name = "MESH")]
+    #[arg(long, value_name = "MESH", help_heading = INPUT)]
     mesh: Option<PathBuf>,
     /// Print a JSON object a line: one for each step as soon as it is done, then the summary
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long, conflicts_with = "json", help_heading = OUTPUT)]
     json_lines: bool,
-    /// Do only share i of n of the steps, so that several machines do all of them; `slurm`: the
-    /// share of this task of an array (SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP), which is used in
-    /// no other way. `ccd merge` joins what --json-lines printed, and what --contacts wrote
-    #[arg(long, value_name = "i/n")]
+    /// Do only share i of n of the steps, so that several machines do all of them
+    ///
+    /// `slurm`: the share of this task of an array (SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP),
+    /// which is used in no other way. `ccd merge` joins what --json-lines printed, and what
+    /// --contacts wrote.
+    #[arg(long, value_name = "i/n", help_heading = INPUT)]
     part: Option<Part>,
     #[command(flatten)]
     pub options: StepOptions,
@@ -55,7 +57,7 @@ impl Sequence {
         let mut file = self.options.contact_file(true)?;
         let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
-            eprintln!("ccd: the frames are not in the order of the numbers in their names");
+            output::notice!("the frames are not in the order of the numbers in their names");
         }
         let all_steps = frames.len() - 1;
         let share = self.part.map(|part| Share { part, all_steps });
@@ -85,7 +87,7 @@ impl Sequence {
             let [path_0, path_1] = [i, i + 1].map(|at| frames.name(at));
             let place =
                 |time: u32, vertex| (if time == 0 { path_0.as_path() } else { &path_1 }, vertex);
-            step(&mut session, precision, [&before, &after], place)?;
+            step(&mut session, precision, [&before, &after], [0.0, 1.0], place)?;
             let report = session.report();
             let row = Step {
                 frame: i,

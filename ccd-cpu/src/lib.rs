@@ -33,4 +33,5 @@ pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use ccd_core::model::session::Intersection;
 pub use exclusions::near_at_rest;
 pub use session::{Candidates, Engine, Session, earliest_toi, intersections, step};
+pub use simd::instruction_set;
 pub use step::prepare::MAX_LOOSENESS;

@@ -171,7 +171,7 @@ pub async fn choose(
         return instance
             .request_adapter(&request)
             .await
-            .map_err(|e| Error::Unavailable { why: e.to_string() });
+            .map_err(|e| Error::Unavailable { why: of_this_build(&e.to_string()) });
     };
     let mut all = instance.enumerate_adapters(wgpu::Backends::all()).await;
     let infos: Vec<wgpu::AdapterInfo> = all.iter().map(|a| a.get_info()).collect();
@@ -179,6 +179,13 @@ pub async fn choose(
         Some(at) => Ok(all.swap_remove(at)),
         None => Err(Error::Unavailable { why: missing(&infos, &wanted) }),
     }
+}
+
+/// What wgpu says, without the APIs that this build does not have.
+fn of_this_build(said: &str) -> String {
+    let (what, each) = said.split_once("; ").unwrap_or((said, ""));
+    let others = each.split(", ").filter(|part| !part.ends_with("not compiled in"));
+    others.filter(|part| !part.is_empty()).fold(what.to_owned(), |text, part| text + "; " + part)
 }
 
 /// What an adapter is, as it is listed: the name, in parentheses the type, the GPU API and, if it

@@ -95,7 +95,7 @@ impl Backend {
     /// it is and however little work there is.
     ///
     /// # Errors
-    /// Those of [`Backend::choose`].
+    /// Those of [`Backend::choose`]; [`Error::Unavailable`] for a named adapter that is not there.
     #[cfg(feature = "gpu")]
     pub fn choose_with(self, size: usize, options: &gpu::DeviceOptions) -> Result<Choice, Error> {
         self.decide(size, options)
@@ -112,7 +112,7 @@ impl Backend {
             // it.
             Ok(device) if auto && !named && gpu::is_emulated(&device) => Ok(Choice::default()),
             Ok(device) => Ok(Choice { device: Some(device), free: auto, ..Choice::default() }),
-            Err(why) if auto => Ok(Choice { failure: Some(why), ..Choice::default() }),
+            Err(why) if auto && !named => Ok(Choice { failure: Some(why), ..Choice::default() }),
             Err(why) => Err(why),
         }
     }

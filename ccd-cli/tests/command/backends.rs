@@ -70,19 +70,34 @@ pub fn the_gpu_finds_what_the_cpu_finds() {
     }
 }
 
-pub fn auto_goes_on_with_the_cpu() {
+pub fn without_a_gpu() {
     let dir = tempfile::tempdir().unwrap();
     let [a, b] = crumpled_sheet(dir.path(), 12);
-    let args = ["check", &a, &b, "--backend", "auto", "--adapter", "no such adapter"];
-    let output = ccd(&args);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
-    let says = ["no such adapter", "going on with the CPU"];
-    assert!(says.iter().all(|words| message.contains(words)), "{message}");
-    for by_hand in [&["check", &a, &b, "--backend", "gpu"][..], &["info"]] {
+    let other = tempfile::tempdir().unwrap();
+    let large = crumpled_sheet(other.path(), 90);
+    let without = |args: &[&str]| {
+        let mut ccd = Command::new(env!("CARGO_BIN_EXE_ccd"));
+        ccd.args(args).env("WGPU_BACKEND", "noop").output().unwrap()
+    };
+    let check = |quiet: &[&str]| {
+        let output = without(&[&["check", &large[0], &large[1], "--json"], quiet].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert_eq!(json(&output)["backend"], "cpu");
+        text(&output.stderr)
+    };
+    assert_eq!(check(&[]), "ccd: no GPU (`ccd info`)\n");
+    assert_eq!(check(&["--quiet"]), "");
+    // `info` says what there is and what to do.
+    let output = without(&["info"]);
+    let said = text(&output.stdout);
+    assert!(output.status.success() && said.contains("To use a GPU:"), "{said}");
+    assert!(said.starts_with("processor"), "{said}");
+    let info = json(&without(&["info", "--json"]));
+    assert!(info["no_gpu"].is_string() && info["adapter"].is_null(), "{info}");
+    // Who names one wants that one.
+    for by_hand in [&["check", &a, &b][..], &["check", &a, &b, "--backend", "gpu"], &["info"]] {
         check_refused(&[by_hand, &["--adapter", "no such adapter"]].concat(), "no such adapter");
     }
-    assert_eq!(json(&ccd(&[&args[..], &["--json"]].concat()))["backend"], "cpu");
 }
 
 /// OpenGL accepts every kernel and finds nothing, at least in one driver: a missed contact is the

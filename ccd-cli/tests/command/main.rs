@@ -13,7 +13,7 @@ use std::process::{Command, Output};
 
 /// Tests that run anywhere.
 const ANYWHERE: &[(&str, fn())] = &[
-    ("auto_goes_on_with_the_cpu", backends::auto_goes_on_with_the_cpu),
+    ("without_a_gpu", backends::without_a_gpu),
     ("opengl_is_refused", backends::opengl_is_refused),
     ("the_list_names_every_choice", methods::the_list_names_every_choice),
     ("the_documents_name_every_choice", methods::the_documents_name_every_choice),
@@ -42,8 +42,7 @@ fn main() {
     };
     let mut trials = transcripts::trials();
     trials.extend(ANYWHERE.iter().map(|&(name, test)| Trial::test(name, passes(test))));
-    let info = ccd(&["info"]);
-    let missing = (!info.status.success()).then(|| text(&info.stderr).trim().to_owned());
+    let missing = json(&ccd(&["info", "--json"]))["no_gpu"].as_str().map(str::to_owned);
     let required = std::env::var("CCD_GPU").is_ok_and(|v| v == "require");
     for &(name, test) in WITH_GPU {
         let missing = missing.clone();

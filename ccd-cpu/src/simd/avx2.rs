@@ -187,6 +187,7 @@ fn run<W: Work<Avx2>>(simd: Avx2, work: W) -> W::Out {
 
 // SAFETY of every call below: `Avx2` exists only on a processor that has the instructions.
 impl Simd for Avx2 {
+    const NAME: &'static str = "AVX2";
     type Lanes = V8;
     const LANES: usize = WIDTH;
 

@@ -82,6 +82,7 @@ fn run<W: Work<Avx512>>(simd: Avx512, work: W) -> W::Out {
 
 // SAFETY of both calls below: `Avx512` exists only on a processor that has the instructions.
 impl Simd for Avx512 {
+    const NAME: &'static str = "AVX-512";
     type Lanes = V16;
     const LANES: usize = LANES;
 

@@ -49,6 +49,8 @@ pub const EMPTY: Block =
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.
 pub trait Simd: Copy + Send + Sync {
+    /// What it is called.
+    const NAME: &'static str;
     /// Numbers side by side, for filters.
     type Lanes: Num;
     /// How many.
@@ -155,6 +157,24 @@ macro_rules! run {
     }};
 }
 pub(crate) use run;
+
+/// The widest instruction set of this processor that the filters use: `AVX-512`, `AVX2`, `NEON` or
+/// `portable`.
+///
+/// ```
+/// assert!(["AVX-512", "AVX2", "NEON", "portable"].contains(&ccd::instruction_set()));
+/// ```
+pub fn instruction_set() -> &'static str {
+    struct Name;
+    impl<S: Simd> Work<S> for Name {
+        type Out = &'static str;
+        #[inline(always)]
+        fn call(self, _: S) -> Self::Out {
+            S::NAME
+        }
+    }
+    run!(Name)
+}
 
 /// `Num` for a vector type from functions of its instruction set: the two that take one vector,
 /// those that take two, the comparison, and all lanes alike.

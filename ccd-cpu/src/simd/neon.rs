@@ -171,6 +171,7 @@ fn quads(r0: float32x4_t, r1: float32x4_t, r2: float32x4_t, r3: float32x4_t) -> 
 
 // SAFETY of every call below: every AArch64 processor has NEON.
 impl Simd for Neon {
+    const NAME: &'static str = "NEON";
     type Lanes = V8;
     const LANES: usize = WIDTH;
 

@@ -116,6 +116,7 @@ impl Num for F32x8 {
 pub struct Portable;
 
 impl Simd for Portable {
+    const NAME: &'static str = "portable";
     type Lanes = F32x8;
     const LANES: usize = WIDTH;
 
