@@ -16,6 +16,7 @@ pub use point_cache::PointCache;
 pub use queries::{Queries, Query, read_queries, read_queries_of};
 
 use crate::Mesh;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 type Reader = fn(&Path) -> Result<Frame, ReadErrorKind>;
@@ -217,7 +218,10 @@ pub enum ReadErrorKind {
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     let end = extension(path).unwrap_or_default();
     let frame = match READERS.iter().find(|reader| reader.0 == end) {
-        Some((_, read)) => read(path),
+        Some((_, read)) => match foreign(path, &end) {
+            Some(what) => Err(ReadErrorKind::Format(what)),
+            None => read(path),
+        },
         None => Err(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS }),
     };
     let checked = frame.and_then(|frame| frame.check().map(|()| frame));
@@ -245,6 +249,29 @@ pub fn read_frame_as(path: &Path, first: &Frame) -> Result<Frame, ReadError> {
     merged.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
+/// What a file is, if its first bytes say that it is not what its name ends in.
+fn foreign(path: &Path, end: &str) -> Option<String> {
+    // What a pipe has can be read once.
+    std::fs::metadata(path).ok().filter(|of| of.is_file())?;
+    let mut head = Vec::new();
+    std::fs::File::open(path).ok()?.take(16).read_to_end(&mut head).ok()?;
+    let is = |start: &[u8]| head.starts_with(start);
+    let what = match end {
+        _ if is(b"\xff\xfe") || is(b"\xfe\xff") => "text in UTF-16; save it as UTF-8",
+        _ if is(b"\x1f\x8b") => "compressed by gzip; unpack it",
+        _ if is(b"PK\x03\x04") => "an archive (zip); unpack it",
+        _ if is(b"\x89PNG") => "a picture (PNG)",
+        "ply" if head.len() >= 3 && !is(b"ply") => "no PLY: it does not begin with `ply`",
+        "gltf" | "glb"
+            if head.len() >= 4 && !is(b"glTF") && !head.trim_ascii().starts_with(b"{") =>
+        {
+            "no glTF: it begins neither with `glTF` nor with `{`"
+        }
+        _ => return None,
+    };
+    Some(format!("the file is {what}"))
+}
+
 /// What the name of a file ends in, in lower case.
 fn extension(path: &Path) -> Option<String> {
     path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
@@ -261,6 +288,13 @@ fn quote(text: &str) -> String {
 
 /// A number of a file.
 fn number(word: &str) -> Result<f64, String> {
-    let x: f64 = word.parse().map_err(|_| format!("`{}` is not a number", quote(word)))?;
+    let failed = |_| format!("`{}` is not a number{}", quote(word), of_comma(word));
+    let x: f64 = word.parse().map_err(failed)?;
     if x.is_finite() { Ok(x) } else { Err(format!("`{}` is not a finite number", quote(word))) }
+}
+
+/// What to add to a message about text that has a comma where numbers have a point.
+fn of_comma(text: &str) -> &'static str {
+    let is_one = |word: &str| word.contains(',') && word.replace(',', ".").parse::<f64>().is_ok();
+    if text.split_whitespace().any(is_one) { "; decimals are written with a point" } else { "" }
 }

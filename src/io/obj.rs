@@ -147,6 +147,7 @@ fn vertex_index(word: &str, n_vertices: usize) -> Result<u32, String> {
     let at = if i < 0 { i.checked_add(n_vertices as i64) } else { i.checked_sub(1) };
     match at.map(u32::try_from) {
         Some(Ok(at)) if i != 0 => Ok(at),
+        _ if i == 0 => Err("vertex index 0 names no vertex: OBJ counts from 1".into()),
         _ => Err(format!("vertex index {i} names no vertex (there are {n_vertices} so far)")),
     }
 }

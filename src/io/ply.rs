@@ -1,6 +1,6 @@
 //! PLY through `ply-rs-bw`, straight into positions and triangles.
 
-use super::{Frame, ReadErrorKind, quote};
+use super::{Frame, ReadErrorKind, of_comma, quote};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
 use std::io::{BufRead, ErrorKind};
@@ -162,7 +162,8 @@ impl<R: BufRead> Payload<R> {
                 }
                 self.line += 1;
                 return parser.read_ascii_element(&text, element).map_err(|_| {
-                    let what = format!("`{}` is no {}", quote(text.trim()), quote(&element.name));
+                    let (name, comma) = (quote(&element.name), of_comma(&text));
+                    let what = format!("`{}` is no {name}{comma}", quote(text.trim()));
                     ReadErrorKind::Line { line, what }
                 });
             }

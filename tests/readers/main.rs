@@ -122,6 +122,19 @@ fn files_that_are_cut_short_are_refused() {
     assert!(matches!(why, ccd::io::ReadErrorKind::Io(_)));
 }
 
+#[test]
+fn files_of_other_kinds_are_named() {
+    let utf16: Vec<u8> = "v 0 0 0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    check_refused("a.obj", &[b"\xff\xfe", &utf16[..]].concat(), "UTF-16");
+    check_refused("a.ply", b"\x89PNG\r\n\x1a\n", "a picture (PNG)");
+    check_refused("a.stl", b"\x1f\x8b\x08\0", "gzip");
+    check_refused("a.off", b"PK\x03\x04", "zip");
+    check_refused("a.ply", b"OFF\n3 1 0\n", "no PLY");
+    let head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
+                property float z\nend_header\n0,5 1 2\n";
+    check_refused("b.ply", head.as_bytes(), "written with a point");
+}
+
 /// Reads a small file, which must not take more memory than its bytes and some buffers.
 fn small<T>(content: &[u8], read: impl FnOnce() -> T) -> T {
     memory::bounded(content.len(), 64, 1 << 20, read)
