@@ -1,7 +1,7 @@
 //! Bodies of vertices, and which of them do not move.
 
 use super::{Failure, INPUT, QUESTION, in_file};
-use ccd::{Bodies, Mesh};
+use ccd::{Bodies, Exclusions, Groups, Mesh};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -22,6 +22,30 @@ pub struct BodyOptions {
     /// Contacts between two of them are left out.
     #[arg(long, value_name = "BODY", value_delimiter = ',', help_heading = INPUT)]
     fixed: Vec<u32>,
+    /// Layers that a body is in (M) and touches (F), as bits
+    ///
+    /// Two bodies touch if each is in a layer that the other one touches; without this a body is
+    /// in all layers and touches all.
+    #[arg(long, value_name = "BODY=M/F", value_delimiter = ',', value_parser = layers)]
+    #[arg(hide_short_help = true, help_heading = QUESTION)]
+    layers: Vec<(u32, Groups)>,
+    /// Leave out features of which two vertices are at most N edges apart
+    ///
+    /// With a --min-distance above the length of edges, neighbours would always be in contact.
+    #[arg(long, value_name = "N", hide_short_help = true, help_heading = QUESTION)]
+    exclude_neighbours: Option<u32>,
+}
+
+/// A body and its layers: `3=1/6`.
+fn layers(text: &str) -> Result<(u32, Groups), String> {
+    let read = || {
+        let (body, rest) = text.split_once('=')?;
+        let (memberships, filter) = rest.split_once('/')?;
+        let groups =
+            Groups { memberships: memberships.parse().ok()?, filter: filter.parse().ok()? };
+        Some((body.parse().ok()?, groups))
+    };
+    read().ok_or("a body, the layers that it is in, and those that it touches, as 3=1/6".into())
 }
 
 impl BodyOptions {
@@ -37,7 +61,8 @@ impl BodyOptions {
         mesh: &Mesh,
         objects: Option<(Vec<u32>, Vec<bool>)>,
     ) -> Result<Option<Bodies>, Failure> {
-        let is_chosen = self.bodies.is_some() || self.no_self_contact || !self.fixed.is_empty();
+        let by_body = !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact;
+        let is_chosen = self.bodies.is_some() || by_body || self.exclude_neighbours.is_some();
         if !is_chosen && objects.is_none() {
             return Ok(None);
         }
@@ -48,21 +73,28 @@ impl BodyOptions {
         };
         let most = of_vertex.iter().max().copied();
         fixed.resize(most.map_or(0, |most| most as usize + 1), false);
+        let missing = |option: &str, body: u32| {
+            let last =
+                most.map_or("there is none".into(), |most| format!("the last one is {most}"));
+            Failure(format!("{option}: there is no body {body}; {last}"))
+        };
         for &body in &self.fixed {
-            match fixed.get_mut(body as usize) {
-                Some(fixed) => *fixed = true,
-                None => {
-                    let last = most
-                        .map_or("there is none".into(), |most| format!("the last one is {most}"));
-                    return Err(Failure(format!("--fixed: there is no body {body}; {last}")));
-                }
-            }
+            *fixed.get_mut(body as usize).ok_or_else(|| missing("--fixed", body))? = true;
         }
-        Ok(Some(
-            Bodies::new(&of_vertex)
-                .with_fixed_mask(&fixed)
-                .with_self_contacts(!self.no_self_contact),
-        ))
+        let unknown = self.layers.iter().find(|(body, _)| !of_vertex.contains(body));
+        if let Some(&(body, _)) = unknown {
+            return Err(missing("--layers", body));
+        }
+        let mut bodies = Bodies::new(&of_vertex)
+            .with_fixed_mask(&fixed)
+            .with_self_contacts(!self.no_self_contact);
+        for &(body, groups) in &self.layers {
+            bodies = bodies.with_groups(body, groups);
+        }
+        if let Some(rings) = self.exclude_neighbours {
+            bodies = bodies.with_exclusions(&Exclusions::of_neighbours(mesh, rings));
+        }
+        Ok(Some(bodies))
     }
 }
 

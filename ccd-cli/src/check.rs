@@ -70,6 +70,7 @@ impl Check {
     pub fn run(&self) -> Outcome {
         self.options.check_outputs(None, self.candidates.as_deref())?;
         let file = self.options.contact_file(false)?;
+        let points = self.options.point_file()?;
         let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
         let listed = listed.transpose()?;
         let start = Instant::now();
@@ -97,11 +98,16 @@ impl Check {
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         let shown = self.shown(&report.contacts);
-        if let Some(mut file) = file {
+        if file.is_some() || points.is_some() {
             let [x0, x1] = [t0, t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
-            file.contacts(None, &shown, &step)?;
-            file.done()?;
+            if let Some(mut file) = file {
+                file.contacts(None, &shown, &step)?;
+                file.done()?;
+            }
+            if let Some(points) = points {
+                points.write(&shown, &step)?;
+            }
         }
         if let Some(path) = &self.options.picture {
             let title = output::title(&[&self.t0, &self.t1], &session.place());

@@ -28,6 +28,7 @@ mod part;
 mod picture;
 mod pixels;
 mod plot;
+mod points;
 mod queries;
 mod rows;
 mod scheduling;
@@ -181,8 +182,11 @@ struct StepOptions {
     /// Print one JSON object instead of text
     #[arg(short, long, help_heading = OUTPUT)]
     json: bool,
-    /// Write contacts as CSV; `-` is standard output
-    #[arg(short, long, value_name = "OUT.csv", help_heading = OUTPUT)]
+    /// Write contacts as CSV (check: or as points in a PLY file)
+    ///
+    /// `-` is standard output, and has CSV. The points of a PLY file have the normals, are coloured
+    /// by their times, and have a, b, toi and undecided as properties.
+    #[arg(short, long, value_name = "OUT", help_heading = OUTPUT)]
     contacts: Option<PathBuf>,
     /// Write a picture of the contacts, or of a sequence's times
     ///
@@ -216,8 +220,14 @@ impl StepOptions {
         if let Some(path) = &self.picture {
             files::open(path, "png")?;
         }
-        let path = self.contacts.as_deref();
+        let path = self.contacts.as_deref().filter(|path| frames || !points::are_wanted(path));
         path.map(|path| rows::Rows::of_contacts(path, frames)).transpose()
+    }
+
+    /// The same of contacts that are written as points.
+    fn point_file(&self) -> Result<Option<points::Points<'_>>, Failure> {
+        let path = self.contacts.as_deref().filter(|path| points::are_wanted(path));
+        path.map(points::Points::create).transpose()
     }
 
     /// Refuses outputs that lie over each other or over what is read. `json`: another option that

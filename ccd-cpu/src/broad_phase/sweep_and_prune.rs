@@ -18,7 +18,7 @@ use ccd_core::backend::broad_phase::sweep_and_prune::{Moments, begin_key, finds,
 use ccd_core::{Aabb, Error, Num};
 
 /// Blocks of leaves a task.
-const TASK: usize = 16;
+pub(super) const TASK: usize = 16;
 
 /// The axes, and buffers of the sort.
 #[derive(Debug, Default)]

@@ -16,7 +16,7 @@
 
 use crate::broad_phase::leaf_boxes::{Marks, Order, Set, Sides};
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
-use crate::broad_phase::sweep_and_prune::{Sweep, SweepAndPrune, emit};
+use crate::broad_phase::sweep_and_prune::{Sweep, SweepAndPrune, TASK, emit};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use ccd_core::{Aabb, Error};
@@ -54,6 +54,7 @@ impl RowSource for SweepAndTiniestQueue {
     fn task(&self, k: usize, sides: Sides, scratch: &mut Scratch, rows: &mut Rows) {
         let queue = &mut scratch.pairs;
         queue.clear();
+        queue.reserve(WIDTH * TASK);
         let mut all = None;
         for sweep in self.0.sweeps(k, sides) {
             let start = sweep.start() as u32;
