@@ -9,6 +9,7 @@ use ccd::{
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::LazyCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 struct Counting;
@@ -80,10 +81,13 @@ fn check(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
     let alone = count(1, method, pipeline, scheduling);
     assert!(alone.iter().all(|&n| n == 0), "{what}, one thread: {alone:?}");
     // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each
-    // worker's own queue may grow once.
-    let shared = count(2, method, pipeline, scheduling);
-    let sum: usize = shared.iter().sum();
-    assert!(sum <= 4, "{what}, two threads: {shared:?}");
+    // worker's own queue may grow once. A worker that a busy machine kept from the steps before
+    // grows its lists later: then the same is counted again. What each step allocates, every count
+    // has.
+    let counted = [(); 3].map(|()| LazyCell::new(|| count(2, method, pipeline, scheduling)));
+    let few = |calls: &[usize]| calls.iter().sum::<usize>() <= 4;
+    let is_warm = counted.iter().any(|calls| few(calls));
+    assert!(is_warm, "{what}, two threads: {:?}", counted.each_ref().map(|calls| calls.to_vec()));
 }
 
 /// Positions that are gathered, and steps after changes: a warm session allocates nothing in them,
