@@ -14,6 +14,8 @@ mod doc_examples;
 mod gpu;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]
 mod instructions;
+#[cfg(feature = "report")]
+mod level;
 #[cfg(any(feature = "report", test))]
 mod markdown;
 #[cfg(feature = "report")]
@@ -123,6 +125,9 @@ enum Task {
         /// and on the GPU if there is one, and write the tables and plots of docs/SCHEDULING.md
         #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"])]
         schedulers: bool,
+        /// Measure a body that falls on a large level instead, beside parry3d, and print the table
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence", "schedulers"])]
+        level: bool,
         #[command(flatten)]
         of_schedulers: SchedulersOptions,
         /// Keep what --algorithms or --schedulers measured in this folder, so that a report goes on
@@ -256,6 +261,8 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
             let cells = cells::Cells::open(cells.as_deref(), "schedulers", minutes)?;
             schedulers::run(root, &of_schedulers, cells)
         }
+        #[cfg(feature = "report")]
+        Task::Report { level: true, .. } => level::run(),
         #[cfg(feature = "report")]
         Task::Report { runs, gpu: true, out, only, .. } => gpu::run(runs, &root.join(out), &only),
         #[cfg(feature = "report")]

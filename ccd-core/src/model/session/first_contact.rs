@@ -1,6 +1,6 @@
 //! The first contact of a step with all that a response needs: what engines ask of a cast.
 
-use super::engine::{Ask, Engine, Moved};
+use super::engine::{Ask, Engine};
 use super::moving::BodyMotion;
 use super::{Session, given};
 use crate::model::contact::{Contact, Kind, State};
@@ -87,12 +87,14 @@ impl<E: Engine, P> Session<E, P> {
     {
         let Self { engine, gathered, .. } = self;
         let given = given(&engine.state().mesh, gathered, ends(x0, x1));
-        let done = given.map_err(E::Error::from).and_then(|given| first(engine, given, None));
+        let done = given.map_err(E::Error::from).and_then(|given| first(engine, given));
         self.settled(done)
     }
 
-    /// The first contact of a step in which these bodies move: what [`Session::first_contact`] is
-    /// to [`Session::step`].
+    /// The first contact of a step in which these bodies move: the first by time, kind and ids of
+    /// those of [`Session::step_bodies`], whose report this leaves. What does not move is not
+    /// looked at for a shorter step, so [`Hit::toi`] may differ from that of
+    /// [`Session::first_contact`] by up to twice the tolerance.
     ///
     /// # Errors
     /// Those of [`Session::step_bodies`].
@@ -100,32 +102,37 @@ impl<E: Engine, P> Session<E, P> {
         &mut self,
         motions: &[BodyMotion],
     ) -> Result<Option<Hit>, E::Error> {
-        self.with_bodies_moved(motions, first)
+        self.with_bodies_moved(motions, |engine, given, moved| {
+            engine.find(given, moved, Ask::Contacts { window: [0.0, 1.0] })?;
+            Ok(earliest(engine, given))
+        })
     }
 }
 
 /// The earliest time, then the contacts up to it, of which the first is taken: in a part of a step
 /// that ends there are few.
-fn first<E: Engine>(
-    engine: &mut E,
-    given: Given,
-    moved: Option<Moved>,
-) -> Result<Option<Hit>, E::Error> {
-    engine.find(given, moved, Ask::Earliest)?;
+fn first<E: Engine>(engine: &mut E, given: Given) -> Result<Option<Hit>, E::Error> {
+    engine.find(given, None, Ask::Earliest)?;
     let Some(toi) = engine.state().report.toi else { return Ok(None) };
     // A time is early by up to the tolerance, and of a GPU by the rounding to an `f32`: the contact
     // whose time it is begins in this window, if it is one. What was only undecided may turn out to
     // be none in so short a step; then all of it is looked at.
     let soon = toi + 2.0 * engine.state().options.tolerance + f64::from(f32::EPSILON);
     for until in [soon.min(1.0), 1.0] {
-        engine.find(given, moved, Ask::Contacts { window: [0.0, until] })?;
-        let contacts = &engine.state().report.contacts;
-        // The first of equals, which are sorted by kind and ids.
-        if let Some(contact) = contacts.iter().min_by(|a, b| a.toi.total_cmp(&b.toi)) {
-            return Ok(Some(hit(engine, contact, given)));
+        engine.find(given, None, Ask::Contacts { window: [0.0, until] })?;
+        let hit = earliest(engine, given);
+        if hit.is_some() {
+            return Ok(hit);
         }
     }
     Ok(None)
+}
+
+/// The first of the contacts that were found last: of equals, which are sorted by kind and ids, the
+/// first one.
+fn earliest<E: Engine>(engine: &E, given: Given) -> Option<Hit> {
+    let contacts = engine.state().report.contacts.iter();
+    contacts.min_by(|a, b| a.toi.total_cmp(&b.toi)).map(|contact| hit(engine, contact, given))
 }
 
 fn hit<E: Engine>(engine: &E, contact: &Contact, given: Given) -> Hit {
