@@ -68,14 +68,17 @@ struct Json<'a> {
 
 impl Check {
     pub fn run(&self) -> Outcome {
-        self.options.check_outputs(None, self.candidates.as_deref())?;
+        let files = [Files::moving(&self.t0, &self.t1)].into_iter().chain(self.others.clone());
+        let files: Vec<Files> = files.collect();
+        // Meshes are PLY, and so may contacts be.
+        let read: Vec<&Path> = files.iter().flat_map(Files::paths).collect();
+        self.options.check_outputs(None, self.candidates.as_deref(), &read)?;
         let file = self.options.contact_file(false)?;
         let points = self.options.point_file()?;
         let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
         let listed = listed.transpose()?;
         let start = Instant::now();
-        let files = [Files::moving(&self.t0, &self.t1)].into_iter().chain(self.others.clone());
-        let objects = Objects::read(files.collect())?;
+        let objects = Objects::read(files)?;
         let (t0, t1) = (&objects.start, &objects.end);
         let mesh = mesh_of(&self.t0, t0)?;
         let load = start.elapsed().as_secs_f64() * 1e3;
@@ -134,7 +137,7 @@ impl Check {
                 intersections_ms: start.ms,
             })?;
         } else if self.options.prints_text() && !self.lists_to_stdout() {
-            print(&session, &objects, &start, load, compilation);
+            print(&session, &objects, &start, window, load, compilation);
         }
         output::flush();
         Ok(contacts.total() > 0 || start.pairs > 0)
@@ -176,12 +179,13 @@ fn print(
     session: &Session,
     objects: &Objects,
     start: &Intersections,
+    window: [f64; 2],
     load: f64,
     compilation: Option<ccd::gpu::Compilation>,
 ) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
-    output::say!("{}", start::sentence(report, start));
+    output::say!("{}", start::sentence(report, start, window));
     output::line("mesh", MeshSize::of(mesh));
     if mesh.n_degenerate() > 0 {
         output::line(
@@ -202,7 +206,7 @@ fn print(
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none"),
     }
-    start.print();
+    start.print(start::is_whole(window));
     backend::print_compilation(compilation);
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
     let parts = match place {

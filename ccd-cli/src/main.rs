@@ -231,18 +231,19 @@ impl StepOptions {
     }
 
     /// Refuses outputs that lie over each other or over what is read. `json`: another option that
-    /// prints JSON; `candidates`: where they go.
+    /// prints JSON; `candidates`: where they go; `meshes`: files that are read.
     fn check_outputs(
         &self,
         json: Option<&str>,
         candidates: Option<&std::path::Path>,
+        meshes: &[&std::path::Path],
     ) -> Result<(), Failure> {
         let written = [
             ("--contacts", self.contacts.as_deref()),
             ("--candidates", candidates),
             ("--picture", self.picture.as_deref()),
         ];
-        let read: Vec<_> = self.bodies.file().into_iter().collect();
+        let read: Vec<_> = self.bodies.file().into_iter().chain(meshes.iter().copied()).collect();
         files::check(json.or(self.json.then_some("--json")), &written, &read)
     }
 

@@ -20,6 +20,11 @@ impl Files {
     pub fn moving(start: &Path, end: &Path) -> Self {
         Self { start: start.into(), end: Some(end.into()) }
     }
+
+    /// What is read.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        [Some(&self.start), self.end.as_ref()].into_iter().flatten().map(PathBuf::as_path)
+    }
 }
 
 impl FromStr for Files {

@@ -53,7 +53,7 @@ struct Json<'a> {
 
 impl Sequence {
     pub fn run(&self) -> Outcome {
-        self.options.check_outputs(self.json_lines.then_some("--json-lines"), None)?;
+        self.options.check_outputs(self.json_lines.then_some("--json-lines"), None, &[])?;
         let mut file = self.options.contact_file(true)?;
         let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
@@ -167,7 +167,7 @@ impl Sequence {
                 self.options.min_distance,
                 "the start",
             );
-            start.iter().for_each(Intersections::print);
+            start.iter().for_each(|start| start.print(true));
             backend::print_compilation(compilation);
             let ms = output::milliseconds;
             let text = format!("median {} a step on {place}", ms(summary.median_ms));

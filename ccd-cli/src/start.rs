@@ -54,8 +54,8 @@ impl Intersections {
         }
     }
 
-    /// Prints it as lines of text.
-    pub fn print(&self) {
+    /// Prints it as lines of text, of a step that was looked at from its start to its end or not.
+    pub fn print(&self, whole: bool) {
         let ms = output::milliseconds(self.ms);
         let (Some(verb), Some(Example { edge, face })) = (self.verb(), &self.example) else {
             let text = format!("the first frame does not intersect itself (exact, {ms})");
@@ -65,15 +65,30 @@ impl Intersections {
         output::line("start", text);
         let ([a, b], [c, d, e]) = (edge, face);
         output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));
-        output::line("", "a step without contacts keeps it so: they cross at its end as well");
+        if whole {
+            output::line("", "a step without contacts keeps it so: they cross at its end as well");
+        }
     }
 }
 
-/// Result of a step in one sentence for people.
-pub fn sentence(report: &Report, start: &Intersections) -> String {
+/// Whether a window is the whole step.
+pub fn is_whole([from, until]: [f64; 2]) -> bool {
+    from <= 0.0 && until >= 1.0
+}
+
+/// Result of a window of a step in one sentence for people.
+pub fn sentence(report: &Report, start: &Intersections, [from, until]: [f64; 2]) -> String {
+    let whole = is_whole([from, until]);
     match (report.toi, start.verb()) {
-        (None, None) => "No contact: the whole step is free.".into(),
-        (None, Some(verb)) => format!("No contact, but the first frame {verb}."),
+        (None, None) if whole => "No contact: the whole step is free.".into(),
+        (None, None) => format!("No contact from {from} to {until} of the step."),
+        (None, Some(verb)) if whole => format!("No contact, but the first frame {verb}."),
+        (None, Some(verb)) => {
+            format!("No contact from {from} to {until} of the step, but the first frame {verb}.")
+        }
+        (Some(time), _) if from > 0.0 => {
+            format!("First contact from {from} of the step on: {}.", toi::when(time))
+        }
         (Some(0.0), _) => "There are contacts from the start of the step on.".into(),
         (Some(time), _) => format!("First contact {} of the step.", toi::when(time)),
     }
