@@ -218,10 +218,9 @@ pub enum ReadErrorKind {
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     let end = extension(path).unwrap_or_default();
     let frame = match READERS.iter().find(|reader| reader.0 == end) {
-        Some((_, read)) => match foreign(path, &end) {
-            Some(what) => Err(ReadErrorKind::Format(what)),
-            None => read(path),
-        },
+        Some((_, read)) => {
+            read(path).map_err(|kind| foreign(path, &end).map_or(kind, ReadErrorKind::Format))
+        }
         None => Err(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS }),
     };
     let checked = frame.and_then(|frame| frame.check().map(|()| frame));
@@ -249,9 +248,10 @@ pub fn read_frame_as(path: &Path, first: &Frame) -> Result<Frame, ReadError> {
     merged.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
-/// What a file is, if its first bytes say that it is not what its name ends in.
+/// What a file that could not be read is, if its first bytes say that it is not what its name ends
+/// in.
 fn foreign(path: &Path, end: &str) -> Option<String> {
-    // What a pipe has can be read once.
+    // A pipe would wait for somebody who writes to it again.
     std::fs::metadata(path).ok().filter(|of| of.is_file())?;
     let mut head = Vec::new();
     std::fs::File::open(path).ok()?.take(16).read_to_end(&mut head).ok()?;

@@ -133,6 +133,12 @@ fn files_of_other_kinds_are_named() {
     let head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
                 property float z\nend_header\n0,5 1 2\n";
     check_refused("b.ply", head.as_bytes(), "written with a point");
+    // What can be read is read: the header of a binary STL may be anything.
+    let mut stl = [b"\xff\xfe", &[0; 78][..], &1u32.to_le_bytes()].concat();
+    let corners = [[0.0f32; 3], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    corners.as_flattened().iter().for_each(|x| stl.extend(x.to_le_bytes()));
+    stl.extend([0; 2]);
+    assert_eq!(read("c.stl", &stl).map(|frame| frame.faces.len()), Ok(1));
 }
 
 /// Reads a small file, which must not take more memory than its bytes and some buffers.
