@@ -45,31 +45,30 @@ struct type_16 {
 }
 
 struct type_17 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: array<u32, 3>,
+    member: type_14,
+    member_1: array<f32, 3>,
 }
 
 struct type_18 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_17,
+    member: u32,
+    member_1: u32,
+    member_2: u32,
 }
 
 struct type_19 {
-    member: type_18,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_18,
 }
 
 struct type_20 {
-    member: type_14,
-    member_1: array<f32, 3>,
+    member: type_19,
 }
 
 @group(0) @binding(1) 
 var<storage> boxes: type_16;
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_20;
 @group(0) @binding(2) 
 var<storage> survey: type_11;
 @group(0) @binding(3) 
@@ -82,7 +81,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_1: type_14;
     var local_2: type_14;
     var local_3: type_14;
-    var local_4: type_20;
+    var local_4: type_17;
     var local_5: type_14;
     var phi_136_: u32;
     var phi_137_: u32;
@@ -235,7 +234,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
                 let _e173 = local_2;
-                local_4 = type_20(_e173, array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e114), bitcast<f32>(_e124)));
+                local_4 = type_17(_e173, array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e114), bitcast<f32>(_e124)));
                 local_1.member = array<f32, 3>(0f, 0f, 0f);
                 local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
                 phi_394_ = type_9(0u, 3u);

@@ -58,7 +58,6 @@ struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
-    member_3: array<u32, 3>,
 }
 
 struct type_21 {
@@ -88,79 +87,71 @@ var<storage> survey: type_11;
 var<storage, read_write> work: type_26;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_136_: array<u32, 2>;
-    var phi_148_: array<u32, 2>;
-    var phi_149_: bool;
-    var phi_150_: array<u32, 2>;
-    var phi_151_: bool;
-    var phi_156_: array<u32, 2>;
-    var phi_194_: array<u32, 2>;
-    var phi_206_: array<u32, 2>;
-    var phi_207_: bool;
-    var phi_208_: array<u32, 2>;
-    var phi_209_: bool;
-    var phi_214_: array<u32, 2>;
-    var phi_301_: u32;
-    var phi_337_: bool;
-    var phi_338_: bool;
-    var phi_343_: u32;
-    var phi_344_: bool;
-    var phi_345_: u32;
-    var phi_346_: bool;
-    var phi_350_: u32;
-    var phi_357_: u32;
+    var phi_133_: array<u32, 2>;
+    var phi_145_: array<u32, 2>;
+    var phi_146_: bool;
+    var phi_147_: array<u32, 2>;
+    var phi_148_: bool;
+    var phi_153_: array<u32, 2>;
+    var phi_191_: array<u32, 2>;
+    var phi_203_: array<u32, 2>;
+    var phi_204_: bool;
+    var phi_205_: array<u32, 2>;
+    var phi_206_: bool;
+    var phi_211_: array<u32, 2>;
+    var phi_298_: u32;
+    var phi_334_: bool;
+    var phi_335_: bool;
+    var phi_340_: u32;
+    var phi_341_: bool;
+    var phi_342_: u32;
+    var phi_343_: bool;
+    var phi_347_: u32;
+    var phi_354_: u32;
+    var phi_368_: array<u32, 2>;
+    var phi_369_: array<u32, 2>;
+    var phi_370_: bool;
     var phi_371_: array<u32, 2>;
-    var phi_372_: array<u32, 2>;
-    var phi_373_: bool;
-    var phi_374_: array<u32, 2>;
-    var phi_375_: bool;
-    var phi_376_: array<u32, 2>;
-    var phi_377_: bool;
-    var phi_382_: array<u32, 2>;
-    var phi_389_: array<u32, 2>;
-    var phi_271_: f32;
-    var phi_272_: f32;
-    var phi_278_: u32;
-    var phi_288_: u32;
-    var phi_390_: array<u32, 2>;
-    var phi_398_: u32;
-    var phi_401_: array<u32, 3>;
-    var phi_428_: u32;
-    var phi_431_: type_14;
-    var phi_434_: u32;
-    var phi_436_: u32;
-    var phi_457_: bool;
-    var phi_463_: type_15;
-    var phi_432_: type_14;
-    var phi_477_: type_15;
+    var phi_372_: bool;
+    var phi_373_: array<u32, 2>;
+    var phi_374_: bool;
+    var phi_379_: array<u32, 2>;
+    var phi_386_: array<u32, 2>;
+    var phi_268_: f32;
+    var phi_269_: f32;
+    var phi_275_: u32;
+    var phi_285_: u32;
+    var phi_387_: array<u32, 2>;
+    var phi_395_: u32;
+    var phi_398_: array<u32, 3>;
+    var phi_425_: u32;
+    var phi_428_: type_14;
+    var phi_431_: u32;
+    var phi_433_: u32;
+    var phi_454_: bool;
+    var phi_460_: type_15;
+    var phi_429_: type_14;
+    var phi_474_: type_15;
+    var phi_503_: u32;
+    var phi_504_: u32;
+    var phi_505_: u32;
     var phi_506_: u32;
-    var phi_507_: u32;
-    var phi_508_: u32;
-    var phi_509_: u32;
-    var phi_510_: bool;
-    var phi_435_: u32;
-    var phi_437_: u32;
-    var phi_511_: bool;
+    var phi_507_: bool;
+    var phi_432_: u32;
+    var phi_434_: u32;
+    var phi_508_: bool;
     var local: u32;
-    var phi_528_: u32;
-    var phi_529_: u32;
-    var phi_530_: u32;
-    var phi_579_: bool;
-    var phi_625_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_678_: bool;
-    var phi_684_: bool;
-    var phi_704_: u32;
-    var phi_705_: u32;
-    var phi_754_: u32;
-    var phi_757_: type_9;
-    var phi_758_: type_9;
-    var phi_781_: type_9;
-    var phi_802_: u32;
-    var phi_818_: u32;
+    var phi_525_: u32;
+    var phi_526_: u32;
+    var phi_527_: u32;
+    var phi_554_: u32;
+    var phi_555_: u32;
+    var phi_594_: u32;
+    var phi_597_: type_9;
+    var phi_598_: type_9;
+    var phi_621_: type_9;
+    var phi_642_: u32;
+    var phi_658_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
@@ -171,486 +162,427 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e47 = id_2;
-    let _e48 = n_2;
-    let _e49 = lane_2;
-    let _e59 = ((_e47.y * _e48.x) + _e47.x);
-    let _e62 = params.member.member_2.member_2;
-    if (_e49 == 0u) {
+    let _e42 = id_2;
+    let _e43 = n_2;
+    let _e44 = lane_2;
+    let _e54 = ((_e42.y * _e43.x) + _e42.x);
+    let _e57 = params.member.member_2.member_2;
+    if (_e44 == 0u) {
         atomicStore((&counters[0u]), 4294967295u);
         atomicStore((&counters[1u]), 0u);
     }
     workgroupBarrier();
-    let _e68 = params.member.member_2.member;
-    let _e71 = params.member.member_2.member_1;
-    if (_e71 == 0u) {
-        phi_136_ = array<u32, 2>(0u, 2u);
+    let _e63 = params.member.member_2.member;
+    let _e66 = params.member.member_2.member_1;
+    if (_e66 == 0u) {
+        phi_133_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_136_ = array<u32, 2>(1u, 1u);
+        phi_133_ = array<u32, 2>(1u, 1u);
     }
-    let _e74 = phi_136_;
-    if (_e68 == 1u) {
-        if (_e62 == 1u) {
-            phi_148_ = array<u32, 2>(_e74[1], _e74[0]);
-            phi_149_ = false;
+    let _e69 = phi_133_;
+    if (_e63 == 1u) {
+        if (_e57 == 1u) {
+            phi_145_ = array<u32, 2>(_e69[1], _e69[0]);
+            phi_146_ = false;
         } else {
-            phi_148_ = array<u32, 2>();
-            phi_149_ = true;
+            phi_145_ = array<u32, 2>();
+            phi_146_ = true;
         }
-        let _e81 = phi_148_;
-        let _e83 = phi_149_;
-        phi_150_ = _e81;
-        phi_151_ = _e83;
+        let _e76 = phi_145_;
+        let _e78 = phi_146_;
+        phi_147_ = _e76;
+        phi_148_ = _e78;
     } else {
-        phi_150_ = array<u32, 2>();
-        phi_151_ = true;
+        phi_147_ = array<u32, 2>();
+        phi_148_ = true;
     }
-    let _e85 = phi_150_;
-    let _e87 = phi_151_;
-    if _e87 {
-        phi_156_ = _e74;
+    let _e80 = phi_147_;
+    let _e82 = phi_148_;
+    if _e82 {
+        phi_153_ = _e69;
     } else {
-        phi_156_ = _e85;
+        phi_153_ = _e80;
     }
-    let _e89 = phi_156_;
-    let _e92 = ((_e59 * 128u) + _e49);
-    let _e96 = params.member.member.member_2[_e89[0]];
-    let _e97 = (_e96 + _e92);
-    let _e101 = params.member.member.member[_e89[0]];
-    if (_e92 < _e101) {
-        let _e105 = params.member.member_2.member;
-        let _e108 = params.member.member_2.member_1;
-        if (_e108 == 0u) {
-            phi_194_ = array<u32, 2>(0u, 2u);
+    let _e84 = phi_153_;
+    let _e87 = ((_e54 * 128u) + _e44);
+    let _e91 = params.member.member.member_2[_e84[0]];
+    let _e92 = (_e91 + _e87);
+    let _e96 = params.member.member.member[_e84[0]];
+    if (_e87 < _e96) {
+        let _e100 = params.member.member_2.member;
+        let _e103 = params.member.member_2.member_1;
+        if (_e103 == 0u) {
+            phi_191_ = array<u32, 2>(0u, 2u);
         } else {
-            phi_194_ = array<u32, 2>(1u, 1u);
+            phi_191_ = array<u32, 2>(1u, 1u);
         }
-        let _e111 = phi_194_;
-        if (_e105 == 1u) {
-            if (_e62 == 1u) {
-                phi_206_ = array<u32, 2>(_e111[1], _e111[0]);
-                phi_207_ = false;
+        let _e106 = phi_191_;
+        if (_e100 == 1u) {
+            if (_e57 == 1u) {
+                phi_203_ = array<u32, 2>(_e106[1], _e106[0]);
+                phi_204_ = false;
             } else {
-                phi_206_ = array<u32, 2>();
-                phi_207_ = true;
+                phi_203_ = array<u32, 2>();
+                phi_204_ = true;
             }
-            let _e118 = phi_206_;
-            let _e120 = phi_207_;
-            phi_208_ = _e118;
-            phi_209_ = _e120;
+            let _e113 = phi_203_;
+            let _e115 = phi_204_;
+            phi_205_ = _e113;
+            phi_206_ = _e115;
         } else {
-            phi_208_ = array<u32, 2>();
-            phi_209_ = true;
+            phi_205_ = array<u32, 2>();
+            phi_206_ = true;
         }
-        let _e122 = phi_208_;
-        let _e124 = phi_209_;
-        if _e124 {
-            phi_214_ = _e111;
+        let _e117 = phi_205_;
+        let _e119 = phi_206_;
+        if _e119 {
+            phi_211_ = _e106;
         } else {
-            phi_214_ = _e122;
+            phi_211_ = _e117;
         }
-        let _e126 = phi_214_;
-        let _e129 = keys.member[_e97];
-        let _e131 = sorted.member[_e97];
-        let _e133 = (_e126[1] << bitcast<u32>(30u));
-        let _e134 = (_e129 & 1073741823u);
-        if (_e105 == 1u) {
-            let _e221 = survey.member[6u];
-            if (_e221 == 0u) {
-                phi_272_ = _e131.member_1[0];
+        let _e121 = phi_211_;
+        let _e124 = keys.member[_e92];
+        let _e126 = sorted.member[_e92];
+        let _e128 = (_e121[1] << bitcast<u32>(30u));
+        let _e129 = (_e124 & 1073741823u);
+        if (_e100 == 1u) {
+            let _e216 = survey.member[6u];
+            if (_e216 == 0u) {
+                phi_269_ = _e126.member_1[0];
             } else {
-                if (_e221 == 1u) {
-                    phi_271_ = _e131.member_1[1];
+                if (_e216 == 1u) {
+                    phi_268_ = _e126.member_1[1];
                 } else {
-                    phi_271_ = _e131.member_1[2];
+                    phi_268_ = _e126.member_1[2];
                 }
-                let _e229 = phi_271_;
-                phi_272_ = _e229;
+                let _e224 = phi_268_;
+                phi_269_ = _e224;
             }
-            let _e233 = phi_272_;
-            let _e234 = bitcast<u32>(_e233);
-            if (_e234 == 2147483648u) {
-                phi_278_ = 0u;
+            let _e228 = phi_269_;
+            let _e229 = bitcast<u32>(_e228);
+            if (_e229 == 2147483648u) {
+                phi_275_ = 0u;
             } else {
-                phi_278_ = _e234;
+                phi_275_ = _e229;
             }
-            let _e237 = phi_278_;
-            let _e239 = bitcast<u32>(bitcast<f32>(_e237));
-            if ((_e239 >> bitcast<u32>(31i)) == 1u) {
-                phi_288_ = ~(_e239);
+            let _e232 = phi_275_;
+            let _e234 = bitcast<u32>(bitcast<f32>(_e232));
+            if ((_e234 >> bitcast<u32>(31i)) == 1u) {
+                phi_285_ = ~(_e234);
             } else {
-                phi_288_ = (_e239 | 2147483648u);
+                phi_285_ = (_e234 | 2147483648u);
             }
-            let _e246 = phi_288_;
-            phi_390_ = array<u32, 2>(((_e133 | _e134) + _e62), (_e133 | (_e246 >> bitcast<u32>(2i))));
+            let _e241 = phi_285_;
+            phi_387_ = array<u32, 2>(((_e128 | _e129) + _e57), (_e128 | (_e241 >> bitcast<u32>(2i))));
         } else {
-            if (_e105 == 2u) {
-                let _e138 = (_e108 == 1u);
-                if _e138 {
-                    phi_301_ = (4u + _e62);
+            if (_e100 == 2u) {
+                let _e133 = (_e103 == 1u);
+                if _e133 {
+                    phi_298_ = (4u + _e57);
                 } else {
-                    phi_301_ = _e62;
+                    phi_298_ = _e57;
                 }
-                let _e141 = phi_301_;
-                let _e142 = (_e134 & 1023u);
-                let _e149 = (((_e134 >> bitcast<u32>(10u)) & 1023u) + (_e141 % 3u));
-                let _e151 = ((_e134 >> bitcast<u32>(20u)) + (_e141 / 3u));
-                if (_e149 < 1u) {
-                    phi_376_ = array<u32, 2>();
-                    phi_377_ = true;
+                let _e136 = phi_298_;
+                let _e137 = (_e129 & 1023u);
+                let _e144 = (((_e129 >> bitcast<u32>(10u)) & 1023u) + (_e136 % 3u));
+                let _e146 = ((_e129 >> bitcast<u32>(20u)) + (_e136 / 3u));
+                if (_e144 < 1u) {
+                    phi_373_ = array<u32, 2>();
+                    phi_374_ = true;
                 } else {
-                    if (_e151 < 1u) {
-                        phi_374_ = array<u32, 2>();
-                        phi_375_ = true;
+                    if (_e146 < 1u) {
+                        phi_371_ = array<u32, 2>();
+                        phi_372_ = true;
                     } else {
-                        if (_e149 > 1024u) {
-                            phi_372_ = array<u32, 2>();
-                            phi_373_ = true;
+                        if (_e144 > 1024u) {
+                            phi_369_ = array<u32, 2>();
+                            phi_370_ = true;
                         } else {
-                            let _e155 = (_e151 > 1024u);
-                            if _e155 {
-                                phi_371_ = array<u32, 2>();
+                            let _e150 = (_e146 > 1024u);
+                            if _e150 {
+                                phi_368_ = array<u32, 2>();
                             } else {
-                                if (_e142 > 0u) {
-                                    if _e138 {
-                                        if (_e141 == 4u) {
-                                            phi_337_ = false;
+                                if (_e137 > 0u) {
+                                    if _e133 {
+                                        if (_e136 == 4u) {
+                                            phi_334_ = false;
                                         } else {
-                                            phi_337_ = true;
+                                            phi_334_ = true;
                                         }
-                                        let _e159 = phi_337_;
-                                        phi_338_ = _e159;
+                                        let _e154 = phi_334_;
+                                        phi_335_ = _e154;
                                     } else {
-                                        phi_338_ = true;
+                                        phi_335_ = true;
                                     }
-                                    let _e161 = phi_338_;
-                                    if _e161 {
-                                        phi_343_ = (_e142 - 1u);
-                                        phi_344_ = false;
+                                    let _e156 = phi_335_;
+                                    if _e156 {
+                                        phi_340_ = (_e137 - 1u);
+                                        phi_341_ = false;
                                     } else {
-                                        phi_343_ = u32();
-                                        phi_344_ = true;
+                                        phi_340_ = u32();
+                                        phi_341_ = true;
                                     }
-                                    let _e164 = phi_343_;
-                                    let _e166 = phi_344_;
-                                    phi_345_ = _e164;
-                                    phi_346_ = _e166;
+                                    let _e159 = phi_340_;
+                                    let _e161 = phi_341_;
+                                    phi_342_ = _e159;
+                                    phi_343_ = _e161;
                                 } else {
-                                    phi_345_ = u32();
-                                    phi_346_ = true;
+                                    phi_342_ = u32();
+                                    phi_343_ = true;
                                 }
-                                let _e168 = phi_345_;
-                                let _e170 = phi_346_;
-                                if _e170 {
-                                    phi_350_ = _e142;
+                                let _e163 = phi_342_;
+                                let _e165 = phi_343_;
+                                if _e165 {
+                                    phi_347_ = _e137;
                                 } else {
-                                    phi_350_ = _e168;
+                                    phi_347_ = _e163;
                                 }
-                                let _e172 = phi_350_;
-                                if ((_e142 + 1u) < 1024u) {
-                                    phi_357_ = (_e142 + 1u);
+                                let _e167 = phi_347_;
+                                if ((_e137 + 1u) < 1024u) {
+                                    phi_354_ = (_e137 + 1u);
                                 } else {
-                                    phi_357_ = _e142;
+                                    phi_354_ = _e137;
                                 }
-                                let _e177 = phi_357_;
-                                phi_371_ = array<u32, 2>(((((_e151 - 1u) << bitcast<u32>(20u)) | ((_e149 - 1u) << bitcast<u32>(10u))) | _e172), ((((_e151 - 1u) << bitcast<u32>(20u)) | ((_e149 - 1u) << bitcast<u32>(10u))) | _e177));
+                                let _e172 = phi_354_;
+                                phi_368_ = array<u32, 2>(((((_e146 - 1u) << bitcast<u32>(20u)) | ((_e144 - 1u) << bitcast<u32>(10u))) | _e167), ((((_e146 - 1u) << bitcast<u32>(20u)) | ((_e144 - 1u) << bitcast<u32>(10u))) | _e172));
                             }
-                            let _e196 = phi_371_;
-                            phi_372_ = _e196;
-                            phi_373_ = _e155;
+                            let _e191 = phi_368_;
+                            phi_369_ = _e191;
+                            phi_370_ = _e150;
                         }
-                        let _e198 = phi_372_;
-                        let _e200 = phi_373_;
-                        phi_374_ = _e198;
-                        phi_375_ = _e200;
+                        let _e193 = phi_369_;
+                        let _e195 = phi_370_;
+                        phi_371_ = _e193;
+                        phi_372_ = _e195;
                     }
-                    let _e202 = phi_374_;
-                    let _e204 = phi_375_;
-                    phi_376_ = _e202;
-                    phi_377_ = _e204;
+                    let _e197 = phi_371_;
+                    let _e199 = phi_372_;
+                    phi_373_ = _e197;
+                    phi_374_ = _e199;
                 }
-                let _e206 = phi_376_;
-                let _e208 = phi_377_;
-                if _e208 {
-                    phi_382_ = array<u32, 2>(1u, 0u);
+                let _e201 = phi_373_;
+                let _e203 = phi_374_;
+                if _e203 {
+                    phi_379_ = array<u32, 2>(1u, 0u);
                 } else {
-                    phi_382_ = _e206;
+                    phi_379_ = _e201;
                 }
-                let _e210 = phi_382_;
-                phi_389_ = array<u32, 2>((_e133 | _e210[0]), (_e133 | _e210[1]));
+                let _e205 = phi_379_;
+                phi_386_ = array<u32, 2>((_e128 | _e205[0]), (_e128 | _e205[1]));
             } else {
-                phi_389_ = array<u32, 2>(_e133, _e133);
+                phi_386_ = array<u32, 2>(_e128, _e128);
             }
-            let _e217 = phi_389_;
-            phi_390_ = _e217;
+            let _e212 = phi_386_;
+            phi_387_ = _e212;
         }
-        let _e252 = phi_390_;
-        if (_e108 == 1u) {
-            phi_398_ = (_e97 + 1u);
+        let _e247 = phi_387_;
+        if (_e103 == 1u) {
+            phi_395_ = (_e92 + 1u);
         } else {
-            phi_398_ = 0u;
+            phi_395_ = 0u;
         }
-        let _e258 = phi_398_;
-        phi_401_ = array<u32, 3>(_e252[0], _e252[1], _e258);
+        let _e253 = phi_395_;
+        phi_398_ = array<u32, 3>(_e247[0], _e247[1], _e253);
     } else {
-        phi_401_ = array<u32, 3>(4294967295u, 0u, 0u);
+        phi_398_ = array<u32, 3>(4294967295u, 0u, 0u);
     }
-    let _e261 = phi_401_;
-    if (_e261[0] <= _e261[1]) {
-        let _e266 = atomicMin((&counters[0u]), _e261[0]);
-        let _e268 = atomicMax((&counters[1u]), _e261[1]);
+    let _e256 = phi_398_;
+    if (_e256[0] <= _e256[1]) {
+        let _e261 = atomicMin((&counters[0u]), _e256[0]);
+        let _e263 = atomicMax((&counters[1u]), _e256[1]);
     }
     workgroupBarrier();
-    let _e272 = params.member.member.member_2[3u];
-    let _e274 = atomicLoad((&counters[0u]));
-    let _e276 = atomicLoad((&counters[1u]));
-    if (_e49 < 2u) {
-        if (_e49 == 0u) {
-            phi_428_ = _e274;
+    let _e267 = params.member.member.member_2[3u];
+    let _e269 = atomicLoad((&counters[0u]));
+    let _e271 = atomicLoad((&counters[1u]));
+    if (_e44 < 2u) {
+        if (_e44 == 0u) {
+            phi_425_ = _e269;
         } else {
-            phi_428_ = (_e276 + 1u);
+            phi_425_ = (_e271 + 1u);
         }
-        let _e281 = phi_428_;
-        phi_431_ = type_14(0i, 32i);
-        phi_434_ = 0u;
-        phi_436_ = _e272;
+        let _e276 = phi_425_;
+        phi_428_ = type_14(0i, 32i);
+        phi_431_ = 0u;
+        phi_433_ = _e267;
         loop {
-            let _e283 = phi_431_;
-            let _e285 = phi_434_;
-            let _e287 = phi_436_;
-            local = _e285;
-            local_1 = _e285;
-            local_2 = _e285;
-            local_3 = _e285;
-            if (_e283.member < _e283.member_1) {
-                let _e294 = (_e283.member + 1i);
-                if ((false == (_e294 > _e283.member)) != false) {
-                    phi_457_ = true;
+            let _e278 = phi_428_;
+            let _e280 = phi_431_;
+            let _e282 = phi_433_;
+            local = _e280;
+            local_1 = _e280;
+            local_2 = _e280;
+            local_3 = _e280;
+            if (_e278.member < _e278.member_1) {
+                let _e289 = (_e278.member + 1i);
+                if ((false == (_e289 > _e278.member)) != false) {
+                    phi_454_ = true;
                 } else {
-                    phi_457_ = false;
+                    phi_454_ = false;
                 }
-                let _e299 = phi_457_;
-                if _e299 {
-                    phi_463_ = type_15(0u, type_15().member_1);
+                let _e294 = phi_454_;
+                if _e294 {
+                    phi_460_ = type_15(0u, type_15().member_1);
                 } else {
-                    phi_463_ = type_15(1u, _e294);
+                    phi_460_ = type_15(1u, _e289);
                 }
-                let _e304 = phi_463_;
-                phi_432_ = type_14(_e304.member_1, _e283.member_1);
-                phi_477_ = type_15(1u, _e283.member);
+                let _e299 = phi_460_;
+                phi_429_ = type_14(_e299.member_1, _e278.member_1);
+                phi_474_ = type_15(1u, _e278.member);
             } else {
-                phi_432_ = _e283;
-                phi_477_ = type_15(0u, type_15().member_1);
+                phi_429_ = _e278;
+                phi_474_ = type_15(0u, type_15().member_1);
             }
-            let _e310 = phi_432_;
-            let _e312 = phi_477_;
-            if (bitcast<i32>(_e312.member) != 0i) {
-                if (_e285 >= _e287) {
-                    phi_508_ = u32();
-                    phi_509_ = u32();
-                    phi_510_ = false;
+            let _e305 = phi_429_;
+            let _e307 = phi_474_;
+            if (bitcast<i32>(_e307.member) != 0i) {
+                if (_e280 >= _e282) {
+                    phi_505_ = u32();
+                    phi_506_ = u32();
+                    phi_507_ = false;
                 } else {
-                    let _e319 = (_e285 + ((_e287 - _e285) / 2u));
-                    let _e321 = keys.member[_e319];
-                    if (_e321 < _e281) {
-                        phi_506_ = (_e319 + 1u);
-                        phi_507_ = _e287;
+                    let _e314 = (_e280 + ((_e282 - _e280) / 2u));
+                    let _e316 = keys.member[_e314];
+                    if (_e316 < _e276) {
+                        phi_503_ = (_e314 + 1u);
+                        phi_504_ = _e282;
                     } else {
-                        phi_506_ = _e285;
-                        phi_507_ = _e319;
+                        phi_503_ = _e280;
+                        phi_504_ = _e314;
                     }
-                    let _e325 = phi_506_;
-                    let _e327 = phi_507_;
-                    phi_508_ = _e325;
-                    phi_509_ = _e327;
-                    phi_510_ = true;
+                    let _e320 = phi_503_;
+                    let _e322 = phi_504_;
+                    phi_505_ = _e320;
+                    phi_506_ = _e322;
+                    phi_507_ = true;
                 }
-                let _e329 = phi_508_;
-                let _e331 = phi_509_;
-                let _e333 = phi_510_;
-                phi_435_ = _e329;
-                phi_437_ = _e331;
-                phi_511_ = _e333;
+                let _e324 = phi_505_;
+                let _e326 = phi_506_;
+                let _e328 = phi_507_;
+                phi_432_ = _e324;
+                phi_434_ = _e326;
+                phi_508_ = _e328;
             } else {
-                phi_435_ = u32();
-                phi_437_ = u32();
-                phi_511_ = false;
+                phi_432_ = u32();
+                phi_434_ = u32();
+                phi_508_ = false;
             }
-            let _e335 = phi_435_;
-            let _e337 = phi_437_;
-            let _e339 = phi_511_;
+            let _e330 = phi_432_;
+            let _e332 = phi_434_;
+            let _e334 = phi_508_;
             continue;
             continuing {
-                phi_431_ = _e310;
-                phi_434_ = _e335;
-                phi_436_ = _e337;
-                break if !(_e339);
+                phi_428_ = _e305;
+                phi_431_ = _e330;
+                phi_433_ = _e332;
+                break if !(_e334);
             }
         }
-        if (_e49 == 0u) {
-            let _e344 = params.member.member_2.member_1;
-            if (_e344 == 1u) {
-                let _e346 = (_e97 + 1u);
-                let _e348 = local;
-                if (_e346 < _e348) {
-                    let _e549 = local_1;
-                    phi_528_ = _e549;
+        if (_e44 == 0u) {
+            let _e339 = params.member.member_2.member_1;
+            if (_e339 == 1u) {
+                let _e341 = (_e92 + 1u);
+                let _e343 = local;
+                if (_e341 < _e343) {
+                    let _e494 = local_1;
+                    phi_525_ = _e494;
                 } else {
-                    phi_528_ = _e346;
+                    phi_525_ = _e341;
                 }
-                let _e351 = phi_528_;
-                phi_529_ = _e351;
+                let _e346 = phi_525_;
+                phi_526_ = _e346;
             } else {
-                let _e552 = local_2;
-                phi_529_ = _e552;
+                let _e497 = local_2;
+                phi_526_ = _e497;
             }
-            let _e353 = phi_529_;
-            phi_530_ = _e353;
+            let _e348 = phi_526_;
+            phi_527_ = _e348;
         } else {
-            let _e555 = local_3;
-            phi_530_ = _e555;
+            let _e500 = local_3;
+            phi_527_ = _e500;
         }
-        let _e355 = phi_530_;
-        atomicStore((&counters[(2u + _e49)]), _e355);
+        let _e350 = phi_527_;
+        atomicStore((&counters[(2u + _e44)]), _e350);
     }
     workgroupBarrier();
-    let _e359 = atomicLoad((&counters[2u]));
-    let _e361 = atomicLoad((&counters[3u]));
-    let _e363 = survey.member[10u];
-    if (_e363 > 0u) {
-        phi_579_ = true;
-    } else {
-        let _e366 = survey.member[9u];
-        let _e370 = params.member.member_2.member_3[0u];
-        phi_579_ = (_e366 > _e370);
-    }
-    let _e373 = phi_579_;
-    if _e373 {
-        phi_673_ = bool();
-        phi_674_ = true;
-    } else {
-        let _e375 = survey.member[15u];
-        if (_e375 > 0u) {
-            phi_625_ = true;
+    let _e354 = atomicLoad((&counters[2u]));
+    let _e356 = atomicLoad((&counters[3u]));
+    if (_e354 < _e356) {
+        let _e358 = (_e356 - _e354);
+        let _e359 = (_e358 / 1024u);
+        if ((_e358 % 1024u) > 0u) {
+            phi_554_ = (_e359 + 1u);
         } else {
-            let _e378 = survey.member[14u];
-            let _e382 = params.member.member_2.member_3[1u];
-            phi_625_ = (_e378 > _e382);
+            phi_554_ = _e359;
         }
-        let _e385 = phi_625_;
-        if _e385 {
-            phi_672_ = bool();
-        } else {
-            let _e387 = survey.member[20u];
-            if (_e387 > 0u) {
-                phi_671_ = true;
-            } else {
-                let _e390 = survey.member[19u];
-                let _e394 = params.member.member_2.member_3[2u];
-                phi_671_ = (_e390 > _e394);
+        let _e364 = phi_554_;
+        phi_555_ = _e364;
+    } else {
+        phi_555_ = 0u;
+    }
+    let _e366 = phi_555_;
+    if (_e44 == 0u) {
+        if (_e366 > 0u) {
+            let _e370 = atomicAdd((&work.member[0u]), _e366);
+            if ((_e370 + _e366) < _e370) {
+                let _e374 = atomicAdd((&work.member[2u]), 1u);
             }
-            let _e397 = phi_671_;
-            phi_672_ = _e397;
-        }
-        let _e399 = phi_672_;
-        phi_673_ = _e399;
-        phi_674_ = _e385;
-    }
-    let _e401 = phi_673_;
-    let _e403 = phi_674_;
-    if _e403 {
-        phi_678_ = true;
-    } else {
-        phi_678_ = _e401;
-    }
-    let _e405 = phi_678_;
-    if (_e359 < _e361) {
-        phi_684_ = !(_e405);
-    } else {
-        phi_684_ = false;
-    }
-    let _e409 = phi_684_;
-    if _e409 {
-        let _e410 = (_e361 - _e359);
-        let _e411 = (_e410 / 1024u);
-        if ((_e410 % 1024u) > 0u) {
-            phi_704_ = (_e411 + 1u);
-        } else {
-            phi_704_ = _e411;
-        }
-        let _e416 = phi_704_;
-        phi_705_ = _e416;
-    } else {
-        phi_705_ = 0u;
-    }
-    let _e418 = phi_705_;
-    if (_e49 == 0u) {
-        if (_e418 > 0u) {
-            let _e422 = atomicAdd((&work.member[0u]), _e418);
-            if ((_e422 + _e418) < _e422) {
-                let _e426 = atomicAdd((&work.member[2u]), 1u);
-            }
-            atomicStore((&counters[5u]), _e422);
-        }
-    }
-    if (_e49 == 0u) {
-        if _e405 {
-            let _e430 = atomicMax((&work.member[0u]), 4294967295u);
+            atomicStore((&counters[5u]), _e370);
         }
     }
     workgroupBarrier();
-    let _e432 = atomicLoad((&counters[5u]));
-    let _e433 = (_e418 / 128u);
-    if ((_e418 % 128u) > 0u) {
-        phi_754_ = (_e433 + 1u);
+    let _e377 = atomicLoad((&counters[5u]));
+    let _e378 = (_e366 / 128u);
+    if ((_e366 % 128u) > 0u) {
+        phi_594_ = (_e378 + 1u);
     } else {
-        phi_754_ = _e433;
+        phi_594_ = _e378;
     }
-    let _e438 = phi_754_;
-    phi_757_ = type_9(0u, _e438);
+    let _e383 = phi_594_;
+    phi_597_ = type_9(0u, _e383);
     loop {
-        let _e441 = phi_757_;
-        if (_e441.member < _e441.member_1) {
-            phi_758_ = type_9((_e441.member + 1u), _e441.member_1);
-            phi_781_ = type_9(1u, _e441.member);
+        let _e386 = phi_597_;
+        if (_e386.member < _e386.member_1) {
+            phi_598_ = type_9((_e386.member + 1u), _e386.member_1);
+            phi_621_ = type_9(1u, _e386.member);
         } else {
-            phi_758_ = _e441;
-            phi_781_ = type_9(0u, type_9().member_1);
+            phi_598_ = _e386;
+            phi_621_ = type_9(0u, type_9().member_1);
         }
-        let _e453 = phi_758_;
-        let _e455 = phi_781_;
-        let _e459 = (bitcast<i32>(_e455.member) != 0i);
-        if _e459 {
-            let _e461 = ((_e455.member_1 * 128u) + _e49);
-            if (_e461 < _e418) {
-                let _e464 = (_e359 + (_e461 * 1024u));
-                let _e465 = (_e361 - _e464);
-                if (1024u < _e465) {
-                    phi_802_ = 1024u;
+        let _e398 = phi_598_;
+        let _e400 = phi_621_;
+        let _e404 = (bitcast<i32>(_e400.member) != 0i);
+        if _e404 {
+            let _e406 = ((_e400.member_1 * 128u) + _e44);
+            if (_e406 < _e366) {
+                let _e409 = (_e354 + (_e406 * 1024u));
+                let _e410 = (_e356 - _e409);
+                if (1024u < _e410) {
+                    phi_642_ = 1024u;
                 } else {
-                    phi_802_ = _e465;
+                    phi_642_ = _e410;
                 }
-                let _e468 = phi_802_;
-                let _e469 = (_e468 / 128u);
-                if ((_e468 % 128u) > 0u) {
-                    phi_818_ = (_e469 + 1u);
+                let _e413 = phi_642_;
+                let _e414 = (_e413 / 128u);
+                if ((_e413 % 128u) > 0u) {
+                    phi_658_ = (_e414 + 1u);
                 } else {
-                    phi_818_ = _e469;
+                    phi_658_ = _e414;
                 }
-                let _e474 = phi_818_;
-                let _e484 = params.member.member_1.member_3;
-                let _e485 = (_e432 + _e461);
-                if (_e485 < _e484) {
-                    let _e487 = (2u * _e485);
-                    atomicStore((&work.member[(4u + _e487)]), (((_e62 << bitcast<u32>(28i)) | ((_e474 - 1u) << bitcast<u32>(24i))) | _e59));
-                    atomicStore((&work.member[(_e487 + 5u)]), _e464);
+                let _e419 = phi_658_;
+                let _e429 = params.member.member_1.member_3;
+                let _e430 = (_e377 + _e406);
+                if (_e430 < _e429) {
+                    let _e432 = (2u * _e430);
+                    atomicStore((&work.member[(4u + _e432)]), (((_e57 << bitcast<u32>(28i)) | ((_e419 - 1u) << bitcast<u32>(24i))) | _e54));
+                    atomicStore((&work.member[(_e432 + 5u)]), _e409);
                 }
             }
         }
         continue;
         continuing {
-            phi_757_ = _e453;
-            break if !(_e459);
+            phi_597_ = _e398;
+            break if !(_e404);
         }
     }
     return;

@@ -13,8 +13,7 @@
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
 //! they take minutes, but for those by default on the native path: reported with the reason, and
-//! counted. So are rows of scenes that the uniform grid of a GPU refuses, which must be for the
-//! crowding of its cells. What is left out by default a row says, too.
+//! counted. What is left out by default a row says, too.
 
 mod rows;
 mod scenes;
@@ -183,13 +182,13 @@ fn check_pairs(
     let mut broad =
         BroadPhase::scheduled(choice, 2, method, scheduling).map_err(|e| e.to_string())?;
     let answer = broad.self_pairs(&boxes.within).map(|pairs| pairs.into_vec());
-    let within = taken((source, choice), method, boxes.within.len(), answer)?;
+    let within = taken(method, boxes.within.len(), answer)?;
     if let Ok(within) = &within {
         same_pairs("within one set", &boxes.want[0], within)?;
     }
     let [a, b] = &boxes.between;
     let answer = broad.pairs(a, b).map(|pairs| pairs.into_vec());
-    let between = taken((source, choice), method, a.len().max(b.len()), answer)?;
+    let between = taken(method, a.len().max(b.len()), answer)?;
     if let Ok(between) = &between {
         same_pairs("between two sets", &boxes.want[1], between)?;
     }
@@ -197,11 +196,9 @@ fn check_pairs(
     Ok(within.and(between).map_or_else(refused, |_| Completion::Completed))
 }
 
-/// Pairs, or why they were refused: for nearest pairs above their limit, where they must be, and
-/// for real scenes whose sizes are so unequal that the cells of a device's grid are crowded. Any
+/// Pairs, or why they were refused: for nearest pairs above their limit, where they must be. Any
 /// other error is one.
 fn taken<T>(
-    (source, choice): (Source, &Choice),
     method: BroadPhaseMethod,
     n: usize,
     answer: Result<T, Error>,
@@ -213,14 +210,10 @@ fn taken<T>(
         },
         _ => usize::MAX,
     };
-    let may = matches!(source, Source::Real(_))
-        && method == BroadPhaseMethod::UniformGrid
-        && choice.device().is_some();
     match answer {
         Ok(_) if n > limit => Err(format!("{n} boxes were not refused")),
         Ok(found) => Ok(Ok(found)),
         Err(e @ Error::Input(ccd::Error::TooMany { .. })) if n > limit => Ok(Err(e.to_string())),
-        Err(e @ Error::Input(ccd::Error::CrowdedCells { .. })) if may => Ok(Err(e.to_string())),
         Err(e) => Err(e.to_string()),
     }
 }
@@ -261,12 +254,12 @@ fn check_contacts(
         Ok(session) => session,
         // A GPU refuses when it makes room.
         Err(e) => {
-            let answer = taken((source, choice), method, n, Err::<(), _>(e))?;
+            let answer = taken(method, n, Err::<(), _>(e))?;
             return Ok(answer.map_or_else(refused, |()| Completion::Completed));
         }
     };
     let answer = session.step(x0, x1).cloned();
-    let report = match taken((source, choice), method, n, answer)? {
+    let report = match taken(method, n, answer)? {
         Ok(report) => report,
         Err(why) => return Ok(refused(why)),
     };

@@ -6,16 +6,16 @@ use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, zer
 use crate::twin::{Twin, union};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{
-    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SurveyAxis, SurveyCells, SurveySides,
+    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SurveyAxis, SurveySides,
 };
 use ccd::{Aabb, Pair};
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, BRUTE_FORCE, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SURVEY_WORDS,
-    SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows, unpack,
+    self, BRUTE_FORCE, CHUNK, FOUND, GROUP, POOL, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID,
+    asks, rows, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word};
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
-use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
+use ccd_core::backend::broad_phase::uniform_grid::Sizes;
 use ccd_core::backend::layout::{Dispatch, Intervals, LIST_HEADER, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
@@ -63,82 +63,7 @@ fn check_surveys(device: &Device) {
             let want = order_key(largest.half[k]);
             assert_eq!(sides[k], want, "largest side of {n} on axis {k}");
         }
-        check_fullness(device, &boxes);
     }
-}
-
-/// How full cells are, of two sets.
-fn check_fullness(device: &Device, boxes: &[Aabb]) {
-    let mut all = boxes.to_vec();
-    all.extend(vec![boxes[0]; 300]);
-    let (a, b) = all.split_at(boxes.len() / 3);
-    let sets = sorted(device, UNIFORM_GRID, [a, b, &[]]);
-    let of_set = 1;
-    let (start, count) = (sets.twin.frame.start[of_set], sets.twin.frame.count[of_set]);
-    let looked_at = |stride: u32, survey: &[u32]| -> Vec<u32> {
-        let n = count.div_ceil(stride);
-        let kernel = SurveyCells {
-            sorted: bytes(&sets.boxes),
-            keys: bytes(&sets.keys),
-            survey: bytes(survey),
-        };
-        let dispatch = Dispatch { n, first: stride, ..Dispatch::default() };
-        let p = params(&sets.twin, dispatch, UNIFORM_GRID, of_set as u32, 0);
-        read(&run(device, kernel, &p, n.div_ceil(256)).survey)
-    };
-    let at = FULLNESS + SET_WORDS * of_set;
-    let side = |b: &Aabb| Sizes::of(b).half.into_iter().fold(0.0, f32::max);
-    let largest = all.iter().map(side).fold(0.0, f32::max);
-    for stride in [1, 3] {
-        let found = looked_at(stride, &sets.survey);
-        let places = || (start..start + count).step_by(stride as usize).map(|k| k as usize);
-        let cell = |k: usize| uniform_grid::cell_of(sets.keys[k] & ((1 << 30) - 1));
-        let near = |i: usize, j: usize| {
-            let (p, q) = (cell(i), cell(j));
-            i != j && (0..3).all(|k| p[k].abs_diff(q[k]) <= 1)
-        };
-        let of_set = || (start..start + count).map(|k| k as usize);
-        let around: usize = places().map(|i| of_set().filter(|&j| near(i, j)).count()).sum();
-        assert_eq!([found[at], found[at + 1]], [around as u32, 0], "around, of {count}");
-        let want: f64 =
-            places().map(|k| (side(&sets.boxes[k]) / largest * SIDE_UNITS) as f64).sum();
-        let found_sides = (found[at + 3] as u64) << 32 | found[at + 2] as u64;
-        assert!((found_sides as f64 - want).abs() <= 2.0 * count as f64, "sides of {count}");
-        let fullest = places().map(|i| of_set().filter(|&j| sets.keys[i] == sets.keys[j]).count());
-        assert_eq!(found[at + 4] as usize, fullest.max().unwrap(), "fullest of {count}");
-    }
-    // A sum that exceeds a word.
-    let (found, mut survey) = (looked_at(1, &sets.survey), sets.survey.clone());
-    survey[at] = u32::MAX;
-    assert_eq!(looked_at(1, &survey)[at + 1], 1);
-    // No work where cells are too full, and no pairs of what the list held before.
-    let asking = sets.twin.frame.count[1].div_ceil(GROUP);
-    let done = |limit: u32| {
-        let dispatch =
-            Dispatch { n: 1000, capacity_in: 1000, capacity_out: 1000, ..Dispatch::default() };
-        let kernel = IntervalWork {
-            sorted: bytes(&sets.boxes),
-            keys: bytes(&sets.keys),
-            survey: bytes(&found),
-            work: capacity(1000),
-        };
-        let mut p = params(&sets.twin, dispatch, UNIFORM_GRID, 1, 0);
-        p.args.most[of_set] = limit;
-        let work = run(device, kernel, &p, asking).work;
-        let kernel = IntervalPairs {
-            sorted: bytes(&sets.boxes),
-            keys: bytes(&sets.keys),
-            order: bytes(&sets.order),
-            survey: bytes(&found),
-            work: work.clone(),
-            pairs: capacity(1000),
-        };
-        let pairs = run(device, kernel, &p, asking).pairs;
-        [read::<u32>(&work)[0], read::<u32>(&pairs)[0]]
-    };
-    let ([n_pieces, n_pairs], none) = (done(found[at]), done(found[at] - 1));
-    assert!(n_pieces > 0 && n_pieces < 1000 && n_pairs > 0, "{n_pieces}, {n_pairs}");
-    assert_eq!(none, [u32::MAX, 0]);
 }
 
 /// What the kernels need of boxes in order.
@@ -151,11 +76,7 @@ struct Sorted {
 }
 
 fn params(twin: &Twin, dispatch: Dispatch, method: u32, kind: u32, row: u32) -> Params<Intervals> {
-    Params {
-        frame: twin.frame,
-        dispatch,
-        args: Intervals { method, kind, row, most: [u32::MAX; 3] },
-    }
+    Params { frame: twin.frame, dispatch, args: Intervals { method, kind, row } }
 }
 
 fn sorted(device: &Device, method: u32, sets: [&[Aabb]; 3]) -> Sorted {

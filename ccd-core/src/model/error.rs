@@ -203,20 +203,6 @@ pub enum Error {
         /// The greatest that it may be.
         greatest: u64,
     },
-    /// Boxes for which the grid of a GPU is not made: some so large, beside the others, that cells
-    /// as large as they are hold too many.
-    CrowdedCells {
-        /// The largest side of any box.
-        largest: f64,
-        /// The mean over all boxes of the largest side of each.
-        mean: f64,
-        /// About how many boxes of one set are in the fullest cell.
-        fullest: u64,
-        /// About how many tests there would be a box.
-        tests: u64,
-        /// How many there may be.
-        limit: u64,
-    },
     /// A thread pool of the wanted size is too large, or could not be started.
     Threads {
         /// Threads asked for.
@@ -365,15 +351,6 @@ impl core::fmt::Display for Error {
             }
             Error::Setting { name, value, least, greatest } => {
                 write!(f, "{name}: {value}; it must be from {least} to {greatest}")
-            }
-            Error::CrowdedCells { largest, mean, fullest, tests, limit } => {
-                write!(
-                    f,
-                    "cells of a grid must be as large as the largest box, which has a side of \
-                     {largest:.3e}; with boxes of {mean:.3e} in the mean, one has about {fullest} \
-                     boxes, and each box would be tested against about {tests}, more than \
-                     {limit}: use `blocks`"
-                )
             }
             Error::Threads { count, limit } => {
                 write!(f, "cannot start {count} threads; at most {limit} are possible")

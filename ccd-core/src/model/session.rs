@@ -111,8 +111,8 @@ impl<E: Engine, P> Session<E, P> {
     ///
     /// # Errors
     /// [`Error::VertexCount`] and [`Error::Coordinate`]; for positions that are no slices, what
-    /// their type says; [`Error::FixedMoves`]; [`Error::CrowdedCells`] and [`Error::TooMany`] where
-    /// a method was chosen that has such limits; [`Error::Memory`] and [`Error::Cancelled`]; what
+    /// their type says; [`Error::FixedMoves`]; [`Error::TooMany`] where a method
+    /// was chosen that has such a limit; [`Error::Memory`] and [`Error::Cancelled`]; what
     /// the device refuses. The session stays usable, and its report is empty.
     pub fn step<A, B>(&mut self, x0: &A, x1: &B) -> Result<&Report, E::Error>
     where

@@ -4,8 +4,7 @@
 use super::pair_source::{PairSource, Search, boxes, frame_of};
 use super::stages::PAIRS;
 use crate::bind::{
-    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
-    SurveySides,
+    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveySides,
 };
 use crate::device::Device;
 use crate::error::Error;
@@ -13,14 +12,11 @@ use crate::growable_list::{List, parts};
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::backend::broad_phase::key_intervals::{
-    BRUTE_FORCE, FULLNESS, GROUP, SET_WORDS, SIDE_UNITS, SURVEY_WORDS, SWEEP_AND_PRUNE,
-    UNIFORM_GRID, asks, rows, sample, sizes,
+    BRUTE_FORCE, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows,
 };
 use ccd_core::backend::broad_phase::morton_key;
-use ccd_core::backend::broad_phase::uniform_grid::TESTS_A_BOX;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Dispatch, Frame, Intervals, Params, Plain};
-use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Pieces of work that one dispatch takes at most, 2^17 tests each: some milliseconds of a small
@@ -101,20 +97,8 @@ impl IntervalSource {
     }
 
     fn params(&self, frame: &Frame, kind: u32, row: u32, dispatch: Dispatch) -> Params<Intervals> {
-        let args = Intervals { method: self.method, kind, row, most: most(frame) };
+        let args = Intervals { method: self.method, kind, row };
         Params { frame: *frame, dispatch, args }
-    }
-
-    /// How full cells are around a sample of each set that is large enough.
-    fn survey_cells(&self, recorder: &mut Recorder, frame: &Frame) {
-        let Self { sorted, survey, .. } = self;
-        let [keys, _] = self.sort.half(0);
-        for set in (0..3).filter(|&set| may_crowd(frame.count[set])) {
-            let [first, n] = sample(frame.count[set]);
-            let dispatch = Dispatch { n, first, ..Dispatch::default() };
-            let p = self.params(frame, set as u32, 0, dispatch);
-            recorder.each(&SurveyCells { sorted, keys, survey }, &p, n);
-        }
     }
 
     /// The pieces of work of a kind of pairs.
@@ -161,16 +145,6 @@ fn asking(frame: &Frame, method: u32, kind: u32, row: u32) -> u32 {
     frame.count[asks(method, kind, row)[0] as usize].div_ceil(GROUP)
 }
 
-/// Whether a set has so many boxes that they can take more tests than they may.
-fn may_crowd(n: u32) -> bool {
-    n as u64 > TESTS_A_BOX
-}
-
-/// By set: the greatest number of boxes around those of a sample for which a grid is not refused.
-fn most(frame: &Frame) -> [u32; 3] {
-    frame.count.map(|n| if may_crowd(n) { TESTS_A_BOX as u32 * sample(n)[1] } else { u32::MAX })
-}
-
 impl PairSource for IntervalSource {
     fn boxes(&self) -> &wgpu::Buffer {
         &self.boxes
@@ -193,9 +167,6 @@ impl PairSource for IntervalSource {
         let Self { boxes, sorted, .. } = self;
         let ([_, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
         recorder.each(&OrderBoxes { boxes, order, sorted }, &p, n);
-        if self.method == UNIFORM_GRID {
-            self.survey_cells(recorder, frame);
-        }
         for &kind in search.kinds {
             recorder.stage(search.stage("work", WORK, kind));
             self.work(recorder, frame, kind);
@@ -204,39 +175,6 @@ impl PairSource for IntervalSource {
             recorder.stage(search.stage("pairs", PAIRS, kind));
             self.pairs(recorder, frame, kind, search.pairs[kind as usize]);
         }
-    }
-
-    fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
-        let surveys = (self.method == UNIFORM_GRID).then_some(&self.survey);
-        surveys.into_iter().map(|survey| (survey, 0..4 * SURVEY_WORDS as u64)).collect()
-    }
-
-    fn check(&self, frame: &Frame, counted: &[Vec<u32>]) -> Result<(), Error> {
-        let [words] = counted else { return Ok(()) };
-        let of_set = |set: usize| {
-            let first = FULLNESS + SET_WORDS * set;
-            let wide = |at: usize| (words[at + 1] as u64) << 32 | words[at] as u64;
-            let n = sample(frame.count[set])[1].max(1) as f64;
-            (wide(first) as f64 / n, wide(first + 2) as f64 / n, words[first + 4])
-        };
-        let crowded = (0..3)
-            .filter(|&set| may_crowd(frame.count[set]))
-            .map(of_set)
-            .fold((0.0, 0.0, 0), |all, set| if set.0 > all.0 { set } else { all });
-        let (tests, mean, fullest) = crowded;
-        if tests <= TESTS_A_BOX as f64 {
-            return Ok(());
-        }
-        let half = sizes(words).half.into_iter().fold(0.0, f32::max);
-        let largest = 2.0 * half as f64;
-        Err(ccd_core::Error::CrowdedCells {
-            largest,
-            mean: largest * mean / SIDE_UNITS as f64,
-            fullest: fullest as u64,
-            tests: tests as u64,
-            limit: TESTS_A_BOX,
-        }
-        .into())
     }
 
     fn lists(&self) -> Vec<&List> {

@@ -81,16 +81,9 @@ pub trait PairSource: Send + Sync {
         None
     }
 
-    /// Bytes of buffers that are read when a search is over, for [`PairSource::check`] and
-    /// [`PairSource::settle`].
+    /// Bytes of buffers that are read when a search is over, for [`PairSource::settle`].
     fn counters(&self) -> Vec<(&wgpu::Buffer, Range<u64>)> {
         self.scheduled().map(Scheduled::counters).unwrap_or_default()
-    }
-
-    /// Refuses boxes for which the method is not made, by the words of [`PairSource::counters`];
-    /// then the lists hold nothing.
-    fn check(&self, _frame: &Frame, _counted: &[Vec<u32>]) -> Result<(), Error> {
-        Ok(())
     }
 
     /// A search is over, and its results were read: `counted` are the words of

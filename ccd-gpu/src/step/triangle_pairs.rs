@@ -283,9 +283,4 @@ impl PairSource for TrianglePairs {
     fn work(&self, headers: &[Header]) -> Option<u64> {
         self.source.work(headers)
     }
-
-    /// The frame is that of features.
-    fn check(&self, _frame: &Frame, counted: &[Vec<u32>]) -> Result<(), Error> {
-        self.source.check(&self.frame, counted)
-    }
 }

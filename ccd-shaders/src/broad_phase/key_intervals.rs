@@ -3,18 +3,17 @@
 
 use crate::entry::kernel;
 use crate::workgroup::{
-    add, add_shared, append, barrier, count, get, lower_shared, part, raise, raise_shared,
+    add_shared, append, barrier, count, get, lower_shared, part, raise, raise_shared,
     read_pair, set, write_pair,
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::set_of;
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, CHUNK, FOUND, FULLNESS, GROUP, POOL, SET_WORDS, SIDE_UNITS, SWEEP_AND_PRUNE, asks,
-    interval, lower_bound, pack, sizes, unpack,
+    self, CHUNK, FOUND, GROUP, POOL, SWEEP_AND_PRUNE, asks, interval, lower_bound, pack, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::order_key;
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
-use ccd_core::backend::broad_phase::uniform_grid::{self, Sizes};
+use ccd_core::backend::broad_phase::uniform_grid::Sizes;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{EDGE_EDGE, Intervals, Pair, Params};
@@ -87,66 +86,6 @@ kernel! {
 }
 
 kernel! {
-    /// How full the cells of a grid are around a sample of the boxes of set `args.kind`, in order:
-    /// thread `i` counts the boxes of the set in the cells around box `i * dispatch.first`, and a
-    /// workgroup adds what its threads found to the survey.
-    survey_cells[256](t; params: Intervals; sums: [u32; 4]; sorted: [Aabb], keys: [u32],
-        mut survey: [u32]) {
-        if t.lane < 3 {
-            set(sums, t.lane, 0);
-        }
-        barrier();
-        let (i, of_set) = (t.i, params.args.kind as usize);
-        if i < params.dispatch.n {
-            let k = (params.frame.start[of_set] + i * params.dispatch.first) as usize;
-            let (key, n_keys) = (at(keys, k), params.frame.start[3]);
-            let cell = uniform_grid::cell_of(key & ((1 << 30) - 1));
-            let of_keys = (of_set as u32) << 30;
-            let mut around = 0;
-            for row in 0..uniform_grid::ROWS {
-                let [first, last] = uniform_grid::row(cell, row, false);
-                if first <= last {
-                    // No key is the greatest number.
-                    around += lower_bound(keys, n_keys, (of_keys | last) + 1)
-                        - lower_bound(keys, n_keys, of_keys | first);
-                }
-            }
-            // Without itself; a sum of 256 such numbers fits in a word.
-            add_shared(sums, 0, (around - 1).min((1 << 24) - 1));
-            let all = sizes(survey).half;
-            let half = Sizes::of(&at(sorted, k)).half;
-            let largest = greatest(all);
-            let part = if largest > 0.0 { greatest(half) / largest * SIDE_UNITS } else { 0.0 };
-            add_shared(sums, 1, part as u32);
-            let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
-            raise_shared(sums, 2, in_cell);
-        }
-        barrier();
-        let first = FULLNESS + SET_WORDS * of_set;
-        if t.lane < 2 {
-            add_wide(survey, first + 2 * t.lane as usize, get(sums, t.lane));
-        } else if t.lane == 2 {
-            raise(survey, first + 4, get(sums, 2));
-        }
-    }
-}
-
-#[inline(always)]
-fn greatest(x: [f32; 3]) -> f32 {
-    let greater = if x[1] > x[0] { x[1] } else { x[0] };
-    if x[2] > greater { x[2] } else { greater }
-}
-
-/// Adds to a number of two words, the low one first.
-#[inline(always)]
-fn add_wide(words: &mut [u32], i: usize, value: u32) {
-    let old = add(words, i, value);
-    if old.wrapping_add(value) < old {
-        add(words, i + 1, 1);
-    }
-}
-
-kernel! {
     /// Thread `i` writes the key of box `i`, and `i`.
     interval_keys[256](t; params: Intervals;; boxes: [Aabb], survey: [u32], mut keys: [u32],
         mut order: [u32]) {
@@ -202,23 +141,11 @@ impl Sorted<'_> {
         let [from, to] = interval(method, kind, row, asked, key, &b, self.survey);
         [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
     }
-
-    /// Whether cells are fuller than they may be.
-    #[inline(always)]
-    fn is_crowded(self) -> bool {
-        self.is_full(0) || self.is_full(1) || self.is_full(2)
-    }
-
-    #[inline(always)]
-    fn is_full(self, set: usize) -> bool {
-        let first = FULLNESS + SET_WORDS * set;
-        at(self.survey, first + 1) > 0 || at(self.survey, first) > self.params.args.most[set]
-    }
 }
 
 kernel! {
     /// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
-    /// that work. Where cells are too full there is none, and the list says that it is too short.
+    /// that work.
     interval_work[128](t; params: Intervals; counters: [u32; 8]; sorted: [Aabb], keys: [u32],
         survey: [u32], mut work: [u32]) {
         let (group, row) = (t.group, params.args.row);
@@ -249,14 +176,9 @@ kernel! {
         }
         barrier();
         let (begin, end) = (get(counters, BEGIN), get(counters, END));
-        let crowded = all.is_crowded();
-        let some = begin < end && !crowded;
-        let n_chunks = if some { (end - begin).div_ceil(CHUNK) } else { 0 };
+        let n_chunks = if begin < end { (end - begin).div_ceil(CHUNK) } else { 0 };
         if t.lane == 0 && n_chunks > 0 {
             set(counters, BASE, count(work, 0, n_chunks));
-        }
-        if t.lane == 0 && crowded {
-            raise(work, 0, u32::MAX);
         }
         barrier();
         let base = get(counters, BASE);
@@ -279,7 +201,7 @@ kernel! {
         survey: [u32], work: [u32], mut pairs: [u32]) {
         let (group, groups) = (t.group, t.groups);
         let all = Sorted { params, boxes: sorted, keys, survey };
-        let len = if all.is_crowded() { 0 } else { part(work, &params.dispatch) };
+        let len = part(work, &params.dispatch);
         let n_keys = params.frame.start[3];
         // One piece a workgroup and round.
         for round in 0..decide::rounds(len, group, groups, 1) {

@@ -52,30 +52,10 @@ pub const SWEEP_AND_PRUNE: u32 = 1;
 pub const UNIFORM_GRID: u32 = 2;
 
 /// Words of a survey: bounds of all boxes as in `morton_key::merged`; the axis of
-/// a sweep, or half of the largest side on each axis, as `order_key`; of a grid besides, how full
-/// its cells are: see [`FULLNESS`].
-pub const SURVEY_WORDS: usize = 24;
+/// a sweep, or half of the largest side on each axis, as `order_key`.
+pub const SURVEY_WORDS: usize = 9;
 /// Where the axis, or the three sides, stand in a survey.
 pub const FOUND: usize = 6;
-/// Where the rest of a survey stands: by set [`SET_WORDS`] words of what a sample of its boxes
-/// tells. Two words of the sum of the numbers of boxes of the set in the cells around theirs; two
-/// words of the sum of their largest sides, in [`SIDE_UNITS`] to the largest of all, each low word
-/// first; the greatest number in a cell.
-pub const FULLNESS: usize = 9;
-/// Words of a set.
-pub const SET_WORDS: usize = 5;
-/// Parts in which the largest side of a box is counted.
-pub const SIDE_UNITS: f32 = 65_536.0;
-/// Boxes of a set in whose cells a survey looks, at most: every so many-th in order.
-pub const SAMPLE: u32 = 1 << 13;
-
-/// Of a set of `n` boxes, how far the boxes of a sample are apart, and how many there are.
-#[inline(always)]
-pub fn sample(n: u32) -> [u32; 2] {
-    let stride = n.div_ceil(SAMPLE).max(1);
-    [stride, n.div_ceil(stride)]
-}
-
 /// Bits of a key below the set.
 const BITS: u32 = 30;
 

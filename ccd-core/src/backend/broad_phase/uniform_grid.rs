@@ -27,8 +27,8 @@
 //! in common.
 //!
 //! Cost: a sort, and for every box the boxes of its neighbourhood: constant for boxes of about one
-//! size, but `n` where one box is as large as the scene. That is why a GPU, which has one grid,
-//! refuses unequal sizes ([`TESTS_A_BOX`]), and a CPU has several, each with cells half as large
+//! size, but `n` where one box is as large as the scene: as many tests as brute force makes. That is
+//! so on a GPU, which has one grid; a CPU has several, each with cells half as large
 //! ([`super::grid_levels`]). The sizes along the three axes count apart, and are at least a 1024th
 //! of the scene. Choose it for many boxes of about one size that overlap few others.
 
@@ -43,9 +43,6 @@ pub const MARGIN: f32 = 0.003_906_25;
 /// Half of the least side of a cell, beside which numbers that a device flushes to zero vanish:
 /// 2^-97.
 const LEAST_HALF: f32 = 6.310_887e-30;
-/// Tests a box, in the mean over all boxes of a set, above which a GPU refuses; so up to that many
-/// boxes never are.
-pub const TESTS_A_BOX: u64 = 4096;
 /// Rows of three cells around a cell, its own being the middle one.
 pub const ROWS: u32 = 9;
 /// The row that a cell is in itself.

@@ -295,9 +295,6 @@ macro_rules! kernels {
             /// Keys of boxes for a sweep or a grid, and their numbers.
             IntervalKeys = interval_keys(256 threads, 0 barriers, f32, Params<Intervals>)
                 { boxes: Read, survey: Read, keys: Write, order: Write }
-            /// How full the cells of a grid are.
-            SurveyCells = survey_cells(256 threads, 2 barriers, f32, Params<Intervals>)
-                { sorted: Read, keys: Read, survey: Write }
             /// Boxes in order.
             OrderBoxes = order_boxes(256 threads, 0 barriers, f32, Params<Plain>)
                 { boxes: Read, order: Read, sorted: Write }

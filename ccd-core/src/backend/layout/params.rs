@@ -203,8 +203,6 @@ pub struct Intervals {
     pub kind: u32,
     /// Which intervals.
     pub row: u32,
-    /// By set: above this number of boxes in the cells around those of a sample nothing is done.
-    pub most: [u32; 3],
 }
 
 /// Parameters of the descent of pairs of nodes.
@@ -377,7 +375,7 @@ pub struct ContactSort {
 const _: () = assert!(size_of::<Frame>() == 132);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
-const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 24);
+const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 12);
 const _: () = assert!(size_of::<NodeDescent>() == 76 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
 const _: () = assert!(size_of::<Decision>() == 8 && size_of::<ContactSort>() == 4);
