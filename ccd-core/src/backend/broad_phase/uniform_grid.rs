@@ -27,8 +27,8 @@
 //! in common.
 //!
 //! Cost: a sort, and for every box the boxes of its neighbourhood: constant for boxes of about one
-//! size, but `n` where one box is as large as the scene: as many tests as brute force makes. That is
-//! so on a GPU, which has one grid; a CPU has several, each with cells half as large
+//! size, but `n` where one box is as large as the scene, as many tests as brute force makes. That
+//! is so on a GPU, which has one grid; a CPU has several, each with cells half as large
 //! ([`super::grid_levels`]). The sizes along the three axes count apart, and are at least a 1024th
 //! of the scene. Choose it for many boxes of about one size that overlap few others.
 
