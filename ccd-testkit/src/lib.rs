@@ -9,5 +9,6 @@ pub mod data;
 pub mod grazing;
 pub mod methods;
 pub mod oracle;
+pub mod sturm;
 
 pub use ccd::scenes as generate;

@@ -14,6 +14,8 @@ pub mod decide;
 #[cfg(any(feature = "alloc", test))]
 pub mod distance;
 #[cfg(any(feature = "alloc", test))]
+pub mod exact;
+#[cfg(any(feature = "alloc", test))]
 mod exact_distance;
 #[cfg(any(feature = "alloc", test))]
 pub mod intersection;

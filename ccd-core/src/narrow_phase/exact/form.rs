@@ -1,0 +1,256 @@
+//! Polynomials of a step as binary forms: `c_0 u^n + c_1 u^(n-1) v + .. + c_n v^n` with `u = 1 - s`
+//! and `v = s`, and integer coefficients.
+//!
+//! These are Bernstein coefficients times binomial ones, which are positive: signs and their
+//! variations are the same ([Farouki 2012]), but products are convolutions and nothing is divided.
+
+use super::integer::Fixed;
+
+/// The highest degree: of an inside sign, `(a x b) . n`.
+pub const DEGREE: usize = 4;
+
+/// A binary form.
+#[derive(Clone, Copy, Debug)]
+pub struct Form<const N: usize> {
+    c: [Fixed<N>; DEGREE + 1],
+    degree: usize,
+}
+
+impl<const N: usize> Form<N> {
+    /// The form `u c_0 + v c_1`: a number that moves from one to the other.
+    pub fn linear(c: [Fixed<N>; 2]) -> Self {
+        let mut out = Self::zero(1);
+        out.c[..2].copy_from_slice(&c);
+        out
+    }
+
+    fn zero(degree: usize) -> Self {
+        Self { c: [Fixed::ZERO; DEGREE + 1], degree }
+    }
+
+    /// Its degree, where leading coefficients may be 0.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Its coefficients.
+    pub fn coefficients(&self) -> &[Fixed<N>] {
+        &self.c[..=self.degree]
+    }
+
+    /// Whether nothing was lost.
+    pub fn is_exact(&self) -> bool {
+        self.coefficients().iter().all(Fixed::is_exact)
+    }
+
+    /// The form, if nothing was lost: signs mean nothing otherwise.
+    pub fn checked(self) -> Option<Self> {
+        self.is_exact().then_some(self)
+    }
+
+    /// Whether it is 0 at all times.
+    pub fn vanishes(&self) -> bool {
+        self.coefficients().iter().all(|c| c.sign() == 0 && c.is_exact())
+    }
+
+    /// The sign next to the beginning, or at it if it is not 0 there.
+    pub fn first_sign(&self) -> i32 {
+        self.coefficients().iter().map(Fixed::sign).find(|&s| s != 0).unwrap_or(0)
+    }
+
+    /// The sign that it has everywhere between the ends, as far as coefficients show it; 0 of what
+    /// vanishes.
+    pub fn sign(&self) -> Option<i32> {
+        let first = self.first_sign();
+        let same = self.coefficients().iter().all(|c| c.sign() * first >= 0);
+        same.then_some(first)
+    }
+
+    /// How often coefficients change their sign: as many zeros as there are between the ends, or
+    /// more by an even number.
+    pub fn variations(&self) -> usize {
+        let mut signs = self.coefficients().iter().map(Fixed::sign).filter(|&s| s != 0);
+        let Some(mut last) = signs.next() else { return 0 };
+        signs.filter(|&s| core::mem::replace(&mut last, s) != s).count()
+    }
+
+    /// The sum of two forms of one degree.
+    pub fn plus(&self, other: &Self) -> Self {
+        debug_assert_eq!(self.degree, other.degree);
+        let mut out = *self;
+        (0..=self.degree).for_each(|i| out.c[i] = self.c[i] + other.c[i]);
+        out
+    }
+
+    /// The difference of two forms of one degree.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.times_number(Fixed::new(-1, 0)))
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut out = Self::zero(self.degree + other.degree);
+        for (i, &a) in self.coefficients().iter().enumerate() {
+            for (j, &b) in other.coefficients().iter().enumerate() {
+                out.c[i + j] = out.c[i + j] + a * b;
+            }
+        }
+        out
+    }
+
+    fn times_number(&self, x: Fixed<N>) -> Self {
+        let mut out = *self;
+        out.c[..=self.degree].iter_mut().for_each(|c| *c = *c * x);
+        out
+    }
+
+    /// Its value where `u` and `v` are these.
+    pub fn at(&self, [u, v]: [Fixed<N>; 2]) -> Fixed<N> {
+        let (mut out, mut power) = (Fixed::ZERO, Fixed::new(1, 0));
+        for &c in self.coefficients() {
+            out = out * u + c * power;
+            power = power * v;
+        }
+        out
+    }
+
+    /// As a form over a part of the step: `from` and `to` are `u` and `v` at its ends.
+    pub fn over(&self, from: [Fixed<N>; 2], to: [Fixed<N>; 2]) -> Self {
+        let [u, v] = [0, 1].map(|k| Self::linear([from[k], to[k]]));
+        let constant = |c| Self { degree: 0, ..Self::linear([c, Fixed::ZERO]) };
+        let (mut out, mut power) = (constant(self.c[0]), constant(Fixed::new(1, 0)));
+        for &c in &self.coefficients()[1..] {
+            power = power.times(&v);
+            out = out.times(&u).plus(&power.times_number(c));
+        }
+        out
+    }
+
+    /// Without factors `u + v`, which are 1 at all times: those of a form whose degree in time is
+    /// less than it could be, where something stands still.
+    pub fn reduced(&self) -> Self {
+        let mut out = *self;
+        while out.degree > 0 {
+            let mut quotient = Self::zero(out.degree - 1);
+            let mut rest = out.c[0];
+            for i in 0..out.degree {
+                quotient.c[i] = rest;
+                rest = out.c[i + 1] - rest;
+            }
+            if rest.sign() != 0 || !rest.is_exact() {
+                break;
+            }
+            out = quotient;
+        }
+        out
+    }
+
+    /// Without factors `u` and `v`: zeros at the ends; how many of each. Not of what vanishes.
+    pub fn without_ends(&self) -> (Self, [usize; 2]) {
+        let c = self.coefficients();
+        let first = c.iter().take_while(|c| c.sign() == 0).count();
+        let last = c.iter().rev().take_while(|c| c.sign() == 0).count();
+        let mut out = Self::zero(self.degree - first.min(self.degree) - last.min(self.degree));
+        out.c[..=out.degree].copy_from_slice(&c[first..=first + out.degree]);
+        (out, [first, last])
+    }
+
+    /// The remainder by another, of a lower degree in `v / u`, times a positive number. The other
+    /// is [`Form::trimmed`], of at least degree 1.
+    fn remainder(&self, by: &Self) -> Self {
+        let mut out = self.trimmed();
+        let lead = by.c[by.degree];
+        while out.degree >= by.degree && out.is_exact() {
+            let (top, shift) = (out.c[out.degree], out.degree - by.degree);
+            let (factor, lead) = if lead.sign() < 0 { (-top, -lead) } else { (top, lead) };
+            out = out.times_number(lead);
+            (0..=by.degree).for_each(|i| out.c[i + shift] = out.c[i + shift] - by.c[i] * factor);
+            out = out.trimmed();
+        }
+        out
+    }
+
+    /// Of the least degree in `v / u`.
+    fn trimmed(&self) -> Self {
+        let is_zero = |c: &Fixed<N>| c.sign() == 0 && c.is_exact();
+        let mut out = *self;
+        while out.degree > 0 && is_zero(&out.c[out.degree]) {
+            out.degree -= 1;
+        }
+        out
+    }
+
+    /// A greatest common divisor in `v / u`; of degree 0 if there is none but numbers. Of remainders
+    /// it needs none below degree 1, because whether there is one is seen by a determinant of fewer
+    /// bits.
+    pub fn common(&self, other: &Self) -> Option<Self> {
+        let (mut a, mut b) = (self.trimmed(), other.trimmed());
+        if a.degree < b.degree {
+            (a, b) = (b, a);
+        }
+        if b.vanishes() {
+            return Some(a);
+        }
+        let resultant = match b.degree {
+            1 => a.at([b.c[1], -b.c[0]]),
+            _ => a.bezout(&b),
+        };
+        if !resultant.is_exact() {
+            return None;
+        }
+        if b.degree == 0 || resultant.sign() != 0 {
+            let mut none = b;
+            none.degree = 0;
+            return Some(none);
+        }
+        while b.degree > 1 {
+            let rest = a.remainder(&b).checked()?;
+            if rest.vanishes() {
+                break;
+            }
+            (a, b) = (b, rest);
+        }
+        Some(b)
+    }
+
+    /// The determinant of the matrix of Bezout with a form of no higher degree: the resultant,
+    /// times a power of the leading coefficient.
+    fn bezout(&self, other: &Self) -> Fixed<N> {
+        let (p, q, n) = (&self.c, &other.c, self.degree);
+        let q = |i: usize| if i <= other.degree { q[i] } else { Fixed::ZERO };
+        let mut rows = [[Fixed::ZERO; DEGREE]; DEGREE];
+        for (i, row) in rows.iter_mut().enumerate().take(n) {
+            for (j, entry) in row.iter_mut().enumerate().take(n) {
+                for k in 0..=i.min(n - 1 - j) {
+                    let (low, high) = (i - k, j + k + 1);
+                    *entry = *entry + (p[high] * q(low) - p[low] * q(high));
+                }
+            }
+        }
+        determinant(&rows, n, 0, [0, 1, 2, 3])
+    }
+}
+
+/// The determinant of the rows from `row` on and the first columns of a list, of an `n x n` matrix.
+fn determinant<const N: usize>(
+    rows: &[[Fixed<N>; DEGREE]; DEGREE],
+    n: usize,
+    row: usize,
+    columns: [usize; DEGREE],
+) -> Fixed<N> {
+    let left = n - row;
+    let mut sum = Fixed::ZERO;
+    for k in 0..left {
+        let entry = rows[row][columns[k]];
+        if entry.sign() == 0 && entry.is_exact() {
+            continue;
+        }
+        let mut others = columns;
+        others.copy_within(k + 1.., k);
+        let minor =
+            if left == 1 { Fixed::new(1, 0) } else { determinant(rows, n, row + 1, others) };
+        let term = entry * minor;
+        sum = sum + if k % 2 == 0 { term } else { -term };
+    }
+    sum
+}

@@ -1,0 +1,229 @@
+//! Zeros of forms: each is a dyadic time, or the only one of a form without double zeros between
+//! two dyadic times; and the signs of other forms there.
+//!
+//! Isolation is by Descartes' rule of signs on halves ([Collins and Akritas 1976]): of a form
+//! without double zeros, variations fall to one or none. A sign at a zero between dyadic times is
+//! that of coefficients over the interval, once they agree; that they never do is decided by a
+//! common divisor.
+
+use super::form::Form;
+use super::integer::Fixed;
+
+/// Zeros of a cubic between the ends, at them, and double ones apart from the others.
+pub const MAX_ZEROS: usize = 4;
+
+/// Halvings after which a sign that is not certain is suspected to be 0.
+const PATIENCE: u32 = 4;
+
+/// `u` and `v` of a dyadic time; their sum is a power of two.
+pub type Dyadic<const N: usize> = [Fixed<N>; 2];
+
+/// A time.
+#[derive(Clone, Copy, Debug)]
+pub enum Time<const N: usize> {
+    /// A dyadic one.
+    At(Dyadic<N>),
+    /// The only zero between two dyadic times, whose sums of `u` and `v` are the same, of a form
+    /// without double zeros, and the sign of that form between the first and the zero.
+    Between(Form<N>, [Dyadic<N>; 2], i32),
+}
+
+/// The beginning.
+pub fn begin<const N: usize>() -> Dyadic<N> {
+    [Fixed::new(1, 0), Fixed::ZERO]
+}
+
+/// The end.
+pub fn end<const N: usize>() -> Dyadic<N> {
+    [Fixed::ZERO, Fixed::new(1, 0)]
+}
+
+/// Half of the way, and the ends in its unit.
+fn halved<const N: usize>([from, to]: [Dyadic<N>; 2]) -> [Dyadic<N>; 3] {
+    let twice = |[u, v]: Dyadic<N>| [u.shifted(1), v.shifted(1)];
+    [twice(from), [from[0] + to[0], from[1] + to[1]], twice(to)]
+}
+
+/// Some zeros.
+#[derive(Clone, Copy, Debug)]
+pub struct Zeros<const N: usize> {
+    all: [Time<N>; MAX_ZEROS],
+    len: usize,
+}
+
+impl<const N: usize> Zeros<N> {
+    fn push(&mut self, time: Time<N>) {
+        self.all[self.len] = time;
+        self.len += 1;
+    }
+
+    /// Them, in no order.
+    pub fn as_mut_slice(&mut self) -> &mut [Time<N>] {
+        &mut self.all[..self.len]
+    }
+}
+
+/// The zeros from the beginning to the end of a form of degree 1 to 3 that does not vanish; `None`
+/// if a number does not fit.
+pub fn zeros<const N: usize>(form: &Form<N>) -> Option<Zeros<N>> {
+    let mut out = Zeros { all: [Time::At(begin()); MAX_ZEROS], len: 0 };
+    let (inner, [first, last]) = form.checked()?.without_ends();
+    if first > 0 {
+        out.push(Time::At(begin()));
+    }
+    if last > 0 {
+        out.push(Time::At(end()));
+    }
+    let inner = inner.reduced();
+    if inner.variations() == 0 {
+        return Some(out);
+    }
+    for factor in simple_factors(&inner)?.into_iter().flatten() {
+        isolate(&factor, &mut out)?;
+    }
+    Some(out)
+}
+
+/// Forms without double zeros that have the zeros of a form of degree 1 to 3, whose first and last
+/// coefficients are not 0.
+fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]> {
+    let (c, k) = (form.coefficients(), |x: i64| Fixed::<N>::new(x, 0));
+    let linear = |c0: Fixed<N>, c1: Fixed<N>| Form::linear([c0, c1]).checked();
+    match *c {
+        [c0, c1, c2] => {
+            let discriminant = c1 * c1 - k(4) * c0 * c2;
+            match discriminant.is_exact().then(|| discriminant.sign())? {
+                0 => Some([linear(c1, k(2) * c2), None]),
+                _ => Some([Some(*form), None]),
+            }
+        }
+        [d, c, b, a] => {
+            let discriminant = b * b * c * c + k(18) * a * b * c * d
+                - k(4) * (a * c * c * c + b * b * b * d)
+                - k(27) * a * a * d * d;
+            let apart = b * b - k(3) * a * c;
+            match (discriminant.is_exact().then(|| discriminant.sign())?, apart.sign()) {
+                (0, 0) => Some([linear(b, k(3) * a), None]),
+                (0, _) => {
+                    let twice = linear(b * c - k(9) * a * d, k(2) * apart)?;
+                    let once = linear(b * b * b + k(9) * a * a * d - k(4) * a * b * c, a * apart)?;
+                    Some([Some(twice), Some(once)])
+                }
+                _ => Some([Some(*form), None]),
+            }
+        }
+        _ => Some([Some(*form), None]),
+    }
+}
+
+/// Adds the zeros between the ends of a form without double zeros, that is not 0 at the ends.
+fn isolate<const N: usize>(form: &Form<N>, out: &mut Zeros<N>) -> Option<()> {
+    // Variations of both halves are at most those of the whole, three: one half has several.
+    let mut open = Some([begin(), end()]);
+    match form.variations() {
+        0 => return Some(()),
+        1 => {
+            out.push(Time::Between(*form, [begin(), end()], form.first_sign()));
+            return Some(());
+        }
+        _ => (),
+    }
+    while let Some(part) = open.take() {
+        let [from, middle, to] = halved(part);
+        let value = form.at(middle);
+        if !value.is_exact() {
+            return None;
+        }
+        if value.sign() == 0 {
+            out.push(Time::At(middle));
+        }
+        for half in [[from, middle], [middle, to]] {
+            let local = form.over(half[0], half[1]).checked()?;
+            match local.variations() {
+                0 => (),
+                1 => out.push(Time::Between(*form, half, local.first_sign())),
+                _ => open = Some(half),
+            }
+        }
+    }
+    Some(())
+}
+
+impl<const N: usize> Time<N> {
+    /// Halves the interval.
+    fn halve(&mut self) -> Option<()> {
+        if let Time::Between(form, part, sign) = self {
+            let [from, middle, to] = halved(*part);
+            let value = form.at(middle);
+            if !value.is_exact() {
+                return None;
+            }
+            match value.sign() {
+                0 => *self = Time::At(middle),
+                s if s == *sign => *part = [middle, to],
+                _ => *part = [from, middle],
+            }
+        }
+        Some(())
+    }
+
+    /// The sign of a form at this time.
+    pub fn sign(&mut self, of: &Form<N>) -> Option<i32> {
+        let of = of.checked()?.reduced();
+        let mut turns = 0;
+        loop {
+            match self {
+                Time::At(time) => {
+                    let value = of.at(*time);
+                    return value.is_exact().then_some(value.sign());
+                }
+                Time::Between(form, [from, to], _) => {
+                    if let Some(sign) = of.over(*from, *to).checked()?.sign() {
+                        return Some(sign);
+                    }
+                    // It is 0 if the common divisor has a zero there, and that has one or none.
+                    turns += 1;
+                    if turns == PATIENCE {
+                        let common = form.common(&of)?;
+                        let local = common.over(*from, *to).checked()?;
+                        if local.variations() % 2 == 1 {
+                            return Some(0);
+                        }
+                    }
+                }
+            }
+            self.halve()?;
+        }
+    }
+
+    /// An enclosure, at most two units in the last place wide.
+    pub fn enclosure(&mut self) -> Option<[f64; 2]> {
+        loop {
+            let ends = match self {
+                Time::At(time) => [*time; 2],
+                Time::Between(_, ends, _) => *ends,
+            };
+            let [lo, hi] = [rounded(&ends[0])[0], rounded(&ends[1])[1]];
+            if lo.next_up().next_up() >= hi {
+                return Some([lo, hi]);
+            }
+            self.halve()?;
+        }
+    }
+}
+
+/// A time, rounded down and up.
+fn rounded<const N: usize>([u, v]: &Dyadic<N>) -> [f64; 2] {
+    let level = (*u + *v).bits() as i32 - 1;
+    let (mantissa, more, exponent) = v.leading();
+    let exponent = exponent as i32 - level;
+    if mantissa == 0 {
+        return [0.0; 2];
+    }
+    if exponent < -1022 {
+        return [0.0, f64::MIN_POSITIVE];
+    }
+    // Both factors are normal, and so is the product.
+    let value = mantissa as f64 * f64::from_bits(((exponent + 1023) as u64) << 52);
+    [value, if more { value.next_up() } else { value }]
+}
