@@ -72,6 +72,13 @@ pub mod io;
 #[cfg(feature = "scenes")]
 pub mod scenes;
 
+/// Exact decisions of single queries: contact or not, of the coordinates as they are.
+pub mod exact {
+    pub use ccd_core::narrow_phase::exact::{
+        Exact, edge_edge, vertex_edge, vertex_face, vertex_vertex,
+    };
+}
+
 /// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
 /// and where they are nearest.
 pub mod geometry {

@@ -14,6 +14,8 @@ use first::{First, first_within, point_triangle, segment_segment};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::path::Path;
 
+#[path = "truth/exact.rs"]
+mod exact_answers;
 #[path = "../ccd-core/tests/bounds/common/distance.rs"]
 mod first;
 
@@ -31,15 +33,16 @@ fn main() {
         }));
     };
     type OfScene = (&'static str, fn(&Path, &Scene));
-    let of_scenes: [OfScene; 5] = [
+    let of_scenes: [OfScene; 6] = [
         ("sizes", check_sizes),
         ("broad_phase", check_broad_phase),
         ("step", check_step),
         ("min_distance", check_min_distance),
         ("contacts_f64", check_contacts_f64),
+        ("contacts_exact", exact_answers::check_contacts),
     ];
     for scene in &SCENES {
-        let has_truth = |name: &str| scene.truth.is_some() || name != "contacts_f64";
+        let has_truth = |name: &str| scene.truth.is_some() || !name.starts_with("contacts");
         for (name, check) in of_scenes.into_iter().filter(|(name, _)| has_truth(name)) {
             add(format!("{}_{name}", scene.name), Box::new(move |data| check(data, scene)));
         }
@@ -47,6 +50,7 @@ fn main() {
     add("rod_twist_contacts_f32".into(), Box::new(check_rod_twist_f32));
     add("queries_f64".into(), Box::new(|data| check_queries(data, false)));
     add("queries_f32".into(), Box::new(|data| check_queries(data, true)));
+    add("queries_exact".into(), Box::new(exact_answers::check_queries));
     add("debris_wall_sequence".into(), Box::new(check_debris_sequence));
     add("bodies_of_rb_hashgrid".into(), Box::new(check_bodies));
     add("negative_controls".into(), Box::new(check_negative_controls));

@@ -1,6 +1,6 @@
 //! An oracle for exact decisions that shares nothing with them: polynomials in powers of time with
 //! rational coefficients, zeros counted by Sturm chains, signs at zeros by Tarski queries
-//! ([Basu, Pollack and Roy 2006], 2.2).
+//! [Basu 2006].
 //!
 //! Features first touch at the beginning or at a zero of one of the polynomials that describe them
 //! (coplanar; vertices collinear with edges; ends at one place): all of these times are tried.

@@ -2,6 +2,7 @@
 //! dense sampling as judges. Here: single queries.
 
 mod codimensional;
+mod exact;
 mod geometry;
 mod separation;
 mod worlds;

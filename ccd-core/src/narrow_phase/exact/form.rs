@@ -2,7 +2,7 @@
 //! and `v = s`, and integer coefficients.
 //!
 //! These are Bernstein coefficients times binomial ones, which are positive: signs and their
-//! variations are the same ([Farouki 2012]), but products are convolutions and nothing is divided.
+//! variations are the same [Farouki 2012], but products are convolutions and nothing is divided.
 
 use super::integer::Fixed;
 
@@ -126,6 +126,30 @@ impl<const N: usize> Form<N> {
         out
     }
 
+    /// About where it is 0 between its ends, of which it has different signs next to them.
+    pub fn guess(&self) -> f64 {
+        let bits = self.coefficients().iter().map(Fixed::bits).max().unwrap_or(0);
+        let rounded = self.c.map(|c| c.rounded(bits));
+        let value = |v: f64| {
+            let (u, mut power, mut sum) = (1.0 - v, 1.0, 0.0);
+            for &c in &rounded[..=self.degree] {
+                (sum, power) = (sum * u + c * power, power * v);
+            }
+            sum
+        };
+        let first = self.first_sign() as f64;
+        let (mut from, mut to) = (0.0, 1.0);
+        for _ in 0..48 {
+            let middle = 0.5 * (from + to);
+            if value(middle) * first > 0.0 {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        from
+    }
+
     /// Without factors `u + v`, which are 1 at all times: those of a form whose degree in time is
     /// less than it could be, where something stands still.
     pub fn reduced(&self) -> Self {
@@ -180,9 +204,9 @@ impl<const N: usize> Form<N> {
         out
     }
 
-    /// A greatest common divisor in `v / u`; of degree 0 if there is none but numbers. Of remainders
-    /// it needs none below degree 1, because whether there is one is seen by a determinant of fewer
-    /// bits.
+    /// A greatest common divisor in `v / u`; of degree 0 if there is none but numbers. Remainders
+    /// below degree 1 are not needed: whether there is a divisor is seen by a determinant, which
+    /// has fewer bits.
     pub fn common(&self, other: &Self) -> Option<Self> {
         let (mut a, mut b) = (self.trimmed(), other.trimmed());
         if a.degree < b.degree {
@@ -213,8 +237,8 @@ impl<const N: usize> Form<N> {
         Some(b)
     }
 
-    /// The determinant of the matrix of Bezout with a form of no higher degree: the resultant,
-    /// times a power of the leading coefficient.
+    /// The determinant of the matrix of Bezout with a form of no higher degree [Basu 2006]: the
+    /// resultant, times a power of the leading coefficient.
     fn bezout(&self, other: &Self) -> Fixed<N> {
         let (p, q, n) = (&self.c, &other.c, self.degree);
         let q = |i: usize| if i <= other.degree { q[i] } else { Fixed::ZERO };

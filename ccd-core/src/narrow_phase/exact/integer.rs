@@ -61,6 +61,17 @@ impl<const N: usize> Fixed<N> {
         (word(whole) >> part | high, rest, below)
     }
 
+    /// The number in units of `2^bits`, which no bit of it reaches, rounded; what is tiny is 0.
+    pub fn rounded(&self, bits: u32) -> f64 {
+        let (mantissa, _, exponent) = self.leading();
+        let below = bits - exponent;
+        if mantissa == 0 || below > 1022 {
+            return 0.0;
+        }
+        let value = mantissa as f64 * f64::from_bits(((1023 - below) as u64) << 52);
+        if self.negative { -value } else { value }
+    }
+
     /// `self * 2^k`.
     pub fn shifted(&self, k: u32) -> Self {
         if self.len == 0 || k == 0 {
@@ -235,7 +246,7 @@ mod tests {
             assert_eq!(value(&product), a as i128 * b as i128);
             assert_eq!(product.sign(), (a as i128 * b as i128).signum() as i32);
             assert_eq!((product - product).sign(), 0);
-            let shift = random.below(64) as u32;
+            let shift = random.below(64);
             assert_eq!(value(&x.shifted(shift)), (a as i128) << shift);
             // Through sums and differences of many words.
             let [p, q, r] = [product, x, y].map(|x| widened::<2, 6>(&x));

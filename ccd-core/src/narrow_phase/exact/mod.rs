@@ -17,13 +17,15 @@
 //! Closed features, closed windows. Every loop ends: zeros of a form without double ones are
 //! separated by some interval, and a sign that is not 0 shows in some interval around them.
 
-pub mod form;
-pub mod integer;
-pub mod zeros;
+mod form;
+mod integer;
+mod zeros;
 
+use crate::narrow_phase::codimensional::{VertexEdge, VertexVertex};
+use crate::narrow_phase::query::{EdgeEdge, VertexFace};
 use form::Form;
 use integer::Fixed;
-use zeros::{Time, begin, zeros};
+use zeros::{Time, Window, begin, zeros};
 
 /// The exact answer of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,21 +46,6 @@ impl Exact {
             }
             (Exact::Miss, other) => other,
             (found, _) => found,
-        }
-    }
-}
-
-impl Exact {
-    /// A time of a window as one of the step, rounded outward.
-    fn of_step(self, [from, until]: [f64; 2]) -> Self {
-        match self {
-            Exact::Contact([lo, hi]) if [from, until] != [0.0, 1.0] => {
-                let at = |t: f64| from + t * (until - from);
-                let lo = if lo == 0.0 { from } else { at(lo).next_down().next_down() };
-                let hi = if hi == 0.0 { from } else { at(hi).next_up().next_up() };
-                Exact::Contact([lo.max(from), hi.min(until)])
-            }
-            other => other,
         }
     }
 }
@@ -85,20 +72,21 @@ trait Touches<const N: usize> {
     fn touches(&self, time: &mut Time<N>) -> Option<bool>;
 
     /// The first contact among the zeros of a form.
-    fn first(&self, form: &Form<N>) -> Option<Exact> {
+    fn first(&self, form: &Form<N>, window: &Window<N>) -> Option<Exact> {
         let mut first = Exact::Miss;
         for time in zeros(form)?.as_mut_slice() {
             if self.touches(time)? {
-                first = first.or(Exact::Contact(time.enclosure()?));
+                first = first.or(Exact::Contact(time.enclosure(window)?));
             }
         }
         Some(first)
     }
 
     /// A contact at the beginning.
-    fn at_begin(&self) -> Option<Exact> {
-        let touches = self.touches(&mut Time::At(begin()))?;
-        Some(if touches { Exact::Contact([0.0; 2]) } else { Exact::Miss })
+    fn at_begin(&self, window: &Window<N>) -> Option<Exact> {
+        let mut time = Time::At(begin());
+        let touches = self.touches(&mut time)?;
+        Some(if touches { Exact::Contact(time.enclosure(window)?) } else { Exact::Miss })
     }
 }
 
@@ -125,14 +113,14 @@ impl<const N: usize> OnEdge<N> {
         Self { span: cross(a, b), sides: dot(a, b) }
     }
 
-    fn contact(&self) -> Option<Exact> {
-        let at_begin = self.at_begin()?;
+    fn contact(&self, window: &Window<N>) -> Option<Exact> {
+        let at_begin = self.at_begin(window)?;
         if at_begin != Exact::Miss {
             return Some(at_begin);
         }
         let span = self.span.iter().find(|form| !form.vanishes());
         // On one line all the time: it reaches an end.
-        self.first(span.unwrap_or(&self.sides))
+        self.first(span.unwrap_or(&self.sides), window)
     }
 }
 
@@ -150,9 +138,9 @@ struct Coplanar<'a, const N: usize> {
 }
 
 impl<const N: usize> Coplanar<'_, N> {
-    fn contact(&self, coplanarity: &Form<N>) -> Option<Exact> {
+    fn contact(&self, coplanarity: &Form<N>, window: &Window<N>) -> Option<Exact> {
         let at_begin = if coplanarity.checked()?.coefficients()[0].sign() == 0 {
-            self.at_begin()?
+            self.at_begin(window)?
         } else {
             Exact::Miss
         };
@@ -160,10 +148,10 @@ impl<const N: usize> Coplanar<'_, N> {
             return Some(at_begin);
         }
         if !coplanarity.vanishes() {
-            return self.first(coplanarity);
+            return self.first(coplanarity, window);
         }
-        let boundary = self.boundary.iter();
-        boundary.map(OnEdge::contact).try_fold(Exact::Miss, |first, next| Some(first.or(next?)))
+        let contacts = self.boundary.iter().map(|edge| edge.contact(window));
+        contacts.into_iter().try_fold(Exact::Miss, |first, next| Some(first.or(next?)))
     }
 }
 
@@ -186,34 +174,34 @@ impl<const N: usize> Touches<N> for Coplanar<'_, N> {
     }
 }
 
-/// Moving points in a common unit, over a window: `[t0, t1]` of each.
+/// Moving points in a common unit over a window, and the window; `None` of what is not finite, or
+/// a window that is not in `[0, 1]`.
 fn points<const N: usize, const K: usize>(
     t0: &[[f64; 3]; K],
     t1: &[[f64; 3]; K],
-    window: [f64; 2],
-) -> Option<[Vector<N>; K]> {
-    let all = t0.iter().chain(t1).flatten();
-    let least = all.map(|&x| parts(x).1).min()?;
-    let whole = |x: f64| {
+    [from, until]: [f64; 2],
+) -> Option<([Vector<N>; K], Window<N>)> {
+    let all = || t0.iter().chain(t1).flatten();
+    let is_window = 0.0 <= from && from <= until && until <= 1.0;
+    if !is_window || !all().all(|x| x.is_finite()) {
+        return None;
+    }
+    // In a unit of which all are multiples.
+    let whole = |x: f64, unit: i32| {
         let (mantissa, exponent) = parts(x);
-        let shift = if mantissa == 0 { 0 } else { (exponent - least) as u32 };
-        Fixed::<N>::new(mantissa, shift)
-    };
-    // Times in units of a power of two.
-    let unit = window.map(|t| parts(t).1).into_iter().min()?.min(0);
-    let time = |t: f64| {
-        let (mantissa, exponent) = parts(t);
         Fixed::<N>::new(mantissa, if mantissa == 0 { 0 } else { (exponent - unit) as u32 })
     };
-    let at = |x0: f64, x1: f64| {
-        let (x0, x1) = (whole(x0), whole(x1));
-        if window == [0.0, 1.0] {
-            [x0, x1]
-        } else {
-            window.map(|t| x0.shifted(unit.unsigned_abs()) + (x1 - x0) * time(t))
-        }
+    let unit = parts(from).1.min(parts(until).1).min(0);
+    let [from, until] = [from, until].map(|t| whole(t, unit));
+    let window = Window { times: [from, until - from], unit: unit.unsigned_abs() };
+    let of_space = all().map(|&x| parts(x).1).min()?;
+    let coordinate = |x0: f64, x1: f64| {
+        let (x0, x1) = (whole(x0, of_space), whole(x1, of_space));
+        let at = |t: Fixed<N>| x0.shifted(window.unit) + (x1 - x0) * t;
+        Form::linear([at(from), at(until)])
     };
-    Some(core::array::from_fn(|i| core::array::from_fn(|k| Form::linear(at(t0[i][k], t1[i][k])))))
+    let point = |i: usize| core::array::from_fn(|k| coordinate(t0[i][k], t1[i][k]));
+    Some((core::array::from_fn(point), window))
 }
 
 /// A number as an odd integer times a power of two; 0 has the greatest power.
@@ -237,29 +225,44 @@ fn never_zero<const N: usize>(form: &Form<N>) -> bool {
 }
 
 macro_rules! by_widths {
-    ($(#[$doc:meta] $name:ident $within:ident $k:literal;)*) => {$(
-        #[$doc]
-        ///
-        /// `None` where coordinates are so unlike that numbers of 6,144 bits do not hold what comes
-        /// of them. Coordinates are finite, the window is in `[0, 1]`.
-        pub fn $name(t0: &[[f64; 3]; $k], t1: &[[f64; 3]; $k], window: [f64; 2]) -> Option<Exact> {
-            let found = $within::<8>(t0, t1, window)
+    ($($(#[$doc:meta])* $name:ident($query:ty) by $within:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(query: &$query, window: [f64; 2]) -> Option<Exact> {
+            let (t0, t1) = (&query.t0, &query.t1);
+            $within::<8>(t0, t1, window)
                 .or_else(|| $within::<24>(t0, t1, window))
-                .or_else(|| $within::<96>(t0, t1, window))?;
-            Some(found.of_step(window))
+                .or_else(|| $within::<96>(t0, t1, window))
         }
     )*};
 }
 
 by_widths! {
-    /// Vertex-face, `v f0 f1 f2`.
-    vertex_face vertex_face_within 4;
-    /// Edge-edge, `ea0 ea1 eb0 eb1`.
-    edge_edge edge_edge_within 4;
-    /// Vertex-edge, `v e0 e1`.
-    vertex_edge vertex_edge_within 3;
-    /// Vertex-vertex.
-    vertex_vertex vertex_vertex_within 2;
+    /// Whether a vertex and a face touch at a time of a window in `[0, 1]`, and when they first do.
+    ///
+    /// `None` of coordinates that are not finite, of a window that is none, and where coordinates
+    /// are so unlike that integers of 6,144 bits do not hold what comes of them, as they may where
+    /// the lowest bit of one stands hundreds of places below the highest of another.
+    ///
+    /// ```
+    /// use ccd::VertexFace;
+    /// use ccd::exact::{Exact, vertex_face};
+    ///
+    /// // A vertex passes the corner of a face, and one that moves beside it by the least there is.
+    /// let at = |y: f64, x: f64| [[x, y, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let query = |x: f64| VertexFace { t0: at(1.0, x), t1: at(-2.0, x) };
+    /// let third = 1.0 / 3.0f64;
+    /// let Some(Exact::Contact([lo, hi])) = vertex_face(&query(0.0), [0.0, 1.0]) else { panic!() };
+    /// assert!(lo <= third && third <= hi && hi - lo < 1e-15);
+    /// assert_eq!(vertex_face(&query(-5e-324), [0.0, 1.0]), Some(Exact::Miss));
+    /// assert_eq!(vertex_face(&query(0.0), [0.0, 0.25]), Some(Exact::Miss));
+    /// ```
+    vertex_face(VertexFace<f64>) by vertex_face_within;
+    /// The same of two edges.
+    edge_edge(EdgeEdge<f64>) by edge_edge_within;
+    /// The same of a vertex and an edge.
+    vertex_edge(VertexEdge<f64>) by vertex_edge_within;
+    /// The same of two vertices.
+    vertex_vertex(VertexVertex<f64>) by vertex_vertex_within;
 }
 
 /// Vertex-face, `v f0 f1 f2`, within numbers of `N` words.
@@ -268,7 +271,7 @@ fn vertex_face_within<const N: usize>(
     t1: &[[f64; 3]; 4],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let [p, a, b, c] = points::<N, 4>(t0, t1, window)?;
+    let ([p, a, b, c], window) = points::<N, 4>(t0, t1, window)?;
     let [a, b, c] = [a, b, c].map(|q| minus(&q, &p));
     let sides = [cross(&b, &c), cross(&c, &a), cross(&a, &b)];
     let normal = cross(&minus(&b, &a), &minus(&c, &a));
@@ -278,7 +281,7 @@ fn vertex_face_within<const N: usize>(
     }
     let inside = sides.map(|side| dot(&side, &normal));
     let boundary = [OnEdge::new(&a, &b), OnEdge::new(&b, &c), OnEdge::new(&c, &a)];
-    Coplanar { normal, inside: &inside, boundary: &boundary }.contact(&coplanarity)
+    Coplanar { normal, inside: &inside, boundary: &boundary }.contact(&coplanarity, &window)
 }
 
 /// Edge-edge, `ea0 ea1 eb0 eb1`, within numbers of `N` words.
@@ -287,7 +290,7 @@ fn edge_edge_within<const N: usize>(
     t1: &[[f64; 3]; 4],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let [a, b, c, d] = points::<N, 4>(t0, t1, window)?;
+    let ([a, b, c, d], window) = points::<N, 4>(t0, t1, window)?;
     let (ab, ac, cd) = (minus(&b, &a), minus(&c, &a), minus(&d, &c));
     let normal = cross(&ab, &cd);
     let coplanarity = dot(&ac, &normal);
@@ -307,7 +310,7 @@ fn edge_edge_within<const N: usize>(
         OnEdge::new(&ca, &cb),
         OnEdge::new(&da, &db),
     ];
-    Coplanar { normal, inside: &inside, boundary: &boundary }.contact(&coplanarity)
+    Coplanar { normal, inside: &inside, boundary: &boundary }.contact(&coplanarity, &window)
 }
 
 /// Vertex-edge, `v e0 e1`, within numbers of `N` words.
@@ -316,8 +319,8 @@ fn vertex_edge_within<const N: usize>(
     t1: &[[f64; 3]; 3],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let [p, a, b] = points::<N, 3>(t0, t1, window)?;
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact()
+    let ([p, a, b], window) = points::<N, 3>(t0, t1, window)?;
+    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&window)
 }
 
 /// Vertex-vertex, within numbers of `N` words.
@@ -326,8 +329,8 @@ fn vertex_vertex_within<const N: usize>(
     t1: &[[f64; 3]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let [p, q] = points::<N, 2>(t0, t1, window)?;
+    let ([p, q], window) = points::<N, 2>(t0, t1, window)?;
     // A vertex on an edge without length.
     let between = minus(&q, &p);
-    OnEdge::new(&between, &between).contact()
+    OnEdge::new(&between, &between).contact(&window)
 }

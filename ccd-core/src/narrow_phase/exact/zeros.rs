@@ -1,19 +1,27 @@
 //! Zeros of forms: each is a dyadic time, or the only one of a form without double zeros between
 //! two dyadic times; and the signs of other forms there.
 //!
-//! Isolation is by Descartes' rule of signs on halves ([Collins and Akritas 1976]): of a form
-//! without double zeros, variations fall to one or none. A sign at a zero between dyadic times is
-//! that of coefficients over the interval, once they agree; that they never do is decided by a
-//! common divisor.
+//! ```text
+//!   0 ------- x ------- 1/2 -- x -- x -- 1    as often as there are zeros in a part, or more by
+//!        one change          two changes      an even number, coefficients over it change sign;
+//!                        halved again         a part with several changes is halved
+//! ```
+//!
+//! Isolation is by Descartes' rule of signs on halves [Collins 1976]; of a form without double
+//! zeros changes fall to one or none. A sign at a zero between dyadic times is that of the
+//! coefficients over the interval, once they agree; whether they never do is decided by a common
+//! divisor of both forms.
 
 use super::form::Form;
 use super::integer::Fixed;
 
-/// Zeros of a cubic between the ends, at them, and double ones apart from the others.
-pub const MAX_ZEROS: usize = 4;
+/// A cubic has no more, counted once each.
+const MAX_ZEROS: usize = 3;
 
-/// Halvings after which a sign that is not certain is suspected to be 0.
-const PATIENCE: u32 = 4;
+/// Shorter intervals after which a sign that is not certain is suspected to be 0.
+const PATIENCE: u32 = 2;
+/// The power of two of the parts of an interval of which a guess takes two.
+const STEPS: u32 = 30;
 
 /// `u` and `v` of a dyadic time; their sum is a power of two.
 pub type Dyadic<const N: usize> = [Fixed<N>; 2];
@@ -98,6 +106,7 @@ fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]
             }
         }
         [d, c, b, a] => {
+            // The zeros of a cubic with a double one are quotients of its coefficients.
             let discriminant = b * b * c * c + k(18) * a * b * c * d
                 - k(4) * (a * c * c * c + b * b * b * d)
                 - k(27) * a * a * d * d;
@@ -167,6 +176,37 @@ impl<const N: usize> Time<N> {
         Some(())
     }
 
+    /// Makes the interval shorter: two of `2^`[`STEPS`] parts, where exact signs confirm what
+    /// rounded arithmetic guesses; else a half.
+    fn narrow(&mut self) -> Option<()> {
+        if let Time::Between(form, part, sign) = self {
+            let [from, to] = *part;
+            let guess = form.over(from, to).checked()?.guess();
+            let steps = 1u64 << STEPS;
+            let step = (guess * steps as f64 + 0.5) as u64;
+            let at = |k: u64| -> Dyadic<N> {
+                let [a, b] = [steps - k, k].map(|k| Fixed::new(k as i64, 0));
+                [from[0] * a + to[0] * b, from[1] * a + to[1] * b]
+            };
+            // Times that are few halves of the interval are found as they are.
+            let times = [step.saturating_sub(1), step, (step + 1).min(steps)].map(at);
+            let values = times.map(|time| form.at(time));
+            if !values.iter().all(Fixed::is_exact) {
+                return None;
+            }
+            let [before, there, after] = values.map(|value| value.sign());
+            if there == 0 && 0 < step && step < steps {
+                *self = Time::At(times[1]);
+                return Some(());
+            }
+            if [before, after] == [*sign, -*sign] {
+                *part = [times[0], times[2]];
+                return Some(());
+            }
+        }
+        self.halve()
+    }
+
     /// The sign of a form at this time.
     pub fn sign(&mut self, of: &Form<N>) -> Option<i32> {
         let of = of.checked()?.reduced();
@@ -192,38 +232,54 @@ impl<const N: usize> Time<N> {
                     }
                 }
             }
-            self.halve()?;
+            self.narrow()?;
         }
     }
 
-    /// An enclosure, at most two units in the last place wide.
-    pub fn enclosure(&mut self) -> Option<[f64; 2]> {
+    /// An enclosure by times of the step, at most two units in the last place wide.
+    pub fn enclosure(&mut self, window: &Window<N>) -> Option<[f64; 2]> {
         loop {
             let ends = match self {
                 Time::At(time) => [*time; 2],
                 Time::Between(_, ends, _) => *ends,
             };
-            let [lo, hi] = [rounded(&ends[0])[0], rounded(&ends[1])[1]];
+            let [lo, hi] = [window.rounded(&ends[0])?[0], window.rounded(&ends[1])?[1]];
             if lo.next_up().next_up() >= hi {
                 return Some([lo, hi]);
             }
-            self.halve()?;
+            self.narrow()?;
         }
     }
 }
 
-/// A time, rounded down and up.
-fn rounded<const N: usize>([u, v]: &Dyadic<N>) -> [f64; 2] {
-    let level = (*u + *v).bits() as i32 - 1;
-    let (mantissa, more, exponent) = v.leading();
-    let exponent = exponent as i32 - level;
-    if mantissa == 0 {
-        return [0.0; 2];
+/// A window of time: the step's `[from, until]`.
+#[derive(Clone, Copy, Debug)]
+pub struct Window<const N: usize> {
+    /// From when, and for how long, in units of `2^-unit` steps.
+    pub times: [Fixed<N>; 2],
+    /// See there.
+    pub unit: u32,
+}
+
+impl<const N: usize> Window<N> {
+    /// A time of the step, rounded down and up.
+    fn rounded(&self, [u, v]: &Dyadic<N>) -> Option<[f64; 2]> {
+        let [from, span] = self.times;
+        let time = from * (*u + *v) + span * *v;
+        if !time.is_exact() {
+            return None;
+        }
+        let below_one = ((*u + *v).bits() - 1 + self.unit) as i32;
+        let (mantissa, more, exponent) = time.leading();
+        let exponent = exponent as i32 - below_one;
+        if mantissa == 0 {
+            return Some([0.0; 2]);
+        }
+        if exponent < -1022 {
+            return Some([0.0, f64::MIN_POSITIVE]);
+        }
+        // Both factors are normal, and so is the product, which is at most 1.
+        let value = mantissa as f64 * f64::from_bits(((exponent + 1023) as u64) << 52);
+        Some([value, if more { value.next_up() } else { value }])
     }
-    if exponent < -1022 {
-        return [0.0, f64::MIN_POSITIVE];
-    }
-    // Both factors are normal, and so is the product.
-    let value = mantissa as f64 * f64::from_bits(((exponent + 1023) as u64) << 52);
-    [value, if more { value.next_up() } else { value }]
 }

@@ -1,0 +1,62 @@
+//! Exact decisions against published answers: every contact, every near miss, and when.
+
+use ccd::exact::{self, Exact};
+use ccd::io::{Queries, Query, read_queries};
+use ccd::{EdgeEdge, VertexFace};
+use ccd_testkit::data::{self, Scene};
+use std::path::Path;
+
+/// Every published pair, decided exactly: near misses are none.
+pub fn check_contacts(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let mesh = t0.mesh().unwrap();
+    for kind in ["vf", "ee"] {
+        for pair in scene.contacts(data, kind) {
+            let (a, b) = (pair.a as usize, pair.b as usize);
+            let at =
+                |ids: [u32; 4]| [&t0, &t1].map(|frame| ids.map(|i| frame.positions[i as usize]));
+            let query = if kind == "vf" {
+                let [x, y, z] = mesh.faces()[b];
+                let [t0, t1] = at([pair.a, x, y, z]);
+                Query::VertexFace(VertexFace { t0, t1 })
+            } else {
+                let ([w, x], [y, z]) = (mesh.edges()[a], mesh.edges()[b]);
+                let [t0, t1] = at([w, x, y, z]);
+                Query::EdgeEdge(EdgeEdge { t0, t1 })
+            };
+            let toi = if pair.hit { pair.toi } else { None };
+            check_exact(&query, pair.hit, toi, &format!("{} {kind} {a} {b}", scene.name));
+        }
+    }
+}
+
+/// Every published query, decided exactly.
+pub fn check_queries(data: &Path) {
+    let mut n = 0;
+    for (path, name) in data::query_files(data) {
+        let Queries { queries, .. } = read_queries(&path).unwrap();
+        let times = data::read_times(&data.join("toi").join(&name));
+        for (i, (query, time)) in queries.iter().zip(&times).enumerate() {
+            check_exact(query, time.hit, time.toi, &format!("{name} query {i}"));
+            n += 1;
+        }
+    }
+    assert_eq!(n, 7279);
+}
+
+/// The published time is the lower end of an enclosure of two neighbouring numbers.
+fn check_exact(query: &Query, hit: bool, toi: Option<f64>, what: &str) {
+    let found = match query {
+        Query::VertexFace(q) => exact::vertex_face(q, [0.0, 1.0]),
+        Query::EdgeEdge(q) => exact::edge_edge(q, [0.0, 1.0]),
+    };
+    let want = if hit { Some(toi.expect("a time")) } else { None };
+    match (found, want) {
+        (Some(Exact::Miss), None) => (),
+        (Some(Exact::Contact([lo, hi])), Some(toi)) => {
+            assert!(lo <= toi.next_up() && toi.next_down() <= hi, "{what}: {lo:e} {hi:e} {toi:e}");
+            assert!(hi <= lo.next_up().next_up(), "{what}: {lo:e} {hi:e}");
+        }
+        other => panic!("{what}: {other:?}"),
+    }
+}
