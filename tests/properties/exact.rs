@@ -76,7 +76,7 @@ fn the_comparison_can_fail() {
         (contact(0.5, 0.5f64.next_up().next_up().next_up()), Some([0.5, 0.5])),
     ];
     for (found, want) in wrong {
-        compare::fails(|| same(found, want, &String::new));
+        assert!(compare::fails(|| same(found, want, &String::new)), "{found:?} {want:?}");
     }
 }
 
