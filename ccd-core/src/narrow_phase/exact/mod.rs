@@ -2,7 +2,7 @@
 //! coordinates as they are.
 //!
 //! Coordinates are dyadic numbers; in a common unit they are integers, and so are the coefficients
-//! of every polynomial of time below ([`form`]). A face and a vertex touch where the cubic of
+//! of every polynomial of time below (`form.rs`). A face and a vertex touch where the cubic of
 //! coplanarity is 0 and three quartics are not negative; where the normal vanishes as well, where
 //! the vertex is on an edge. What is coplanar all the time first touches at the beginning or on the
 //! boundary: of a face an edge, of an edge a vertex.

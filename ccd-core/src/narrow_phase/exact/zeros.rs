@@ -111,7 +111,10 @@ fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]
                 - k(4) * (a * c * c * c + b * b * b * d)
                 - k(27) * a * a * d * d;
             let apart = b * b - k(3) * a * c;
-            match (discriminant.is_exact().then(|| discriminant.sign())?, apart.sign()) {
+            if !(discriminant.is_exact() && apart.is_exact()) {
+                return None;
+            }
+            match (discriminant.sign(), apart.sign()) {
                 (0, 0) => Some([linear(b, k(3) * a), None]),
                 (0, _) => {
                     let twice = linear(b * c - k(9) * a * d, k(2) * apart)?;
