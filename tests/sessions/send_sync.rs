@@ -24,7 +24,7 @@ are! {
     ccd::Times, ccd::Traversal, ccd::TreeOptions, ccd::TreeStatistics, ccd::TriangleCounts,
     ccd::TriangleOptions, ccd::Verdict<f64>, ccd::VertexEdge<f64>, ccd::VertexFace<f32>,
     ccd::VertexVertex<f64>, ccd::Volume, ccd::WorkerOptions, ccd::geometry::Motion<f64>,
-    ccd::geometry::Patch,
+    ccd::geometry::Patch, ccd::exact::Exact,
     positions::Ends<'static>, positions::PositionView<'static, f32>,
     positions::Precision<u8, u8>,
 }
