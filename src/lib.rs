@@ -120,7 +120,7 @@ pub use ccd_core::model::mesh::Mesh;
 pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
 };
-pub use ccd_core::model::options::Options;
+pub use ccd_core::model::options::{Mode, Options};
 pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
 pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};

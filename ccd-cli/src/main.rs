@@ -152,6 +152,15 @@ impl Precision {
     }
 }
 
+/// How certain contacts are.
+#[derive(Clone, Copy, ValueEnum)]
+enum Mode {
+    /// No contact is missed; what cannot be certified is undecided
+    Conservative,
+    /// Every pair is decided as its coordinates are
+    Exact,
+}
+
 /// Headings of options in the help.
 const INPUT: &str = "Input";
 const QUESTION: &str = "What is looked for";
@@ -169,6 +178,11 @@ struct StepOptions {
     #[arg(short = 'd', long, value_name = "D", default_value_t = 0.0)]
     #[arg(allow_negative_numbers = true, help_heading = QUESTION)]
     min_distance: f64,
+    /// How certain contacts are
+    ///
+    /// The exact one takes no --min-distance; its times of impact are the true ones, rounded down.
+    #[arg(long, value_enum, default_value_t = Mode::Conservative, help_heading = QUESTION)]
+    mode: Mode,
     /// Leave out contacts at the start whose features separate
     ///
     /// Where they certainly do, what counts is their next contact. What touches with --min-distance
@@ -267,6 +281,10 @@ impl StepOptions {
         let options = ccd::Options::default()
             .with_min_distance(self.min_distance)
             .with_tolerance(self.tolerance)
+            .with_mode(match self.mode {
+                Mode::Conservative => ccd::Mode::Conservative,
+                Mode::Exact => ccd::Mode::Exact,
+            })
             .with_leave_contact(self.leave_contact)
             .with_bodies(self.bodies.of(&mesh, objects)?)
             .with_threads(self.threads)
@@ -314,6 +332,9 @@ impl From<ccd::Error> for Failure {
                 let most = ccd::Error::MAX_COORDINATE;
                 let what = "it must be from 0 to";
                 Failure(format!("the minimum distance is {value:?}; {what} {most:e}"))
+            }
+            ccd::Error::ExactDistance { .. } => {
+                Failure("--mode exact decides what touches: it takes no --min-distance".into())
             }
             ccd::Error::Tolerance { value } => {
                 let what = format!("it must be from {:e} to 1", ccd::Options::LEAST_TOLERANCE);

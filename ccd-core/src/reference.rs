@@ -4,7 +4,7 @@
 //! 1. Each vertex sweeps a box; the box of a face or an edge is the union of those of its vertices.
 //! 2. Sweep and prune finds boxes that overlap; features with a common vertex, and those that the
 //!    rules of bodies exclude, are no candidates.
-//! 3. Each candidate is decided in `f64`.
+//! 3. Each candidate is decided in `f64`, or exactly.
 //!
 //! Cost: `n log n` to sort, and all pairs of boxes whose intervals along x overlap. Backends are
 //! some hundred times as fast; this one is for reading, for tests, and for devices without an
@@ -17,13 +17,13 @@ use crate::backend::rules::Rules;
 use crate::layout::Pair;
 use crate::math::aabb::Aabb;
 use crate::math::real::Real;
-use crate::model::codimensional::{self, Codimensional};
-use crate::model::contact::{Contact, Kind};
+use crate::model::codimensional::Codimensional;
+use crate::model::contact::Kind;
+use crate::model::decision::Decider;
 use crate::model::error::{Error, check_coordinates};
 use crate::model::mesh::Mesh;
 use crate::model::options::Options;
 use crate::model::report::Report;
-use crate::narrow_phase::decide;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
@@ -62,7 +62,7 @@ pub fn step<T: Real>(
     let rules = options.bodies.as_ref().map(Rules::new).transpose()?;
     rules.as_ref().map_or(Ok(()), |rules| rules.check_still(x0, x1, None))?;
 
-    let search = options.search([0.0, 1.0]);
+    let decider = Decider::new(options, [0.0, 1.0]);
     let mut report = Report::default();
     report.set_mesh(mesh);
     for kind in Kind::ALL {
@@ -77,14 +77,7 @@ pub fn step<T: Real>(
         pairs.sort_unstable();
         *report.candidates.of(kind) = pairs.len() as u64;
         for pair in pairs {
-            let contact = match kind {
-                Kind::VertexFace | Kind::EdgeEdge => {
-                    let ids = mesh.vertices_of(kind, pair);
-                    Contact::of(kind, pair, decide::pair::<T, f64>(kind, ids, [x0, x1], &search))
-                }
-                _ => codimensional::contact(mesh, kind, pair, [x0, x1], &search),
-            };
-            if let Some(contact) = contact {
+            if let Some(contact) = decider.contact(mesh, kind, pair, [x0, x1]) {
                 report.add(contact, true);
             }
         }

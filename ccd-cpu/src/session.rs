@@ -20,6 +20,7 @@ use ccd_core::Error;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
+use ccd_core::model::decision::Decider;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Moved, State};
 use passes::{collect, detect, drop_repeated, least_toi, prepare};
 use std::sync::Arc;
@@ -314,7 +315,8 @@ impl Engine {
                 let [ve, vv] = features.pairs.each_ref().map(|pairs| pairs.len() as u64);
                 (report.candidates.ve, report.candidates.vv) = (ve, vv);
                 (report.filtered.ve, report.filtered.vv) = (ve, vv);
-                let found = features.decide(threads, mesh, &options.search(window), x.given)?;
+                let decider = Decider::new(options, window);
+                let found = features.decide(threads, mesh, &decider, x.given)?;
                 if !stop.reserve(CONTACTS, &mut report.contacts, found.len()) {
                     return stop.check();
                 }

@@ -54,6 +54,9 @@ pub enum Error {
          the host, which does not see the paths that an application writes on the device"
     )]
     Codimensional,
+    /// A step on the device alone was asked for in [`Mode::Exact`](ccd_core::model::options::Mode).
+    #[error("exact decisions are made on the host: choose the conservative mode")]
+    ExactOnDevice,
     /// Geometry of contacts was asked for where the last call left no list of them on the device.
     #[error("there are no contacts on the device: call `step`, or `record`, before")]
     NoContacts,

@@ -11,6 +11,8 @@ use crate::step::{Goal, WHOLE, cpu_fallback};
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
+use ccd_core::model::decision::Decider;
+use ccd_core::model::options::Mode;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
 use ccd_core::narrow_phase::decide;
@@ -219,7 +221,10 @@ impl Engine {
         report.set_mesh(mesh);
         let uploaded = start.elapsed();
         let contacts = &mut report.contacts;
-        let found = self.frames.run(&self.device, options, (goal, window), contacts)?;
+        // Exact times are not the device's.
+        let exact = options.mode == Mode::Exact && goal.is_earliest();
+        let on_device = if exact { Goal::Contacts } else { goal };
+        let found = self.frames.run(&self.device, options, (on_device, window), contacts)?;
         report.times.boxes = uploaded.as_secs_f64() * 1e3;
         self.take(found, (goal, window), given);
         self.take_codimensional((goal, window), given)?;
@@ -230,22 +235,30 @@ impl Engine {
     /// Decides what the device left open, and makes the report.
     fn take(&mut self, found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
         let State { mesh, options, report } = &mut self.state;
-        let search = &options.search(window);
-        self.left_open = PerKind::new(found.open[0].len() as u64, found.open[1].len() as u64);
+        let decider = &Decider::new(options, window);
+        let contacts = &mut report.contacts;
+        let mut open = found.open;
+        if options.mode == Mode::Exact {
+            // The device rejects; what it does not is decided here.
+            for contact in contacts.drain(..) {
+                let of_kind = &mut open[(contact.kind == Kind::EdgeEdge) as usize];
+                of_kind.push(Pair { a: contact.a, b: contact.b });
+            }
+        }
+        self.left_open = PerKind::new(open[0].len() as u64, open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
-        let contacts = &mut report.contacts;
-        for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
+        for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&open) {
             match given {
-                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
-                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, search, contacts),
+                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),
+                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),
             }
         }
         (report.toi, report.undecided) = cpu_fallback::summary(contacts);
-        if goal.is_earliest() {
+        if goal.is_earliest() && options.mode == Mode::Conservative {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device =
                 (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
@@ -255,7 +268,7 @@ impl Engine {
             contacts.clear();
             report.undecided = 0;
         }
-        if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
+        if !found.in_order || open.iter().any(|open| !open.is_empty()) {
             cpu_fallback::sort(contacts);
         }
     }
@@ -274,7 +287,7 @@ impl Engine {
         (report.filtered.ve, report.filtered.vv) = (ve, vv);
         if goal != Goal::Candidates {
             found
-                .contacts(mesh, &options.search(window), given)
+                .contacts(mesh, &Decider::new(options, window), given)
                 .for_each(|contact| report.add(contact, goal == Goal::Contacts));
         }
         Ok(())

@@ -3,8 +3,8 @@
 use crate::bodies::bodies;
 use crate::errors::refused;
 use ccd::{
-    BroadPhaseMethod, Builder, Catalogued, Front, Options, Pipeline, Row, Scheduler, Scheduling,
-    Traversal, TreeOptions, Volume,
+    BroadPhaseMethod, Builder, Catalogued, Front, Mode, Options, Pipeline, Row, Scheduler,
+    Scheduling, Traversal, TreeOptions, Volume,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -34,6 +34,9 @@ pub fn options(given: &Bound<'_, PyDict>) -> PyResult<Options> {
     }
     if let Some(leaves) = value("leave_contact")? {
         options = options.with_leave_contact(leaves.extract()?);
+    }
+    if let Some(mode) = value("mode")? {
+        options = options.with_mode(mode_named(&mode.extract::<String>()?)?);
     }
     if let Some(bytes) = value("max_memory")? {
         options = options.with_max_memory(bytes.extract::<u64>()?);
@@ -83,8 +86,16 @@ pub fn options(given: &Bound<'_, PyDict>) -> PyResult<Options> {
     Ok(options.with_broad_phase(method).with_pipeline(pipeline).with_scheduling(scheduling))
 }
 
+/// The mode of a name.
+fn mode_named(name: &str) -> PyResult<Mode> {
+    Mode::ALL.into_iter().find(|mode| mode.name() == name).ok_or_else(|| {
+        let names = Mode::ALL.map(|mode| mode.name()).join(", ");
+        refused(format!("mode is {name:?}; it must be one of {names}"))
+    })
+}
+
 /// All names of options.
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 17] = [
     "min_distance",
     "threads",
     "bodies",
@@ -93,6 +104,7 @@ const NAMES: [&str; 16] = [
     "device",
     "max_memory",
     "tolerance",
+    "mode",
     "leave_contact",
     "method",
     "builder",

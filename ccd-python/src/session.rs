@@ -50,6 +50,10 @@ use std::sync::Mutex;
 ///     refused before it is allocated, and the session stays usable.
 /// tolerance : float
 ///     How early a certain time of impact may be, in units of the step; at least 1e-12.
+/// mode : str
+///     "conservative": what cannot be certified is a contact that is undecided; or "exact": every
+///     pair is decided as its coordinates are, and times are the true ones, rounded down. Exact
+///     takes no minimum distance.
 /// leave_contact : bool
 ///     Whether features that are in contact at the start may separate: no contact, unless they
 ///     come nearer or touch again.
@@ -75,9 +79,9 @@ impl Session {
     #[new]
     #[pyo3(signature = (mesh, **given))]
     #[pyo3(text_signature = "(mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, \
-        self_contact=None, device=None, max_memory=None, tolerance=1e-06, leave_contact=False, \
-        method=None, builder=None, traversal=None, volume=None, pipeline=None, scheduler=None, \
-        front=None)")]
+        self_contact=None, device=None, max_memory=None, tolerance=1e-06, mode='conservative', \
+        leave_contact=False, method=None, builder=None, traversal=None, volume=None, \
+        pipeline=None, scheduler=None, front=None)")]
     fn new(py: Python<'_>, mesh: Py<Mesh>, given: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
         let options = options::options(&given)?;

@@ -6,8 +6,7 @@ use ccd::{
     Bodies, BroadPhaseMethod, Contact, Error, Front, Groups, Kind, Mesh, Options, Pair, Pipeline,
     Report, Scheduler, Scheduling, Session, State, Traversal, TreeOptions, TriangleOptions,
 };
-use ccd_core::model::codimensional;
-use ccd_core::narrow_phase::decide;
+use ccd_core::model::decision::Decider;
 use ccd_testkit::brute::feature_pairs;
 use ccd_testkit::methods::is_near_default;
 
@@ -53,7 +52,7 @@ fn every_pair(
     options: &Options,
     window: [f64; 2],
 ) -> Vec<Contact> {
-    let search = options.search(window);
+    let decider = Decider::new(options, window);
     let (edges, faces) = (mesh.edges(), mesh.faces());
     let wants = |kind: Kind, a: u32, b: u32, v: u32, w: u32| {
         options.bodies.as_ref().is_none_or(|of| of.wants(v, w) && !of.excludes(kind, a, b))
@@ -62,14 +61,14 @@ fn every_pair(
     for (kind, pair) in feature_pairs(mesh) {
         let ids = mesh.vertices_of(kind, pair);
         if wants(kind, pair.a, pair.b, ids[0], ids[kind.n_first()]) {
-            all.extend(Contact::of(kind, pair, decide::pair(kind, ids, x, &search)));
+            all.extend(decider.contact(mesh, kind, pair, x));
         }
     }
     let alone = mesh.isolated_vertices();
     let of_face = |[a, b]: &[u32; 2]| faces.iter().any(|f| f.contains(a) && f.contains(b));
     let mut thin = |kind: Kind, a: u32, b: u32, w: u32| {
         if wants(kind, a, b, a, w) {
-            all.extend(codimensional::contact(mesh, kind, Pair { a, b }, x, &search));
+            all.extend(decider.contact(mesh, kind, Pair { a, b }, x));
         }
     };
     for &v in alone {

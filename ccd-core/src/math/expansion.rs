@@ -96,14 +96,14 @@ impl Expansion {
 }
 
 /// The rounded sum and what rounding took away.
-fn sum(a: f64, b: f64) -> (f64, f64) {
+pub fn sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let part = sum - a;
     (sum, (a - (sum - part)) + (b - part))
 }
 
 /// The rounded product and what rounding took away.
-fn product(a: f64, b: f64) -> (f64, f64) {
+pub fn product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let ([a, a_low], [b, b_low]) = (halves(a), halves(b));
     (product, a_low * b_low - (product - a * b - a_low * b - a * b_low))

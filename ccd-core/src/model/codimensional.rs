@@ -9,12 +9,8 @@ use crate::backend::rules::Rules;
 use crate::layout::Pair;
 use crate::math::aabb::Aabb;
 use crate::math::real::Real;
-use crate::model::contact::{Contact, Kind};
+use crate::model::contact::Kind;
 use crate::model::mesh::Mesh;
-use crate::narrow_phase::codimensional::{
-    VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
-};
-use crate::narrow_phase::search::Search;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -97,26 +93,6 @@ fn swept<T: Real>(x: [&[[T; 3]]; 2], ids: &[u32], min_distance: f64) -> Aabb<f64
     let boxes = ends.map(Aabb::of_point);
     let all = boxes.reduce(|all, one| all.union(&one));
     all.unwrap_or(Aabb { min: [0.0; 3], max: [0.0; 3] }).inflated(margin(min_distance))
-}
-
-/// The contact of such a pair, if there is one, from positions at both ends of the step.
-pub fn contact<T: Real>(
-    mesh: &Mesh,
-    kind: Kind,
-    pair: Pair,
-    x: [&[[T; 3]]; 2],
-    search: &Search<f64>,
-) -> Option<Contact> {
-    let [v, e0, e1, _] = mesh.vertices_of(kind, pair);
-    let at = |time: usize, v: u32| x[time][v as usize].map(Real::to_f64);
-    let answer = if kind == Kind::VertexEdge {
-        let ends = |time: usize| [at(time, v), at(time, e0), at(time, e1)];
-        search_vertex_edge(&VertexEdge { t0: ends(0), t1: ends(1) }, search)
-    } else {
-        let ends = |time: usize| [at(time, v), at(time, e0)];
-        search_vertex_vertex(&VertexVertex { t0: ends(0), t1: ends(1) }, search)
-    };
-    Contact::of(kind, pair, answer)
 }
 
 #[cfg(test)]

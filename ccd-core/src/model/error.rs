@@ -110,6 +110,12 @@ pub enum Error {
         /// The value given.
         value: f64,
     },
+    /// A minimum distance above 0 in [`Mode::Exact`](super::options::Mode::Exact): when features
+    /// come that near is decided by polynomials of a far higher degree.
+    ExactDistance {
+        /// The value given.
+        value: f64,
+    },
     /// A tolerance of times of impact that is out of its range, or NaN.
     Tolerance {
         /// The value given.
@@ -295,6 +301,12 @@ impl core::fmt::Display for Error {
             }
             Error::MinDistance { value } => {
                 write!(f, "minimum distance is {value}; it must be finite and not negative")
+            }
+            Error::ExactDistance { value } => {
+                write!(
+                    f,
+                    "minimum distance is {value}; exact decisions are of touching, distance 0"
+                )
             }
             Error::Tolerance { value } => {
                 write!(f, "tolerance is {value}; it must be from {LEAST_TOLERANCE:e} to 1")

@@ -12,6 +12,8 @@ pub mod contact;
 mod contact_on_mesh;
 #[cfg(feature = "serde")]
 mod data;
+#[cfg(feature = "alloc")]
+pub mod decision;
 pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]

@@ -9,6 +9,57 @@ use super::scheduling::Scheduling;
 use crate::narrow_phase::query::{LEAST_TOLERANCE, TOI_TOLERANCE};
 use crate::narrow_phase::search::Search;
 
+/// How certain contacts are.
+///
+/// ```
+/// use ccd::Mode;
+///
+/// let names: Vec<&str> = Mode::ALL.iter().map(Mode::name).collect();
+/// assert_eq!(names, ["conservative", "exact"]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
+pub enum Mode {
+    /// No contact is missed and no time late; what cannot be certified is a contact of state
+    /// [`State::Undecided`](super::contact::State::Undecided).
+    #[default]
+    Conservative,
+    /// Every pair is decided as its coordinates are, by integers where `f64` does not tell, and its
+    /// time of impact is the true one rounded down: see
+    /// [`narrow_phase::exact`](crate::narrow_phase::exact). Of a GPU, the filters run on the device
+    /// and the decisions on the CPU.
+    ///
+    /// Refused with a minimum distance, [`Error::ExactDistance`]. Undecided is left only what its
+    /// integers of 6,144 bits do not hold: coordinates of one pair hundreds of powers of two apart.
+    Exact,
+}
+
+impl Mode {
+    /// All, the default first.
+    pub const ALL: [Mode; 2] = [Mode::Conservative, Mode::Exact];
+
+    /// Its name, as a command takes it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Mode::Conservative => "conservative",
+            Mode::Exact => "exact",
+        }
+    }
+
+    /// Checks that the mode takes a minimum distance.
+    ///
+    /// # Errors
+    /// [`Error::ExactDistance`] of one above 0 for [`Mode::Exact`].
+    pub fn check(&self, min_distance: f64) -> Result<(), Error> {
+        match self {
+            Mode::Exact if min_distance > 0.0 => Err(Error::ExactDistance { value: min_distance }),
+            _ => Ok(()),
+        }
+    }
+}
+
 /// What a step looks for and how.
 ///
 /// ```
@@ -40,8 +91,11 @@ pub struct Options {
     /// it. A session of a backend that does not have it is refused.
     pub scheduling: Scheduling,
     /// How early a certain time of impact may be, in units of the step, from
-    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified as exactly is undecided.
+    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified as exactly is undecided. Nothing
+    /// to [`Mode::Exact`].
     pub tolerance: f64,
+    /// How certain contacts are.
+    pub mode: Mode,
     /// Whether two features that are in contact at the start of a step may leave it: where they
     /// certainly separate, that contact is none, and what counts is the next one of the same two
     /// features. A line search can leave contacts by it.
@@ -76,6 +130,7 @@ impl Default for Options {
             pipeline: Pipeline::default(),
             scheduling: Scheduling::default(),
             tolerance: TOI_TOLERANCE,
+            mode: Mode::default(),
             leave_contact: false,
             max_memory: None,
         }
@@ -137,6 +192,13 @@ impl Options {
         self
     }
 
+    /// With this [`Options::mode`].
+    #[must_use]
+    pub fn with_mode(mut self, mode: Mode) -> Self {
+        self.mode = mode;
+        self
+    }
+
     /// With this [`Options::leave_contact`].
     #[must_use]
     pub fn with_leave_contact(mut self, leave_contact: bool) -> Self {
@@ -160,10 +222,11 @@ impl Options {
     /// Checks the options for steps of `mesh`.
     ///
     /// # Errors
-    /// [`Error::MinDistance`]; [`Error::Tolerance`]; [`Error::Setting`] and
+    /// [`Error::MinDistance`]; [`Error::ExactDistance`]; [`Error::Tolerance`]; [`Error::Setting`] and
     /// [`Error::NoPairsOfNodes`] for a method and its scheduling; what [`Bodies::check`] refuses.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
+        self.mode.check(self.min_distance)?;
         check_tolerance(self.tolerance)?;
         self.broad_phase.check()?;
         self.scheduling.check(self.broad_phase)?;

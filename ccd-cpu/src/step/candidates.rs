@@ -15,10 +15,10 @@ use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::quantization::margin;
 use ccd_core::model::contact::Kind;
+use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
-use ccd_core::narrow_phase::search::Search;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
@@ -35,8 +35,8 @@ pub struct Scene<'a> {
     /// The minimum distance in that unit, rounded up.
     pub table_distance: f32,
     pub min_distance: f64,
-    /// What queries look for.
-    pub search: Search<f64>,
+    /// What decides pairs that filters leave.
+    pub decider: Decider,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
     /// Keep contacts, or only the least time of impact.

@@ -9,12 +9,12 @@ use crate::step::narrow_phase::CONTACTS;
 use crate::step::selection::Selection;
 use crate::threads::Threads;
 use ccd_core::backend::layout::Pair;
-use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
+use ccd_core::model::codimensional::{Codimensional as Features, KINDS};
 use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Precision;
-use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Error};
 
 /// Finds such pairs, and keeps its buffers between steps.
@@ -98,7 +98,7 @@ impl Codimensional {
         &mut self,
         threads: &Threads,
         mesh: &Mesh,
-        search: &Search<f64>,
+        decider: &Decider,
         given: Given,
     ) -> Result<&[Contact], Error> {
         let Self { pairs, decided, contacts, .. } = self;
@@ -108,8 +108,8 @@ impl Codimensional {
                 decided.clear();
                 decided.resize(part.len(), None);
                 threads.fill(decided, |i| match given {
-                    Precision::F32(x) => contact(mesh, kind, part[i], x, search),
-                    Precision::F64(x) => contact(mesh, kind, part[i], x, search),
+                    Precision::F32(x) => decider.contact(mesh, kind, part[i], x),
+                    Precision::F64(x) => decider.contact(mesh, kind, part[i], x),
                 });
                 let n = decided.iter().flatten().count();
                 threads.stop.check()?;

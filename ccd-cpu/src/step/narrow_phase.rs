@@ -1,5 +1,5 @@
 //! From candidates to contacts: pairs are queued, full queues pass the `f32` filters many at a
-//! time, and what is left is decided in `f64`.
+//! time, and what is left is decided in `f64`, or exactly.
 //!
 //! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
 //! leaves.
@@ -7,14 +7,13 @@
 use crate::clock::Instant;
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
+use ccd_core::Num;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::contact::{Contact, Kind, PerKind};
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
+use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
-use ccd_core::narrow_phase::search::Answer;
-use ccd_core::narrow_phase::{cascade, decide};
-use ccd_core::{Num, Real};
 use std::time::Duration;
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
@@ -74,21 +73,16 @@ impl Worker {
     }
 
     fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
-        let answer = match scene.given {
-            Precision::F32(x) => decide(scene, kind, pair, x),
-            Precision::F64(x) => decide(scene, kind, pair, x),
+        let contact = match scene.given {
+            Precision::F32(x) => scene.decider.contact(scene.mesh, kind, pair, x),
+            Precision::F64(x) => scene.decider.contact(scene.mesh, kind, pair, x),
         };
-        let Some(contact) = Contact::of(kind, pair, answer) else { return };
+        let Some(contact) = contact else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
         if scene.keep_contacts && scene.stop.reserve(CONTACTS, &mut self.contacts, 1) {
             self.contacts.push(contact);
         }
     }
-}
-
-/// The answer for a pair, from positions as given, in `f64`.
-fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Answer<f64> {
-    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, &scene.search)
 }
 
 impl Take for Worker {

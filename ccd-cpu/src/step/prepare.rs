@@ -16,6 +16,7 @@ use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::backend::rules::Rules;
 use ccd_core::math::vec3::max_abs;
+use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::{BroadPhaseMethod, Volume};
 use ccd_core::model::options::Options;
@@ -191,7 +192,7 @@ impl Prepared {
             table_error: self.units.error,
             table_distance: self.units.distance(options.min_distance),
             min_distance: options.min_distance,
-            search: options.search(window),
+            decider: Decider::new(options, window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
             keep_contacts,
             stop,

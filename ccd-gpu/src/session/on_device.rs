@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::step::frame::Frames;
 use crate::step::{Goal, WHOLE};
+use ccd_core::model::options::Mode;
 use ccd_core::model::positions::{AsPositions, Gathered, ends};
 use ccd_core::model::session;
 
@@ -107,12 +108,13 @@ impl Engine {
     /// fixed moves is not seen.
     ///
     /// # Errors
-    /// [`Error::PathsUnseen`] with free regions, [`Error::Codimensional`] for such meshes; what the
-    /// device refuses.
+    /// [`Error::PathsUnseen`] with free regions, [`Error::Codimensional`] for such meshes,
+    /// [`Error::ExactOnDevice`] in that mode; what the device refuses.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         if self.codimensional.is_some() {
             return Err(Error::Codimensional);
         }
+        self.check_conservative()?;
         let b =
             self.frames.record(&self.device, (&self.state.mesh, &self.state.options), encoder)?;
         Ok(OnDevice {
@@ -134,14 +136,22 @@ impl Engine {
     /// time and so no geometry.
     ///
     /// # Errors
-    /// [`Error::NoContacts`] if the last call was another, which lists no contacts; no memory for
-    /// 64 bytes a contact.
+    /// [`Error::NoContacts`] if the last call was another, which lists no contacts;
+    /// [`Error::ExactOnDevice`] in that mode; no memory for 64 bytes a contact.
     pub fn record_geometry(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<GeometryOnDevice<'_>, Error> {
+        self.check_conservative()?;
         let Frames { buffers, geometry, .. } = &mut self.frames;
         let geometry = geometry.record(&self.device, buffers, &self.state.options, encoder)?;
         Ok(GeometryOnDevice { contacts: &buffers.contacts, geometry })
+    }
+
+    fn check_conservative(&self) -> Result<(), Error> {
+        match self.state.options.mode {
+            Mode::Exact => Err(Error::ExactOnDevice),
+            _ => Ok(()),
+        }
     }
 }

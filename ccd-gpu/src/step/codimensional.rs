@@ -8,12 +8,12 @@ use crate::device::Device;
 use crate::error::Error;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::rules::Rules;
-use ccd_core::model::codimensional::{Codimensional as Features, KINDS, contact};
+use ccd_core::model::codimensional::{Codimensional as Features, KINDS};
 use ccd_core::model::contact::Contact;
+use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Precision};
-use ccd_core::narrow_phase::search::Search;
 use ccd_core::{Aabb, Real};
 
 /// Finds such pairs.
@@ -79,14 +79,14 @@ impl Codimensional {
     pub fn contacts<'a>(
         &'a self,
         mesh: &'a Mesh,
-        search: &'a Search<f64>,
+        decider: &'a Decider,
         given: Given<'a>,
     ) -> impl Iterator<Item = Contact> + use<'a> {
         let kinds = KINDS.into_iter().zip(&self.pairs);
         kinds.flat_map(|(kind, pairs)| pairs.iter().map(move |&pair| (kind, pair))).filter_map(
             move |(kind, pair)| match given {
-                Precision::F32(x) => contact(mesh, kind, pair, x, search),
-                Precision::F64(x) => contact(mesh, kind, pair, x, search),
+                Precision::F32(x) => decider.contact(mesh, kind, pair, x),
+                Precision::F64(x) => decider.contact(mesh, kind, pair, x),
             },
         )
     }

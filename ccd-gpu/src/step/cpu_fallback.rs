@@ -1,29 +1,25 @@
-//! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their
+//! The end of a step on the CPU: what the device left open is decided, and contacts get their
 //! canonical order.
 
 use ccd_core::Real;
 use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
-use ccd_core::narrow_phase::decide;
-use ccd_core::narrow_phase::search::Search;
 
 /// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
 const MIN_SHARE: usize = 256;
 
-/// Decides pairs in `f64` on all cores and appends those that touch or stay undecided.
+/// Decides pairs on all cores and appends those that touch or stay undecided.
 pub fn decide<T: Real>(
     mesh: &Mesh,
     kind: Kind,
     pairs: &[Pair],
     x: [&[[T; 3]]; 2],
-    search: &Search<f64>,
+    decider: &Decider,
     out: &mut Vec<Contact>,
 ) {
-    let one = |&pair: &Pair| {
-        let answer = decide::pair(kind, mesh.vertices_of(kind, pair), x, search);
-        Contact::of(kind, pair, answer)
-    };
+    let one = |&pair: &Pair| decider.contact(mesh, kind, pair, x);
     if pairs.len() <= MIN_SHARE {
         out.extend(pairs.iter().filter_map(one));
         return;

@@ -1,6 +1,6 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Final, final
+from typing import Final, Literal, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -92,6 +92,7 @@ class Session:
         device: str | None = None,
         max_memory: int | None = None,
         tolerance: float = 1e-06,
+        mode: Literal["conservative", "exact"] = "conservative",
         leave_contact: bool = False,
         method: str | None = None,
         builder: str | None = None,

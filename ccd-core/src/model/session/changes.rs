@@ -50,9 +50,10 @@ impl<E: Engine, P> Session<E, P> {
     /// with free regions, which are there without a distance alone.
     ///
     /// # Errors
-    /// [`Error::MinDistance`]; what the device refuses.
+    /// [`Error::MinDistance`]; [`Error::ExactDistance`]; what the device refuses.
     pub fn set_min_distance(&mut self, min_distance: f64) -> Result<(), E::Error> {
         check_min_distance(min_distance)?;
+        self.options().mode.check(min_distance)?;
         self.engine.change(Change::MinDistance(min_distance))
     }
 

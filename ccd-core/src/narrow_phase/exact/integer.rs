@@ -6,6 +6,20 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
+/// A finite number as an odd integer times a power of two; 0 has the greatest power.
+pub fn parts(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
+    let mantissa = if exponent > 0 { fraction | 1 << 52 } else { fraction };
+    if mantissa == 0 {
+        return (0, i32::MAX);
+    }
+    let zeros = mantissa.trailing_zeros();
+    let magnitude = (mantissa >> zeros) as i64;
+    let exponent = exponent.max(1) - 1075 + zeros as i32;
+    (if x < 0.0 { -magnitude } else { magnitude }, exponent)
+}
+
 /// An integer of at most `64 N` bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Fixed<const N: usize> {
@@ -28,6 +42,12 @@ impl<const N: usize> Fixed<N> {
         let mut out = Self::ZERO;
         (out.words[0], out.len, out.negative) = (x.unsigned_abs(), (x != 0) as usize, x < 0);
         out.shifted(shift)
+    }
+
+    /// An `f64` in units of `2^unit`, of which it is a multiple.
+    pub fn of(x: f64, unit: i32) -> Self {
+        let (mantissa, exponent) = parts(x);
+        Self::new(mantissa, if mantissa == 0 { 0 } else { (exponent - unit) as u32 })
     }
 
     /// Whether nothing was lost: else the number means nothing.

@@ -13,7 +13,7 @@
 //! divisor of both forms.
 
 use super::form::Form;
-use super::integer::Fixed;
+use super::integer::{Fixed, parts};
 
 /// A cubic has no more, counted once each.
 const MAX_ZEROS: usize = 3;
@@ -239,16 +239,27 @@ impl<const N: usize> Time<N> {
         }
     }
 
-    /// An enclosure by times of the step, at most two units in the last place wide.
+    /// The time of the step, rounded down and up.
     pub fn enclosure(&mut self, window: &Window<N>) -> Option<[f64; 2]> {
         loop {
-            let ends = match self {
-                Time::At(time) => [*time; 2],
-                Time::Between(_, ends, _) => *ends,
+            let (form, [from, to], before) = match self {
+                Time::At(time) => return window.rounded(time),
+                Time::Between(form, ends, sign) => (*form, *ends, *sign),
             };
-            let [lo, hi] = [window.rounded(&ends[0])?[0], window.rounded(&ends[1])?[1]];
-            if lo.next_up().next_up() >= hi {
+            let [lo, hi] = [window.rounded(&from)?[0], window.rounded(&to)?[1]];
+            let between = lo.next_up();
+            if between >= hi {
                 return Some([lo, hi]);
+            }
+            if between.next_up() >= hi {
+                // One number in between: the zero is there, or on one side of it.
+                let value = form.at(window.position(between)?);
+                let sign = value.is_exact().then(|| value.sign())?;
+                return Some(match sign {
+                    0 => [between; 2],
+                    _ if sign == before => [between, hi],
+                    _ => [lo, between],
+                });
             }
             self.narrow()?;
         }
@@ -273,16 +284,39 @@ impl<const N: usize> Window<N> {
             return None;
         }
         let below_one = ((*u + *v).bits() - 1 + self.unit) as i32;
-        let (mantissa, more, exponent) = time.leading();
-        let exponent = exponent as i32 - below_one;
-        if mantissa == 0 {
+        if time.sign() == 0 {
             return Some([0.0; 2]);
         }
-        if exponent < -1022 {
-            return Some([0.0, f64::MIN_POSITIVE]);
-        }
-        // Both factors are normal, and so is the product, which is at most 1.
-        let value = mantissa as f64 * f64::from_bits(((exponent + 1023) as u64) << 52);
+        let (mantissa, more, exponent) = time.leading();
+        let exponent = exponent as i32 - below_one;
+        // Of a denormal, fewer bits.
+        let dropped = (LEAST - exponent).clamp(0, 63) as u32;
+        let (kept, more) = (mantissa >> dropped, more || mantissa & ((1 << dropped) - 1) != 0);
+        let value = if dropped > 0 {
+            f64::from_bits(kept)
+        } else {
+            // Two steps, of which each is exact.
+            let half = exponent / 2;
+            kept as f64 * power_of_two(half) * power_of_two(exponent - half)
+        };
         Some([value, if more { value.next_up() } else { value }])
     }
+
+    /// Where a time of the step is in the window: `u` and `v`, up to a positive factor.
+    fn position(&self, time: f64) -> Option<[Fixed<N>; 2]> {
+        let [from, span] = self.times;
+        let unit = parts(time).1.min(-(self.unit as i32));
+        let finer = (-unit) as u32 - self.unit;
+        let (time, from) = (Fixed::of(time, unit), from.shifted(finer));
+        let (u, v) = (from + span.shifted(finer) - time, time - from);
+        (u.is_exact() && v.is_exact()).then_some([u, v])
+    }
+}
+
+/// The power of two of the last bit of a denormal.
+const LEAST: i32 = -1074;
+
+/// `2^e`, a normal number.
+fn power_of_two(e: i32) -> f64 {
+    f64::from_bits(((e + 1023) as u64) << 52)
 }

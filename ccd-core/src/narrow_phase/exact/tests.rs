@@ -1,0 +1,82 @@
+use super::*;
+use crate::random::Random;
+
+const WHOLE: [f64; 2] = [0.0, 1.0];
+
+/// What `f64` certifies to the last bit is what integers say.
+#[test]
+fn certified_contacts_are_those_of_integers() {
+    let mut random = Random::new(17);
+    let mut refined = 0;
+    for i in 0..6000 {
+        let scale = 2f64.powi(random.below(60) as i32 - 30);
+        let mut four = || {
+            [(); 4].map(|()| {
+                [(); 3].map(|()| {
+                    let x = (random.unit() + random.unit() / (1 << 24) as f64 - 0.5) * scale;
+                    if i % 2 == 0 { x as f32 as f64 } else { x }
+                })
+            })
+        };
+        let (t0, t1) = (four(), four());
+        let patch = if i % 4 < 2 { Patch::Triangle } else { Patch::Parallelogram };
+        let window = [WHOLE, [0.1, 0.9]][i % 3 / 2];
+        let found = of_patch(patch, [&t0, &t1], window);
+        let want = by_integers::<96>(patch, [&t0, &t1], window);
+        assert_eq!(found, want, "{patch:?} {window:?}: {t0:?} {t1:?}");
+        refined += matches!(found, Some(Exact::Contact([lo, _])) if lo > window[0]) as usize;
+    }
+    assert!(refined > 500, "{refined}");
+}
+
+/// Of features at rest on a lattice.
+#[test]
+fn a_moment_is_the_beginning() {
+    let mut random = Random::new(19);
+    let mut touching = 0;
+    for i in 0..4000 {
+        let scale = [1.0, 0.1, 1e-30, 3e200][i % 4];
+        let x = [(); 4].map(|()| [(); 3].map(|()| random.below(3) as f64 * scale));
+        for patch in [Patch::Triangle, Patch::Parallelogram] {
+            let found = moment::touch(patch, &x);
+            let want = by_integers::<96>(patch, [&x, &x], WHOLE).map(|found| found != Exact::Miss);
+            assert_eq!(found, want, "{patch:?} {x:?}");
+            touching += found.unwrap() as usize;
+        }
+    }
+    assert!(touching > 500, "{touching}");
+}
+
+/// A face that rises onto a vertex which is next to it: the least times that there are.
+#[test]
+fn times_may_be_denormal() {
+    let least = f64::from_bits(1);
+    let at =
+        |y: f64, vertex: f64| [[0.25, vertex, 0.25], [0.0, y, 0.0], [1.0, y, 0.0], [0.0, y, 1.0]];
+    let query = |vertex: f64, to: f64| {
+        let (t0, t1) = (at(0.0, vertex), at(to, vertex));
+        vertex_face(&VertexFace { t0, t1 }, WHOLE)
+    };
+    for height in [least, 3.0 * least, f64::MIN_POSITIVE, 2f64.powi(-1000), 2f64.powi(-970)] {
+        assert_eq!(query(height, 1.0), Some(Exact::Contact([height; 2])));
+        // A third of the height, and of a denormal that is rounded.
+        let Some(Exact::Contact([lo, hi])) = query(height, 3.0) else { panic!("{height:e}") };
+        let third = height / 3.0;
+        assert!(lo <= third && third <= hi && hi == lo.next_up() || third * 3.0 == height);
+        assert!(hi <= lo.next_up(), "{height:e}: {lo:e} to {hi:e}");
+    }
+    assert_eq!(query(3.0 * least, 3.0), Some(Exact::Contact([least; 2])));
+    assert_eq!(query(4.0 * least, 3.0), Some(Exact::Contact([least, 2.0 * least])));
+}
+
+/// Times that are numbers, in windows of which they are no dyadic part.
+#[test]
+fn times_that_are_numbers_are_found_in_any_window() {
+    let at = |y: f64| [[0.25, y, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let query = VertexFace { t0: at(1.0), t1: at(-1.0) };
+    for window in [WHOLE, [0.1, 0.9], [0.3, 0.7], [0.5, 0.9], [0.1, 0.5], [0.5; 2]] {
+        assert_eq!(vertex_face(&query, window), Some(Exact::Contact([0.5; 2])), "{window:?}");
+        let found = by_integers::<8>(Patch::Triangle, [&query.t0, &query.t1], window);
+        assert_eq!(found, Some(Exact::Contact([0.5; 2])), "{window:?}");
+    }
+}
