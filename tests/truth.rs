@@ -33,10 +33,11 @@ fn main() {
         }));
     };
     type OfScene = (&'static str, fn(&Path, &Scene));
-    let of_scenes: [OfScene; 6] = [
+    let of_scenes: [OfScene; 7] = [
         ("sizes", check_sizes),
         ("broad_phase", check_broad_phase),
         ("step", check_step),
+        ("step_exact", exact_answers::check_step),
         ("min_distance", check_min_distance),
         ("contacts_f64", check_contacts_f64),
         ("contacts_exact", exact_answers::check_contacts),

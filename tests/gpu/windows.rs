@@ -3,11 +3,15 @@
 
 use crate::scenes::check_step;
 use ccd::gpu::{Device, Session};
-use ccd::{Approach, Contact, Options, State};
+use ccd::{Approach, Contact, Mode, Options, State};
 use ccd_testkit::{compare, generate};
 
-pub const TESTS: crate::Tests =
-    &[("windows", check_windows), ("leaving", check_leaving), ("tolerances", check_tolerances)];
+pub const TESTS: crate::Tests = &[
+    ("windows", check_windows),
+    ("leaving", check_leaving),
+    ("tolerances", check_tolerances),
+    ("exact_mode", check_exact_mode),
+];
 
 /// Contacts of windows, in `f64` that is rounded on the device and in `f32`, with and without a
 /// distance, between whole steps.
@@ -82,5 +86,34 @@ fn check_tolerances(device: &Device) {
         assert!((earliest - want).abs() <= 2e-10, "{earliest} {want}");
         let size = gpu.collision_free_step_size(&step.x0, &step.x1).unwrap();
         assert_eq!(size, earliest);
+    }
+}
+
+/// In exact mode a device rejects and the host decides: the same bits as on the CPU alone.
+fn check_exact_mode(device: &Device) {
+    let mut resting = generate::triangle_soup(150, 0.2, 11);
+    // On a lattice, and not all of it moves.
+    for (i, (p, q)) in resting.x0.iter_mut().zip(&mut resting.x1).enumerate() {
+        *p = p.map(|x| (x * 16.0).round() / 16.0);
+        *q = if i % 3 == 0 { *p } else { q.map(|x| (x * 16.0).round() / 16.0) };
+    }
+    for step in [generate::triangle_soup(150, 0.2, 11), resting] {
+        let [y0, y1] = step.rounded();
+        let exact = Options::default().with_mode(Mode::Exact);
+        let mut gpu = Session::new(device, step.mesh.clone(), exact.clone()).unwrap();
+        let mut cpu = ccd::Session::new(step.mesh.clone(), exact).unwrap();
+        let mut n = 0;
+        for window in [[0.0, 1.0], [0.25, 0.5], [0.1, 0.7]] {
+            let want = cpu.step_window(&step.x0, &step.x1, window).unwrap().contacts.clone();
+            assert_eq!(gpu.step_window(&step.x0, &step.x1, window).unwrap().contacts, want);
+            let want = cpu.step_window(&y0, &y1, window).unwrap().contacts.clone();
+            let report = gpu.step_window(&y0, &y1, window).unwrap();
+            assert_eq!((&report.contacts, report.undecided), (&want, 0));
+            n += want.len();
+        }
+        assert!(n > 50, "{n} contacts show little");
+        let want = cpu.earliest_toi(&step.x0, &step.x1).unwrap();
+        assert!(want.is_some());
+        assert_eq!(gpu.earliest_toi(&step.x0, &step.x1).unwrap(), want);
     }
 }

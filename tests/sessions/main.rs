@@ -5,6 +5,7 @@
 mod any_order;
 mod data;
 mod ends_early;
+mod exact_mode;
 mod forms;
 mod found;
 mod fronts;

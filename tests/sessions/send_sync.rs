@@ -17,7 +17,7 @@ are! {
     ccd::ContactGeometry, ccd::Descent, ccd::CancelToken, ccd::Digest,
     ccd::Distance, ccd::EdgeEdge<f64>, ccd::Error, ccd::Exclusions, ccd::Front,
     ccd::FrontCounts, ccd::FrontOptions, ccd::Groups, ccd::Hit, ccd::Intersection, ccd::Kind,
-    ccd::Mesh,
+    ccd::Mesh, ccd::Mode,
     ccd::Options, ccd::Pair, ccd::Pairs<'static>, ccd::PerKind, ccd::Pipeline,
     ccd::Posed<'static, f32>, ccd::Report, ccd::Row<ccd::Scheduler>, ccd::Scheduler,
     ccd::Scheduling, ccd::Session, ccd::State, ccd::Strided<'static, f64>,

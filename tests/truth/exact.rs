@@ -2,8 +2,9 @@
 
 use ccd::exact::{self, Exact};
 use ccd::io::{Queries, Query, read_queries};
-use ccd::{EdgeEdge, VertexFace};
+use ccd::{Contact, EdgeEdge, Kind, Mode, Options, State, TOI_TOLERANCE, VertexFace};
 use ccd_testkit::data::{self, Scene};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Every published pair, decided exactly: near misses are none.
@@ -28,6 +29,50 @@ pub fn check_contacts(data: &Path, scene: &Scene) {
             check_exact(&query, pair.hit, toi, &format!("{} {kind} {a} {b}", scene.name));
         }
     }
+}
+
+/// A whole step in exact mode: nothing is undecided, and what conservative steps are certain of is
+/// so; where answers are published, the contacts are those and no others.
+pub fn check_step(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let step = |mode: Mode| {
+        let options = Options::default().with_threads(2).with_mode(mode);
+        ccd::step(&t0.mesh().unwrap(), &t0.positions, &t1.positions, &options).unwrap()
+    };
+    let report = step(Mode::Exact);
+    assert_eq!(report.undecided, 0);
+    let key = |c: &Contact| (c.kind, c.a, c.b);
+    let found: BTreeMap<_, f64> = report.contacts.iter().map(|c| (key(c), c.toi)).collect();
+    for contact in &step(Mode::Conservative).contacts {
+        let (early, exact) = (contact.toi, found.get(&key(contact)));
+        match contact.state {
+            State::Hit => {
+                let exact = *exact.unwrap_or_else(|| panic!("{contact:?} is missing"));
+                assert!(early <= exact && exact <= early + TOI_TOLERANCE, "{contact:?}, {exact:e}");
+            }
+            State::Undecided => {
+                assert!(exact.is_none_or(|&exact| early <= exact), "{contact:?}, {exact:?}");
+            }
+        }
+    }
+    if scene.truth.is_some() {
+        let mut n = 0;
+        for (kind, name) in [(Kind::VertexFace, "vf"), (Kind::EdgeEdge, "ee")] {
+            for pair in scene.contacts(data, name).iter().filter(|pair| pair.hit) {
+                let (want, toi) = (pair.toi.expect("a time"), found.get(&(kind, pair.a, pair.b)));
+                let fine = |t: f64| t <= want.next_up() && want <= t.next_up();
+                assert!(
+                    toi.is_some_and(|&t| fine(t)),
+                    "{name} {} {} {toi:?} {want:e}",
+                    pair.a,
+                    pair.b
+                );
+                n += 1;
+            }
+        }
+        assert_eq!(n, found.len(), "contacts that are none");
+    }
+    println!("{}: {} exact contacts", scene.name, found.len());
 }
 
 /// Every published query, decided exactly.
