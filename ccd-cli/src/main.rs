@@ -10,6 +10,7 @@ mod check;
 mod cloth;
 mod demo;
 mod environment;
+mod failure;
 mod files;
 mod frames;
 mod info;
@@ -37,6 +38,7 @@ mod start;
 mod toi;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use failure::{Failure, in_file};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -314,54 +316,6 @@ fn bytes(text: &str) -> Result<u64, String> {
     number.map(|n| n << bits).ok_or("a whole number, and K, M or G after it or not".into())
 }
 
-/// Why a command ends with status 2.
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-struct Failure(String);
-
-impl From<ccd::io::ReadError> for Failure {
-    fn from(e: ccd::io::ReadError) -> Self {
-        Failure(e.to_string())
-    }
-}
-
-impl From<ccd::Error> for Failure {
-    fn from(e: ccd::Error) -> Self {
-        match e {
-            ccd::Error::MinDistance { value } => {
-                let most = ccd::Error::MAX_COORDINATE;
-                let what = "it must be from 0 to";
-                Failure(format!("the minimum distance is {value:?}; {what} {most:e}"))
-            }
-            ccd::Error::ExactDistance { .. } => {
-                Failure("--mode exact decides what touches: it takes no --min-distance".into())
-            }
-            ccd::Error::Tolerance { value } => {
-                let what = format!("it must be from {:e} to 1", ccd::Options::LEAST_TOLERANCE);
-                Failure(format!("--tolerance is {value:?}; {what}"))
-            }
-            ccd::Error::Window { from, until } => {
-                Failure(format!("--window {from},{until}: it must be within 0,1, and in order"))
-            }
-            _ => Failure(e.to_string()),
-        }
-    }
-}
-
-impl From<ccd::gpu::Error> for Failure {
-    fn from(e: ccd::gpu::Error) -> Self {
-        match e {
-            ccd::gpu::Error::Input(e) => e.into(),
-            _ => Failure(e.to_string()),
-        }
-    }
-}
-
-/// A failure that names the file.
-fn in_file(path: &std::path::Path, e: impl std::fmt::Display) -> Failure {
-    Failure(format!("{}: {e}", path.display()))
-}
-
 /// Whether there was a contact.
 type Outcome = Result<bool, Failure>;
 
@@ -388,11 +342,11 @@ fn main() -> ExitCode {
         Ok(true) if fail_on_contact => ExitCode::from(1),
         Ok(_) => ExitCode::SUCCESS,
         Err(_) if interrupt::happened() => {
-            complain(&Failure("interrupted".into()));
+            Failure("interrupted".into()).print();
             ExitCode::from(interrupt::STATUS)
         }
         Err(failure) => {
-            complain(&failure);
+            failure.print();
             ExitCode::from(2)
         }
     }
@@ -405,12 +359,4 @@ fn unparsed(e: &clap::Error) -> ! {
         _ => output::flush(),
     }
     std::process::exit(e.exit_code())
-}
-
-/// Prints why the command ends.
-fn complain(failure: &Failure) {
-    use std::io::Write;
-    let style = anstyle::Style::new().bold().fg_color(Some(anstyle::AnsiColor::Red.into()));
-    // If nobody can be told, the exit status says it.
-    let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {failure}");
 }

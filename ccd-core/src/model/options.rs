@@ -222,8 +222,9 @@ impl Options {
     /// Checks the options for steps of `mesh`.
     ///
     /// # Errors
-    /// [`Error::MinDistance`]; [`Error::ExactDistance`]; [`Error::Tolerance`]; [`Error::Setting`] and
-    /// [`Error::NoPairsOfNodes`] for a method and its scheduling; what [`Bodies::check`] refuses.
+    /// [`Error::MinDistance`]; [`Error::ExactDistance`]; [`Error::Tolerance`]; [`Error::Setting`]
+    /// and [`Error::NoPairsOfNodes`] for a method and its scheduling; what [`Bodies::check`]
+    /// refuses.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
         self.mode.check(self.min_distance)?;

@@ -197,6 +197,11 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
     let moderate = checked(x[0].iter().chain(x[1]), window)?;
     let [from, until] = window;
+    let still = x[0] == x[1];
+    let first = if from == 0.0 || still { Some(x[0]) } else { (from == 1.0).then_some(x[1]) };
+    if first.is_some_and(|x| moment::shares_a_point(patch, x)) {
+        return Some(Exact::Contact([from; 2]));
+    }
     let wanted = searching(window);
     let motion = Motion::new(patch, x[0], x[1], 0.0);
     match moderate.then(|| search(&motion, patch, &wanted).verdict) {
@@ -210,8 +215,6 @@ pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -
         }
         _ => (),
     }
-    let still = x[0] == x[1];
-    let first = if from == 0.0 || still { Some(x[0]) } else { (from == 1.0).then_some(x[1]) };
     match first.map(|x| moment::touch(patch, x)) {
         Some(Some(true)) => return Some(Exact::Contact([from; 2])),
         Some(Some(false)) if still || from == until => return Some(Exact::Miss),
@@ -230,8 +233,8 @@ fn searching([from, until]: [f64; 2]) -> Search<f64> {
     Search { from, until, ..Search::whole(0.0) }
 }
 
-/// Whether coordinates are such as `f64` computes with; `None` if some are not finite, or the window
-/// is not in `[0, 1]`.
+/// Whether coordinates are such as `f64` computes with; `None` if some are not finite, or the
+/// window is not in `[0, 1]`.
 fn checked<'a>(
     points: impl Iterator<Item = &'a [f64; 3]>,
     [from, until]: [f64; 2],

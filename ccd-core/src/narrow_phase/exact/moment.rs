@@ -20,6 +20,15 @@ pub fn touch(patch: Patch, x: &[[f64; 3]; 4]) -> Option<bool> {
         .or_else(|| by_integers::<96>(patch, x, unit))
 }
 
+/// Whether a vertex is at a corner of the face, or an end of an edge at one of the other: what was
+/// cut, or stands where it was put, mostly is.
+pub fn shares_a_point(patch: Patch, [p, q, r, s]: &[[f64; 3]; 4]) -> bool {
+    match patch {
+        Patch::Triangle => p == q || p == r || p == s,
+        Patch::Parallelogram => p == r || p == s || q == r || q == s,
+    }
+}
+
 fn by_integers<const N: usize>(patch: Patch, x: &[[f64; 3]; 4], unit: i32) -> Option<bool> {
     let x = x.map(|p| p.map(|x| Fixed::<N>::of(x, unit)));
     of_numbers(patch, &x, |x| x.is_exact().then(|| x.sign()))
@@ -99,6 +108,7 @@ fn bits(x: i128) -> u32 {
 }
 
 impl Number for Short {
+    #[inline(always)]
     fn plus(&self, other: &Self) -> Self {
         if let (Short::Whole(x), Short::Whole(y)) = (self, other)
             && let Some(sum) = x.checked_add(*y)
@@ -109,6 +119,7 @@ impl Number for Short {
         Self::rounded(x + y, x_error + y_error)
     }
 
+    #[inline(always)]
     fn minus(&self, other: &Self) -> Self {
         if let (Short::Whole(x), Short::Whole(y)) = (self, other)
             && let Some(difference) = x.checked_sub(*y)
@@ -119,12 +130,20 @@ impl Number for Short {
         Self::rounded(x - y, x_error + y_error)
     }
 
+    #[inline(always)]
     fn times(&self, other: &Self) -> Self {
-        if let (Short::Whole(x), Short::Whole(y)) = (*self, *other)
+        if let (&Short::Whole(x), &Short::Whole(y)) = (self, other)
             && bits(x) + bits(y) < 127
         {
             return Short::Whole(x.wrapping_mul(y));
         }
+        self.times_about(other)
+    }
+}
+
+impl Short {
+    #[inline(never)]
+    fn times_about(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return Short::Whole(0);
         }

@@ -1,20 +1,20 @@
 //! The time of a certain contact to the last bit, by one evaluation in double-double.
 //!
 //! Over `[lo, hi]`, in which a contact is certain, `f = a . (b x c)` has one zero if its derivative
-//! has none, and the contact is there. From `t` in the interval, by the mean value theorem, it is at
-//! `t - f(t) / f'(x)` with some `x` between them. With `f(t)` almost exact and `f'` in bounds that
-//! is an interval far narrower than a unit in the last place, and all of it rounds down alike, but
-//! for one in some million.
+//! has none, and the contact is there. From `t` in the interval, by the mean value theorem, it is
+//! at `t - f(t) / f'(x)` with some `x` between them. With `f(t)` almost exact and `f'` in bounds
+//! that is an interval far narrower than a unit in the last place, and all of it rounds down alike,
+//! but for one contact in some million.
 //!
 //! # The bounds
 //! Let `u = 2^-53`, and `A B C` bound the components of `a b c` at both ends, hence at all times.
 //!
 //! *`f(t)`.* Differences of coordinates are exact as pairs. By [Joldes 2017] a sum of pairs is off
-//! by `3 u^2` (and terms of higher order) of itself, a product by `5 u^2`. A component at `t`:
-//! `3 u^2 2 A` from the travel, `5 u^2 2 A` from its product with `t`, `3 u^2 A` from the sum:
-//! `19 u^2 A`. A product of three is off by `(3 x 19 + 2 x 5) u^2`, six of them by `402 u^2 A B C`;
-//! three differences of two by `3 x 6 u^2`, two sums of these by `(12 + 18) u^2`: `450 u^2`, where
-//! the code has `1024 u^2`. With `A B C` from `2^-100` to `2^100`, what underflows is less than
+//! by `3 u^2` (and terms of higher order) of itself, a product by `7 u^2`. A component at `t`:
+//! `3 u^2 2 A` from the travel, `7 u^2 2 A` from its product with `t`, `3 u^2 A` from the sum:
+//! `23 u^2 A`. A product of three is off by `(3 x 23 + 2 x 7) u^2`, six of them by `498 u^2 A B C`;
+//! three differences of two by `3 x 6 u^2`, two sums of these by `(12 + 18) u^2`: `546 u^2`, where
+//! the code has `1024 u^2`. With `A`, `B` and `C` from `2^-100` to `2^100`, what underflows is less than
 //! `2^-860`, and the bound at least `2^-396`.
 //!
 //! *`f'(t)`* is a sum of 18 products of at most `2 A B C`, of factors off by `u` each: `36 x 5 u`
@@ -159,5 +159,5 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     (same && found >= lo).then_some(found)
 }
 
-/// Sizes of vectors, and of their product, are between this and its inverse.
+/// Sizes of vectors are between this, 2^100, and its inverse.
 const LARGE: f64 = 1.267_650_600_228_229_4e30;

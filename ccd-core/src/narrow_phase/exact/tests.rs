@@ -1,3 +1,5 @@
+//! Exact answers beside those of integers alone; moments, denormal times, windows.
+
 use super::*;
 use crate::random::Random;
 
