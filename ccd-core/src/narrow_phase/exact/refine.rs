@@ -14,8 +14,8 @@
 //! `3 u^2 2 A` from the travel, `7 u^2 2 A` from its product with `t`, `3 u^2 A` from the sum:
 //! `23 u^2 A`. A product of three is off by `(3 x 23 + 2 x 7) u^2`, six of them by `498 u^2 A B C`;
 //! three differences of two by `3 x 6 u^2`, two sums of these by `(12 + 18) u^2`: `546 u^2`, where
-//! the code has `1024 u^2`. With `A`, `B` and `C` from `2^-100` to `2^100`, what underflows is less than
-//! `2^-860`, and the bound at least `2^-396`.
+//! the code has `1024 u^2`. With `A`, `B` and `C` from `2^-100` to `2^100`, what underflows is less
+//! than `2^-860`, and the bound at least `2^-396`.
 //!
 //! *`f'(t)`* is a sum of 18 products of at most `2 A B C`, of factors off by `u` each: `36 x 5 u`
 //! and at most 17 roundings of sums of at most `36 A B C`: `792 u`, where the code has `1024 u`. It
