@@ -1,11 +1,9 @@
 //! Every stage that the documents describe, under criterion; each benchmark asserts its answer.
 
 use ccd::gpu::{self, Device, DeviceOptions};
+use ccd::method::{BroadPhaseMethod, Scheduling, Traversal, TreeOptions};
 use ccd::scenes::{Step, crumpled_sheet, interpenetrating, uniform_boxes};
-use ccd::{
-    Aabb, BroadPhase, BroadPhaseMethod, EdgeEdge, Options, Scheduling, Session, Traversal,
-    TreeOptions, Verdict, VertexFace,
-};
+use ccd::{Aabb, BroadPhase, EdgeEdge, Options, Session, Verdict, VertexFace};
 use ccd_core::backend::broad_phase::{morton_key, radix_tree};
 use ccd_core::math::morton::MortonGrid;
 use ccd_core::math::obb::Obb;
@@ -97,7 +95,7 @@ fn broad_phase(c: &mut Criterion) {
     c.bench_function("branches of a radix tree, 100,000 codes", |b| {
         b.iter(|| assert_eq!(below(black_box(&codes)), want))
     });
-    for method in ccd::every("cpu").filter(|&m| {
+    for method in ccd::method::every("cpu").filter(|&m| {
         [BroadPhaseMethod::TREE, BroadPhaseMethod::Blocks].contains(&m)
             || !matches!(m, BroadPhaseMethod::Tree(_) | BroadPhaseMethod::BruteForce)
     }) {

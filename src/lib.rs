@@ -44,7 +44,8 @@
 //! | where a mesh goes through itself at one moment | [`intersections`] |
 //! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
-//! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`BroadPhaseMethod`] |
+//! | every pair decided exactly | [`Mode::Exact`]; [`exact`] for one pair |
+//! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`method::BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
 //! | where two features touch, along which normal | [`Contact::geometry`]: [`ContactGeometry`] |
@@ -58,7 +59,7 @@
 //! # Features
 //! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
 //! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
-//! reports as data, `catalogue` all methods beside those of the default ([`BroadPhaseMethod`]).
+//! reports as data, `catalogue` all methods beside those of the default ([`method`]).
 //!
 //! # WebAssembly
 //! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
@@ -77,6 +78,21 @@ pub mod exact {
     pub use ccd_core::narrow_phase::exact::{
         Exact, edge_edge, vertex_edge, vertex_face, vertex_vertex,
     };
+}
+
+/// How pairs are found, where the default is not enough: broad phases, trees, pipelines, scheduling
+/// (`docs/METHODS.md`), each with its name and source ([`method::every`]).
+pub mod method {
+    pub use ccd_core::model::catalogue::{Catalogued, Row, every};
+    pub use ccd_core::model::method::{
+        BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
+    };
+    pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+    pub use ccd_core::model::report::{FrontCounts, TriangleCounts};
+    pub use ccd_core::model::scheduling::{
+        Front, FrontOptions, Scheduler, Scheduling, WorkerOptions,
+    };
+    pub use ccd_core::model::tree_statistics::TreeStatistics;
 }
 
 /// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
@@ -111,23 +127,16 @@ struct SolverPage;
 
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::cancel::CancelToken;
-pub use ccd_core::model::catalogue::{Catalogued, Row, every};
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
 pub use ccd_core::model::exclusions::Exclusions;
 pub use ccd_core::model::groups::Groups;
 pub use ccd_core::model::mesh::Mesh;
-pub use ccd_core::model::method::{
-    BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
-};
 pub use ccd_core::model::options::{Mode, Options};
-pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 pub use ccd_core::model::positions::{AsPositions, Posed, Strided};
-pub use ccd_core::model::report::{FrontCounts, Report, Times, TriangleCounts};
-pub use ccd_core::model::scheduling::{Front, FrontOptions, Scheduler, Scheduling, WorkerOptions};
+pub use ccd_core::model::report::{Report, Times};
 pub use ccd_core::model::session::{BodyMotion, Hit};
 pub use ccd_core::model::toi::{scaled_toi, toi_to_f32};
-pub use ccd_core::model::tree_statistics::TreeStatistics;
 pub use ccd_core::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, vertex_edge, vertex_vertex,
 };

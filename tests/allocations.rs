@@ -2,10 +2,8 @@
 //! estimate by which a limit of memory is kept.
 #![deny(unsafe_code)]
 
-use ccd::{
-    BroadPhaseMethod, Builder, CancelToken, Error, Front, Options, Pipeline, Posed, Scheduling,
-    Session, Strided, Traversal, TreeOptions,
-};
+use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traversal, TreeOptions};
+use ccd::{CancelToken, Error, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -157,7 +155,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
 
 #[test]
 fn warm_sessions_allocate_nothing() {
-    for method in ccd::every("cpu").filter(|&method| is_near_default(method)) {
+    for method in ccd::method::every("cpu").filter(|&method| is_near_default(method)) {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
             check(method, pipeline, Scheduling::default());
             check_estimate(method, pipeline, Scheduling::default());

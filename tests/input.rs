@@ -1,6 +1,7 @@
 //! Bad input of sessions is refused with what, where and the value; odd but valid input is handled.
 
-use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Error, Mesh, Options, Session, Verdict, VertexFace};
+use ccd::method::BroadPhaseMethod;
+use ccd::{Aabb, BroadPhase, Error, Mesh, Options, Session, Verdict, VertexFace};
 
 const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 

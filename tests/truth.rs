@@ -4,9 +4,10 @@
 //! reported as ignored, with the reason.
 
 use ccd::io::{Frame, Queries, Query, read_queries};
+use ccd::method::BroadPhaseMethod;
 use ccd::{
-    BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report,
-    Session, State, TOI_TOLERANCE, Verdict, VertexFace,
+    BroadPhase, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report, Session, State,
+    TOI_TOLERANCE, Verdict, VertexFace,
 };
 use ccd_testkit::data::{self, QUERY_SETS, SCENES, Scene};
 use ccd_testkit::{brute, compare};

@@ -9,7 +9,8 @@ use super::{
 };
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, MESH_EXTENSIONS, listed};
-use ccd::{Contact, Front, Kind};
+use ccd::method::Front;
+use ccd::{Contact, Kind};
 use clap::Args;
 use serde::Serialize;
 use std::borrow::Cow;

@@ -4,9 +4,10 @@
 use super::named::named;
 use super::scheduling::SchedulingOptions;
 use super::{Failure, Outcome, output};
-use ccd::{
-    BroadPhaseMethod, Builder, Catalogued, Descent, Front, Options, Pipeline, Row, Scheduler,
-    Scheduling, Traversal, TreeOptions, Volume,
+use ccd::Options;
+use ccd::method::{
+    BroadPhaseMethod, Builder, Catalogued, Descent, Front, Pipeline, Row, Scheduler, Scheduling,
+    Traversal, TreeOptions, Volume,
 };
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};

@@ -1,6 +1,6 @@
 //! Names of the rows of a catalogue as values of an option.
 
-use ccd::{Catalogued, Row};
+use ccd::method::{Catalogued, Row};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// The names of a table, each with its line.

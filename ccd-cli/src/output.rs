@@ -2,7 +2,8 @@
 
 use super::{Failure, Precision};
 use ccd::any;
-use ccd::{FrontCounts, Mesh, PerKind, Report, TriangleCounts};
+use ccd::method::{FrontCounts, TriangleCounts};
+use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
 use std::path::{Component, Path};
@@ -54,7 +55,7 @@ pub fn ended(e: &std::io::Error) -> ! {
     if e.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
-    super::complain(&Failure(format!("standard output: {e}")));
+    Failure(format!("standard output: {e}")).print();
     std::process::exit(2)
 }
 

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::named::named;
-use ccd::{Catalogued, Front, Scheduler, Scheduling, WorkerOptions};
+use ccd::method::{Catalogued, Front, Scheduler, Scheduling, WorkerOptions};
 use clap::Args;
 
 /// Options of schedulers and of fronts; `-h` shows none of them.

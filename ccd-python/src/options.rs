@@ -2,10 +2,11 @@
 
 use crate::bodies::bodies;
 use crate::errors::refused;
-use ccd::{
-    BroadPhaseMethod, Builder, Catalogued, Front, Mode, Options, Pipeline, Row, Scheduler,
-    Scheduling, Traversal, TreeOptions, Volume,
+use ccd::method::{
+    BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Row, Scheduler, Scheduling, Traversal,
+    TreeOptions, Volume,
 };
+use ccd::{Mode, Options};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,7 +1,7 @@
 //! How far a method of the broad phase is from the default tree: what tests that cannot afford
 //! every combination of a tree's choices go by.
 
-use ccd::{BroadPhaseMethod, TreeOptions};
+use ccd::method::{BroadPhaseMethod, TreeOptions};
 
 /// Whether a tree has another builder, another traversal, other volumes than by default; `None`: it
 /// is no tree.

@@ -1,13 +1,14 @@
 //! A broad phase on either backend, and the pairs that either lists.
 
 use super::{Choice, Either, Error, Place, Turn, gpu};
-use crate::{Aabb, BroadPhaseMethod, Pair, Scheduling};
+use crate::method::{BroadPhaseMethod, Scheduling};
+use crate::{Aabb, Pair};
 
 /// Finds overlapping boxes, on the CPU or on a GPU: the calls of [`crate::BroadPhase`].
 ///
 /// ```
 /// use ccd::any::{Backend, BroadPhase};
-/// use ccd::{Aabb, BroadPhaseMethod, Pair};
+/// use ccd::{Aabb, Pair, method::BroadPhaseMethod};
 ///
 /// let boxes = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 2];
 /// let choice = Backend::Auto.choose(boxes.len())?;
@@ -104,7 +105,7 @@ impl BroadPhase {
 ///
 /// ```
 /// use ccd::any::{Backend, BroadPhase};
-/// use ccd::{Aabb, BroadPhaseMethod};
+/// use ccd::{Aabb, method::BroadPhaseMethod};
 ///
 /// let boxes = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 3];
 /// let choice = Backend::Cpu.choose(boxes.len())?;

@@ -1,7 +1,8 @@
 //! Stand-ins for the types of the GPU without the feature `gpu`: they have no values, so their
 //! methods never run.
 
-use crate::{Aabb, BroadPhaseMethod, CancelToken, Pair, Scheduling};
+use crate::method::{BroadPhaseMethod, Scheduling};
+use crate::{Aabb, CancelToken, Pair};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
 

@@ -3,7 +3,8 @@
 
 use super::{Counts, Place, fewest};
 use ccd::any::BroadPhase;
-use ccd::{Aabb, BroadPhaseMethod, Pair, Scheduling};
+use ccd::method::{BroadPhaseMethod, Scheduling};
+use ccd::{Aabb, Pair};
 use ccd_testkit::brute;
 use ccd_testkit::grazing::random::Random;
 use serde::{Deserialize, Serialize};
@@ -105,7 +106,7 @@ impl super::Case for Case {
 
     fn make(place: &Place, number: u64, mut random: Random, counts: &mut Counts) -> Self {
         let with = |method| place.schedulings(method).into_iter().map(move |s| (method, s));
-        let all: Vec<_> = ccd::every(place.backend()).flat_map(with).collect();
+        let all: Vec<_> = ccd::method::every(place.backend()).flat_map(with).collect();
         // A step that shares no factor with their number visits all of them.
         let (method, scheduling) = all[(number.wrapping_mul(7919) % all.len() as u64) as usize];
         let threads = 1 + random.below(2);

@@ -16,7 +16,7 @@ mod sessions;
 
 use ccd::any::Choice;
 use ccd::gpu::{self, Device, DeviceOptions};
-use ccd::{BroadPhaseMethod, Scheduler, Scheduling};
+use ccd::method::{BroadPhaseMethod, Scheduler, Scheduling};
 use ccd_testkit::grazing::random::Random;
 use clap::Parser;
 use libtest_mimic::{Arguments, Failed, Trial};

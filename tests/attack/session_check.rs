@@ -2,9 +2,8 @@
 
 use super::Counts;
 use super::session_steps::State;
-use ccd::{
-    BroadPhaseMethod, Contact, Pipeline, Report, Scheduling, State as Certainty, TriangleOptions,
-};
+use ccd::method::{BroadPhaseMethod, Pipeline, Scheduling, TriangleOptions};
+use ccd::{Contact, Report, State as Certainty};
 use ccd_testkit::compare::agree_within;
 use ccd_testkit::grazing::random::Random;
 

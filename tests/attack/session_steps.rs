@@ -3,8 +3,9 @@
 use super::session_faults::break_device;
 use super::{Counts, Place};
 use ccd::any::{Error, Session};
+use ccd::method::{BroadPhaseMethod, Catalogued, Pipeline, TriangleOptions};
 use ccd::scenes::{Step, crumpled_sheet, particles_and_rods, triangle_soup};
-use ccd::{Bodies, BroadPhaseMethod, Catalogued, Groups, Kind, Options, Pipeline, TriangleOptions};
+use ccd::{Bodies, Groups, Kind, Options};
 use ccd_testkit::grazing::random::Random;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -215,7 +216,7 @@ fn options(place: &Place, random: &mut Random, before: &Options) -> Options {
     let is_wanted = |m: &BroadPhaseMethod| {
         ccd_testkit::methods::is_near_default(*m) && *m != BroadPhaseMethod::UniformGrid
     };
-    let methods: Vec<BroadPhaseMethod> = ccd::every(backend).filter(is_wanted).collect();
+    let methods: Vec<BroadPhaseMethod> = ccd::method::every(backend).filter(is_wanted).collect();
     let method = methods[random.below(methods.len())];
     let schedulings = place.schedulings(method);
     let scheduling = schedulings[random.below(schedulings.len())];

@@ -22,11 +22,9 @@ mod units;
 
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
+use ccd::method::{BroadPhaseMethod, Builder, Catalogued, Scheduling};
 use ccd::scenes::{Step, triangle_soup};
-use ccd::{
-    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Scheduling,
-    State,
-};
+use ccd::{Aabb, Contact, Digest, Mesh, Options, Pair, State};
 use ccd_testkit::compare::{self, agree, contact_digest, step_text};
 use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -56,7 +54,7 @@ fn main() {
         for (place, backend, choice) in &places {
             let emulated = choice.as_ref().is_ok_and(is_emulated);
             let methods = methods(source, backend, place, emulated);
-            let left_out = ccd::every(backend).count() - methods.len();
+            let left_out = ccd::method::every(backend).count() - methods.len();
             if left_out > 0 {
                 let why = format!("{left_out} more methods: {WHOLE}=1");
                 let name = format!("whole/{scene}/{place}");

@@ -4,7 +4,7 @@ use crate::Missing;
 use crate::scenes::Source;
 use ccd::any::Choice;
 use ccd::gpu;
-use ccd::{
+use ccd::method::{
     BroadPhaseMethod, Builder, Catalogued, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
     TriangleOptions, Volume,
 };
@@ -48,7 +48,7 @@ pub fn methods(
         Source::Boxes(make) if emulated && is_slow(*method) => make().len() <= MAX_BOXES_EMULATED,
         _ => !emulated || has_a_row(*method),
     };
-    ccd::every(backend).filter(|method| whole || chosen(method)).collect()
+    ccd::method::every(backend).filter(|method| whole || chosen(method)).collect()
 }
 
 /// Whether a method takes the square of the number of boxes, or waits for one thread of a GPU.
@@ -82,8 +82,8 @@ pub fn not_too_slow(choice: Choice, source: Source) -> Result<Choice, Missing> {
 /// Ways to pair features, other than by default; of generated scenes on a CPU with every way to
 /// share out pairs of nodes.
 pub fn pipelines(source: Source, backend: &'static str) -> Vec<(Pipeline, Scheduling)> {
-    let other = |row: &&ccd::Row<Pipeline>| row.value != Pipeline::default();
-    let here = |row: &&ccd::Row<Pipeline>| row.backends.contains(&backend);
+    let other = |row: &&ccd::method::Row<Pipeline>| row.value != Pipeline::default();
+    let here = |row: &&ccd::method::Row<Pipeline>| row.backends.contains(&backend);
     let rows = Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value);
     let plain = Pipeline::Triangles(TriangleOptions::default().representatives(false));
     let shared = backend == "cpu" && !matches!(source, Source::Real(_));

@@ -1,7 +1,8 @@
 //! The scenes of the table, and what is right of them.
 
+use ccd::method::BroadPhaseMethod;
 use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
-use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, Options};
+use ccd::{Aabb, Contact, Digest, Options};
 use ccd_core::reference;
 use ccd_testkit::compare::{agree, recorded_step};
 use ccd_testkit::{brute, data};

@@ -3,8 +3,9 @@
 
 use crate::rows::schedulings;
 use crate::scenes::Source;
+use ccd::method::{Front, FrontOptions};
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
-use ccd::{Digest, Front, FrontOptions, Mesh, Options, Session};
+use ccd::{Digest, Mesh, Options, Session};
 use ccd_testkit::data;
 
 /// Frames of a mesh.

@@ -3,7 +3,7 @@
 use crate::search::{Buffers, balance};
 use crate::support::{bytes, read};
 use ccd::gpu::{BroadPhase, Device, Timing};
-use ccd::{BroadPhaseMethod, Scheduler, Scheduling, Traversal, TreeOptions};
+use ccd::method::{BroadPhaseMethod, Scheduler, Scheduling, Traversal, TreeOptions};
 use ccd_core::backend::broad_phase::balanced::{first, left, part, saved, words};
 use ccd_core::backend::broad_phase::pair_workers::{LEFT, STACK, listed};
 use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, NodeDescent, Params};

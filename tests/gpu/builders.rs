@@ -6,6 +6,7 @@ use crate::emulated::is_thin;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, read, rounds_like_a_cpu, run, zeros};
 use crate::twin::{Twin, union};
+use ccd::Aabb;
 use ccd::gpu::bind::{
     Branches, NumberLeaves, PairJoin, PairLeaves, PairNearest, PairSearch, PairSwap, PlocCount,
     PlocFinish, PlocJoin, PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit,
@@ -13,7 +14,7 @@ use ccd::gpu::bind::{
 };
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{BroadPhase, Device, Path, harness};
-use ccd::{Aabb, BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
+use ccd::method::{BroadPhaseMethod, Builder, Catalogued, Traversal, TreeOptions};
 use ccd_core::backend::broad_phase::morton_key::shared_word;
 use ccd_core::backend::broad_phase::nearest_pair::{GROUP, words};
 use ccd_core::backend::broad_phase::ploc::{COUNTS, FEW, rounds};

@@ -3,11 +3,12 @@
 
 use crate::emulated::is_thin;
 use ccd::gpu::{Device, Error, Session};
-use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
-use ccd::{
-    Bodies, BroadPhaseMethod, Digest, Front, Options, Pipeline, Posed, Scheduler, Scheduling,
-    Strided, Traversal, TreeOptions, TriangleOptions,
+use ccd::method::{
+    BroadPhaseMethod, Front, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
+    TriangleOptions,
 };
+use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
+use ccd::{Bodies, Digest, Options, Posed, Strided};
 
 pub const TESTS: crate::Tests = &[
     ("changes_between_steps", check_changes),

@@ -1,9 +1,9 @@
 //! What is left out where threads of this machine do the work of a GPU: tests that take longest
 //! there and show what another has shown.
 
-use ccd::BroadPhaseMethod;
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{Device, Path};
+use ccd::method::BroadPhaseMethod;
 use ccd_testkit::methods::{differences, is_near_default};
 
 /// Set to 1, this variable has nothing left out.
@@ -48,7 +48,7 @@ pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
     let (thin, emulated) = (is_thin(device), device.info().adapter.device_type == DeviceType::Cpu);
     let is_built_so = |method| differences(method).is_none_or(|[builder, ..]| !builder);
     let chosen = move |&method: &_| !emulated || is_near_default(method);
-    ccd::every("gpu").filter(chosen).filter(move |&method| !thin || is_built_so(method))
+    ccd::method::every("gpu").filter(chosen).filter(move |&method| !thin || is_built_so(method))
 }
 
 /// Why a test is left out on a device, if it is.

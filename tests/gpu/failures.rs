@@ -6,7 +6,8 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
 use ccd::gpu::bind::Decide;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
-use ccd::{BroadPhaseMethod, Options, Pair, Pipeline, TriangleOptions};
+use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions};
+use ccd::{Options, Pair};
 use ccd_core::backend::layout::{
     Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS,
 };

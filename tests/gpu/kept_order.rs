@@ -2,8 +2,9 @@
 
 use crate::emulated::is_thin;
 use crate::scenes::{check_candidates, check_earliest, check_reports};
+use ccd::Options;
 use ccd::gpu::{Device, Session};
-use ccd::{BroadPhaseMethod, Options, Pipeline, Traversal, TreeOptions, TriangleOptions};
+use ccd::method::{BroadPhaseMethod, Pipeline, Traversal, TreeOptions, TriangleOptions};
 use ccd_testkit::generate;
 
 pub const TESTS: crate::Tests = &[

@@ -5,11 +5,12 @@
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{BroadPhase, Device, Error, Session};
-use ccd::scenes::{Step, crumpled_sheet};
-use ccd::{
-    Aabb, BroadPhaseMethod, Contact, Descent, Digest, Options, Pipeline, Scheduler, Scheduling,
-    Traversal, TreeOptions, TriangleOptions, Volume,
+use ccd::method::{
+    BroadPhaseMethod, Descent, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
+    TriangleOptions, Volume,
 };
+use ccd::scenes::{Step, crumpled_sheet};
+use ccd::{Aabb, Contact, Digest, Options};
 use ccd_testkit::generate::uniform_boxes;
 
 pub const TESTS: crate::Tests =

@@ -8,8 +8,9 @@ use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, twi
 use crate::twin::{code, union};
 use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
 use ccd::gpu::{Device, Session};
+use ccd::method::Pipeline;
 use ccd::scenes::{Step, copies};
-use ccd::{Aabb, Bodies, Error, Groups, Kind, Options, Pipeline};
+use ccd::{Aabb, Bodies, Error, Groups, Kind, Options};
 use ccd_core::backend::layout::{Dispatch, Params, Worlds};
 use ccd_testkit::compare;
 use ccd_testkit::generate::{crumpled_sheet, triangle_soup};

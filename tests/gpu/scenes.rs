@@ -2,7 +2,8 @@
 //! conformance table has those that are read.
 
 use ccd::gpu::{Device, Path as ShaderPath, Session};
-use ccd::{BroadPhaseMethod, Contact, Kind, Options, Pair, Report, State};
+use ccd::method::BroadPhaseMethod;
+use ccd::{Contact, Kind, Options, Pair, Report, State};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
 

@@ -3,11 +3,12 @@
 
 use crate::emulated::is_thin;
 use ccd::gpu::{Device, Path, Session, Timing};
-use ccd::scenes::{Sequence, funnel, interpenetrating};
-use ccd::{
-    BroadPhaseMethod, Descent, Digest, Front, FrontOptions, Options, Scheduler, Scheduling,
-    Traversal, TreeOptions, Volume, WorkerOptions,
+use ccd::method::{
+    BroadPhaseMethod, Descent, Front, FrontOptions, Scheduler, Scheduling, Traversal, TreeOptions,
+    Volume, WorkerOptions,
 };
+use ccd::scenes::{Sequence, funnel, interpenetrating};
+use ccd::{Digest, Options};
 
 pub const TESTS: crate::Tests = &[
     ("schedulers_over_sequences", check_sequences),

@@ -8,7 +8,8 @@ use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, twi
 use crate::twin::union;
 use ccd::gpu::bind::{ExpandTriangles, NearTests, SweepTriangles};
 use ccd::gpu::{Candidates, Device, Error, Session};
-use ccd::{Aabb, Bodies, Mesh, Options, Pair, Pipeline, TriangleOptions};
+use ccd::method::{Pipeline, TriangleOptions};
+use ccd::{Aabb, Bodies, Mesh, Options, Pair};
 use ccd_core::backend::layout::{Dispatch, Expansion, Params, Triangle};
 use ccd_core::backend::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::backend::triangle_pairs::near_tests;
@@ -249,7 +250,7 @@ fn check_many(device: &Device) {
     let x0: Vec<_> = x0.chain([[0.2, 0.5, 0.2], [0.3, 1.5, 0.2], [0.2, 1.5, 0.3]]).collect();
     let x1 = x0.iter().map(|&[x, y, z]| [x, if y > 0.0 { y - 1.0 } else { y }, z]).collect();
     let step = Step { mesh, x0, x1 };
-    let options = triangles(false, false).with_broad_phase(ccd::BroadPhaseMethod::TREE);
+    let options = triangles(false, false).with_broad_phase(ccd::method::BroadPhaseMethod::TREE);
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let counts = session.step(&step.x0, &step.x1).unwrap().triangles.unwrap();
     assert_eq!(counts.pairs, 2 * n * (2 * n - 1) / 2);

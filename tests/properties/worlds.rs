@@ -1,7 +1,8 @@
 //! Worlds: many copies of a scene in one place have the contacts of one, each.
 
+use ccd::method::{BroadPhaseMethod, Pipeline};
 use ccd::scenes::{copies, crumpled_sheet};
-use ccd::{BroadPhaseMethod, Contact, Kind, Mesh, Options, Pipeline, Session};
+use ccd::{Contact, Kind, Mesh, Options, Session};
 
 /// Contacts of world `w`, by those of one.
 fn shifted(c: &Contact, one: &Mesh, w: u32) -> Contact {

@@ -1,11 +1,12 @@
 //! Everything that may change between steps, in any order, with steps that are refused in between:
 //! after each change a session finds what a new one does, and what each pair by itself says.
 
-use ccd::scenes::{Random, Step, particles_and_rods, triangle_soup};
-use ccd::{
-    Bodies, BroadPhaseMethod, Contact, Error, Front, Groups, Kind, Mesh, Options, Pair, Pipeline,
-    Report, Scheduler, Scheduling, Session, State, Traversal, TreeOptions, TriangleOptions,
+use ccd::method::{
+    BroadPhaseMethod, Front, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
+    TriangleOptions,
 };
+use ccd::scenes::{Random, Step, particles_and_rods, triangle_soup};
+use ccd::{Bodies, Contact, Error, Groups, Kind, Mesh, Options, Pair, Report, Session, State};
 use ccd_core::model::decision::Decider;
 use ccd_testkit::brute::feature_pairs;
 use ccd_testkit::methods::is_near_default;
@@ -148,7 +149,7 @@ fn random_bodies(random: &mut Random, scene: &Scene, n: u32) -> Option<Bodies> {
     Some(bodies)
 }
 
-type Numbers = (Option<f64>, [ccd::PerKind; 2], u64, Option<ccd::TriangleCounts>);
+type Numbers = (Option<f64>, [ccd::PerKind; 2], u64, Option<ccd::method::TriangleCounts>);
 
 fn numbers(r: &Report) -> Numbers {
     (r.toi, [r.candidates, r.filtered], r.undecided, r.triangles)
@@ -156,7 +157,7 @@ fn numbers(r: &Report) -> Numbers {
 
 /// Methods that differ from the default in one choice, and some with a front.
 fn methods() -> Vec<(BroadPhaseMethod, Scheduling)> {
-    let alone = ccd::every("cpu").filter(|&method| is_near_default(method));
+    let alone = ccd::method::every("cpu").filter(|&method| is_near_default(method));
     let cut = BroadPhaseMethod::Tree(TreeOptions::default().traversal(Traversal::CUT));
     let front = Scheduling::default().scheduler(Scheduler::LazyStealing).front(Front::ON);
     let kept = [BroadPhaseMethod::Blocks, cut].map(|method| (method, front));

@@ -1,10 +1,11 @@
 //! What there is as data (feature `serde`): written and read, it is the same; what is read is
 //! checked.
 
-use ccd::{
-    Bodies, BroadPhaseMethod, Builder, Front, FrontOptions, Groups, Kind, Mesh, Options, Pipeline,
-    Report, Scheduler, Scheduling, State, Traversal, TreeOptions, Volume,
+use ccd::method::{
+    BroadPhaseMethod, Builder, Front, FrontOptions, Pipeline, Scheduler, Scheduling, Traversal,
+    TreeOptions, Volume,
 };
+use ccd::{Bodies, Groups, Kind, Mesh, Options, Report, State};
 use serde::{Serialize, de::DeserializeOwned};
 
 fn round<T: Serialize + DeserializeOwned>(value: &T) -> T {
@@ -58,7 +59,7 @@ fn options_may_be_partial_but_not_misspelt() {
         .with_scheduling(Scheduling::default().scheduler(Scheduler::BALANCED).front(front));
     assert_eq!(round(&options), options);
     assert_eq!(round(&Options::default()), Options::default());
-    for method in ccd::every("cpu") {
+    for method in ccd::method::every("cpu") {
         assert_eq!(round(&method), method);
     }
     for scheduling in Scheduling::every("cpu") {

@@ -2,11 +2,9 @@
 //! nothing behind in a session. The next one finds what a new session does, by every method,
 //! pipeline and scheduling.
 
+use ccd::method::{BroadPhaseMethod, Pipeline, Scheduling, Traversal, TreeOptions};
 use ccd::scenes::{Step, crumpled_sheet, particles_and_rods};
-use ccd::{
-    BroadPhaseMethod, CancelToken, Contact, Error, Options, Pair, PerKind, Pipeline, Scheduling,
-    Session, Traversal, TreeOptions,
-};
+use ccd::{CancelToken, Contact, Error, Options, Pair, PerKind, Session};
 use ccd_testkit::methods::is_near_default;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -100,7 +98,7 @@ fn check_all(unwinds: bool) {
     let scheduled = descending
         .into_iter()
         .flat_map(|method| Scheduling::every("cpu").map(move |scheduling| (method, scheduling)));
-    let by_itself = ccd::every("cpu").filter(|&method| is_near_default(method));
+    let by_itself = ccd::method::every("cpu").filter(|&method| is_near_default(method));
     let all = by_itself.map(|method| (method, Scheduling::default())).chain(scheduled);
     for (i, (method, scheduling)) in all.enumerate() {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {

@@ -1,10 +1,11 @@
 //! Fronts are given up by their rules and for memory, and belong to the trees that they were found
 //! in. That nothing is lost by it is in the conformance table: rows of schedulers, and `frames/`.
 
-use ccd::{
-    BroadPhaseMethod, Builder, Front, FrontOptions, Mesh, Options, Scheduler, Scheduling, Session,
-    Traversal, TreeOptions, Volume,
+use ccd::method::{
+    BroadPhaseMethod, Builder, Front, FrontOptions, Scheduler, Scheduling, Traversal, TreeOptions,
+    Volume,
 };
+use ccd::{Mesh, Options, Session};
 
 type Frame = Vec<[f32; 3]>;
 

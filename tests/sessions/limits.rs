@@ -1,11 +1,9 @@
 //! Limits that a caller sets: memory, and a token by which another thread cancels; and what wants
 //! them, a step with thousands of times the pairs of the one before.
 
+use ccd::method::{BroadPhaseMethod, Pipeline, Scheduling, Traversal, TreeOptions};
 use ccd::scenes::{Step, cloth_on_ball, crumpled_sheet, particles_and_rods};
-use ccd::{
-    BroadPhaseMethod, CancelToken, Candidates, Contact, Error, Mesh, Options, Pair, Pipeline,
-    Scheduling, Session, Traversal, TreeOptions,
-};
+use ccd::{CancelToken, Candidates, Contact, Error, Mesh, Options, Pair, Session};
 use std::time::{Duration, Instant};
 
 /// Triangles whose pairs are few at first and then as many as can be, in `f64`.

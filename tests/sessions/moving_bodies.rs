@@ -176,9 +176,9 @@ fn steps_of_bodies_are_plain_steps() {
         ("one thread", plain.clone().with_threads(1)),
         ("two threads", plain.clone().with_threads(2)),
         ("a distance", plain.clone().with_min_distance(0.02)),
-        ("triangles", plain.clone().with_pipeline(ccd::Pipeline::TRIANGLES)),
-        ("a sweep", plain.clone().with_broad_phase(ccd::BroadPhaseMethod::SweepAndPrune)),
-        ("a tree", plain.with_broad_phase(ccd::BroadPhaseMethod::Tree(Default::default()))),
+        ("triangles", plain.clone().with_pipeline(ccd::method::Pipeline::TRIANGLES)),
+        ("a sweep", plain.clone().with_broad_phase(ccd::method::BroadPhaseMethod::SweepAndPrune)),
+        ("a tree", plain.with_broad_phase(ccd::method::BroadPhaseMethod::Tree(Default::default()))),
     ] {
         let session = || ccd::Session::new(&mesh, options.clone()).unwrap();
         check(what, (&mut session(), &mut session()), &narrow);

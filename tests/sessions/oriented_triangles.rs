@@ -4,9 +4,11 @@
 //! not kept.
 
 use super::found::Found;
+use ccd::Session;
+use ccd::method::TriangleOptions;
+use ccd::method::{BroadPhaseMethod, Pipeline, TreeOptions, Volume};
 use ccd::scenes::Random;
-use ccd::{BroadPhaseMethod, Mesh, Options, Pipeline, TreeOptions, Volume};
-use ccd::{Session, TriangleOptions};
+use ccd::{Mesh, Options};
 
 type V = [f64; 3];
 

@@ -2,11 +2,9 @@
 //! contacts are those of the default, less what the rules leave out; what is fixed.
 
 use super::found::Found;
+use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions, Volume};
 use ccd::scenes::Random;
-use ccd::{
-    Bodies, BroadPhaseMethod, Coordinate, Error, Groups, Kind, Mesh, Options, Pair, Pipeline,
-    Session, TriangleOptions, Volume,
-};
+use ccd::{Bodies, Coordinate, Error, Groups, Kind, Mesh, Options, Pair, Session};
 use std::cell::Cell;
 
 const N_BODIES: u32 = 9;
@@ -117,7 +115,7 @@ fn check_rules<T: Coordinate>(n: usize) {
         assert!(n_pairs > 40 && (want != all || which == 0), "{which}: {n_pairs} pairs");
         n_left += want[0].contacts.len();
         n_less += all[0].contacts.len() - want[0].contacts.len();
-        for method in ccd::every("cpu") {
+        for method in ccd::method::every("cpu") {
             for (k, pipeline) in pipelines().into_iter().enumerate() {
                 let options = base.clone().with_threads(1 + (which as usize + k) % 2);
                 let options = options.with_bodies(bodies.clone()).with_broad_phase(method);

@@ -2,8 +2,9 @@
 //! wires and loose vertices; and what they say about their tests adds up.
 
 use super::found::Found;
+use ccd::method::{Pipeline, TriangleCounts, TriangleOptions};
 use ccd::scenes::Random;
-use ccd::{Bodies, Mesh, Options, Pipeline, Session, TriangleCounts, TriangleOptions};
+use ccd::{Bodies, Mesh, Options, Session};
 
 /// Positions at both ends of a step.
 type Ends = [Vec<[f64; 3]>; 2];

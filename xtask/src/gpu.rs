@@ -3,8 +3,9 @@
 
 use crate::Part;
 use crate::measure::{median, timed, warm};
+use ccd::Mesh;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
-use ccd::{BroadPhaseMethod, Mesh};
+use ccd::method::BroadPhaseMethod;
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;

@@ -3,7 +3,8 @@
 
 use crate::markdown::{Table, wrap};
 use crate::measure::{median, timed};
-use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Digest, Options, Session};
+use ccd::method::BroadPhaseMethod;
+use ccd::{Aabb, BroadPhase, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
 use ccd_testkit::data::{Scene, data_dir};
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};

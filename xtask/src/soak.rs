@@ -61,7 +61,7 @@ pub fn run(minutes: f64, backend: &str) -> Result<(), String> {
     let mut first: Option<Vec<u64>> = None;
     let mut warm = None;
     while start.elapsed() < length || cycles <= WARM_UP {
-        for method in ccd::every(backend).filter(|&method| is_near_default(method)) {
+        for method in ccd::method::every(backend).filter(|&method| is_near_default(method)) {
             let mut found = Vec::new();
             for scene in &scenes {
                 let what = |e: ccd::any::Error| format!("{}, {method}: {e}", scene.name);

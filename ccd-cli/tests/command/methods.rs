@@ -1,7 +1,9 @@
 //! What there is to choose from, and each of it chosen.
 
 use crate::{ccd, json, obj, text};
-use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Scheduler, Traversal, Volume};
+use ::ccd::method::{
+    BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Scheduler, Traversal, Volume,
+};
 use std::path::Path;
 
 /// Keys of the list, options of the command, and names.

@@ -8,7 +8,7 @@ use core::mem::discriminant;
 /// What there is to say about a choice.
 ///
 /// ```
-/// use ccd::{Builder, Catalogued};
+/// use ccd::method::{Builder, Catalogued};
 ///
 /// let row = Builder::Lbvh.row();
 /// assert_eq!((row.name, row.source), ("lbvh", Some("Karras 2012")));
@@ -30,7 +30,7 @@ pub struct Row<T> {
 /// A choice that has a row for each of its values.
 ///
 /// ```
-/// use ccd::{BroadPhaseMethod, Catalogued};
+/// use ccd::method::{BroadPhaseMethod, Catalogued};
 ///
 /// let mut names = BroadPhaseMethod::ROWS.iter().map(|row| row.name);
 /// assert!(names.any(|name| name == "blocks"));
@@ -210,7 +210,7 @@ impl BroadPhaseMethod {
 /// Every method of a backend with its default settings, trees in every combination of theirs.
 ///
 /// ```
-/// use ccd::every;
+/// use ccd::method::every;
 ///
 /// assert!(every("cpu").any(|method| method.to_string() == "tree-ploc-half-aabb"));
 /// ```

@@ -6,7 +6,7 @@ use super::error::{Error, check_setting};
 /// How a broad phase finds overlapping boxes; all methods give the same set.
 ///
 /// ```
-/// use ccd::{BroadPhaseMethod, Catalogued, Options};
+/// use ccd::{Options, method::{BroadPhaseMethod, Catalogued}};
 ///
 /// let options = Options::default().with_broad_phase(BroadPhaseMethod::SweepAndPrune);
 /// assert_eq!(options.broad_phase.row().name, "sweep-and-prune");
@@ -44,7 +44,7 @@ pub enum BroadPhaseMethod {
 /// Which binary tree, and how it is traversed.
 ///
 /// ```
-/// use ccd::{Builder, Traversal, TreeOptions};
+/// use ccd::method::{Builder, Traversal, TreeOptions};
 ///
 /// let tree = TreeOptions::default().builder(Builder::Lbvh).traversal(Traversal::Half);
 /// assert_eq!(tree, TreeOptions::default());
@@ -65,7 +65,7 @@ pub struct TreeOptions {
 /// How a binary tree over boxes is built.
 ///
 /// ```
-/// use ccd::Builder;
+/// use ccd::method::Builder;
 ///
 /// assert_eq!(Builder::PLOC, Builder::Ploc { radius: 16 });
 /// assert!(Builder::NEAREST_PAIR.check(1_000_000).is_err());
@@ -120,7 +120,7 @@ impl Builder {
 /// How pairs are found in a binary tree.
 ///
 /// ```
-/// use ccd::{Descent, Traversal};
+/// use ccd::method::{Descent, Traversal};
 ///
 /// assert_eq!(Traversal::SIMULTANEOUS, Traversal::Simultaneous(Descent::Both));
 /// ```
@@ -175,7 +175,7 @@ impl Traversal {
 /// How a pair of nodes that overlap is expanded.
 ///
 /// ```
-/// use ccd::{BroadPhaseMethod, Descent, Traversal, TreeOptions};
+/// use ccd::method::{BroadPhaseMethod, Descent, Traversal, TreeOptions};
 ///
 /// let by_size = Traversal::Simultaneous(Descent::Larger);
 /// let method = BroadPhaseMethod::Tree(TreeOptions::default().traversal(by_size));
@@ -196,7 +196,7 @@ pub enum Descent {
 /// What bounds the nodes of a binary tree.
 ///
 /// ```
-/// use ccd::{BroadPhaseMethod, TreeOptions, Volume};
+/// use ccd::method::{BroadPhaseMethod, TreeOptions, Volume};
 ///
 /// let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(Volume::Obb));
 /// assert_eq!(method.to_string(), "tree-lbvh-half-obb");

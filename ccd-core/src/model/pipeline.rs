@@ -5,7 +5,7 @@
 /// [`TriangleOptions::free_regions`] certifies.
 ///
 /// ```
-/// use ccd::{Options, Pipeline};
+/// use ccd::{Options, method::Pipeline};
 ///
 /// let options = Options::default().with_pipeline(Pipeline::TRIANGLES);
 /// assert_ne!(options.pipeline, Pipeline::Features);
@@ -26,7 +26,7 @@ pub enum Pipeline {
 /// How pairs of triangles are found and expanded.
 ///
 /// ```
-/// use ccd::TriangleOptions;
+/// use ccd::method::TriangleOptions;
 ///
 /// let few = TriangleOptions::default().orphans(true).free_regions(true);
 /// assert!(few.orphans && few.free_regions);

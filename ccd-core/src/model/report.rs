@@ -41,7 +41,7 @@ pub struct Times {
 /// time, a GPU all of the step.
 ///
 /// ```
-/// use ccd::TriangleCounts;
+/// use ccd::method::TriangleCounts;
 ///
 /// let mut counts = TriangleCounts::default();
 /// (counts.pairs, counts.represented, counts.orphans) = (4, 20, 2);
@@ -95,7 +95,7 @@ impl TriangleCounts {
 /// Fronts that a step left: pairs of nodes where its descents ended, with which the next begins.
 ///
 /// ```
-/// use ccd::FrontCounts;
+/// use ccd::method::FrontCounts;
 ///
 /// let both = FrontCounts::new(100, 90, 1600).plus(FrontCounts::new(50, 0, 800));
 /// assert_eq!((both.pairs, both.begun, both.bytes), (150, 90, 2400));

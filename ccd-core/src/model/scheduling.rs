@@ -18,7 +18,7 @@ pub use workers::WorkerOptions;
 /// but the default.
 ///
 /// ```
-/// use ccd::{BroadPhaseMethod, Front, Scheduler, Scheduling};
+/// use ccd::method::{BroadPhaseMethod, Front, Scheduler, Scheduling};
 ///
 /// let stealing = Scheduling::default().scheduler(Scheduler::Stealing).front(Front::ON);
 /// assert!(stealing.check(BroadPhaseMethod::Blocks).is_ok());
@@ -42,7 +42,7 @@ pub struct Scheduling {
 /// them, are shared out among workers: threads of a CPU, workgroups of a GPU.
 ///
 /// ```
-/// use ccd::{Catalogued, Scheduler};
+/// use ccd::method::{Catalogued, Scheduler};
 ///
 /// assert_eq!(Scheduler::named("stealing"), Some(Scheduler::Stealing));
 /// ```
@@ -94,7 +94,7 @@ impl Scheduler {
 /// Where the descent of a step begins.
 ///
 /// ```
-/// use ccd::{Front, FrontOptions, Scheduling};
+/// use ccd::method::{Front, FrontOptions, Scheduling};
 ///
 /// let kept = Scheduling::default().front(Front::ON);
 /// assert_eq!(kept.front, Front::On(FrontOptions::default()));
@@ -124,7 +124,7 @@ impl Front {
 /// that a front only gets deeper. One that is too deep is more work than it saves.
 ///
 /// ```
-/// use ccd::{Front, FrontOptions, Scheduling};
+/// use ccd::method::{Front, FrontOptions, Scheduling};
 ///
 /// let kept = FrontOptions::default().growth(200).memory(64);
 /// assert_ne!(Scheduling::default().front(Front::On(kept)), Scheduling::default());

@@ -3,7 +3,7 @@
 /// How good a binary tree is: less is better, of every figure.
 ///
 /// ```
-/// use ccd::TreeStatistics;
+/// use ccd::method::TreeStatistics;
 ///
 /// // A root over two boxes of half its surface each.
 /// let tree = TreeStatistics { nodes: 3, depth: 2, sah_cost: 2.0, visited_per_query: 1.0 };

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// ```
 ///
 /// ```
-/// use ccd::{Mesh, Options, Scheduler, Scheduling, Session};
+/// use ccd::{Mesh, Options, Session, method::{Scheduler, Scheduling}};
 ///
 /// let stealing = Scheduling::default().scheduler(Scheduler::Stealing);
 /// let options = Options::default().with_scheduling(stealing).with_threads(1);

@@ -77,7 +77,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 /// The order of pairs depends on the boxes and the method, not on the number of threads.
 ///
 /// ```
-/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Pair};
+/// use ccd::{Aabb, BroadPhase, Pair, method::BroadPhaseMethod};
 ///
 /// let at = |x: f32| Aabb { min: [x, 0.0, 0.0], max: [x + 1.0, 1.0, 1.0] };
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
@@ -101,7 +101,7 @@ pub struct BroadPhase {
 /// Milliseconds of a search by the clock.
 ///
 /// ```
-/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod};
+/// use ccd::{Aabb, BroadPhase, method::BroadPhaseMethod};
 ///
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
 /// broad_phase.self_pairs(&[Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 100])?;

@@ -8,7 +8,7 @@ use ccd_core::backend::layout::Pair;
 /// wrote them.
 ///
 /// ```
-/// use ccd::{Aabb, BroadPhase, BroadPhaseMethod};
+/// use ccd::{Aabb, BroadPhase, method::BroadPhaseMethod};
 ///
 /// let mut broad_phase = BroadPhase::new(1, BroadPhaseMethod::default())?;
 /// let pairs = broad_phase.self_pairs(&[Aabb { min: [0.0f32; 3], max: [1.0; 3] }; 3])?;

@@ -43,7 +43,7 @@ use worker_counts::WorkerCounts;
 /// that is smaller than 1.2e-38 for zero, and find more pairs there. Pairs come in no order.
 ///
 /// ```no_run
-/// use ccd::{Aabb, BroadPhaseMethod};
+/// use ccd::{Aabb, method::BroadPhaseMethod};
 /// use ccd::gpu::{BroadPhase, Device, DeviceOptions};
 ///
 /// let device = Device::open(&DeviceOptions::default())?;

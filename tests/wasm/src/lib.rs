@@ -5,11 +5,9 @@
 
 #![allow(unsafe_code, reason = "exported names, which nothing else here has")]
 
+use ccd::method::{BroadPhaseMethod, Catalogued, Pipeline, Scheduling};
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
-use ccd::{
-    Bodies, BroadPhase, BroadPhaseMethod, Catalogued, Digest, Error, Options, Pair, Pipeline,
-    Report, Scheduling, Session,
-};
+use ccd::{Bodies, BroadPhase, Digest, Error, Options, Pair, Report, Session};
 
 /// How many scenes there are.
 #[unsafe(no_mangle)]
@@ -87,7 +85,7 @@ const SCENES: [Scene; 3] = [
 
 /// Options with every method, then with every scheduling, then with every pipeline.
 fn ways(options: &Options) -> impl Iterator<Item = Options> {
-    let methods = ccd::every("cpu").map(|m| options.clone().with_broad_phase(m));
+    let methods = ccd::method::every("cpu").map(|m| options.clone().with_broad_phase(m));
     let schedulings = Scheduling::every("cpu").map(|s| options.clone().with_scheduling(s));
     let pipelines = Pipeline::ROWS.iter().filter(|row| row.value.lacking("cpu").is_none());
     methods.chain(schedulings).chain(pipelines.map(|row| options.clone().with_pipeline(row.value)))

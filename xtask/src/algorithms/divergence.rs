@@ -7,7 +7,8 @@
 
 use super::scenes::Case;
 use crate::markdown::{Table, digits};
-use ccd::{Aabb, Descent, Traversal};
+use ccd::Aabb;
+use ccd::method::{Descent, Traversal};
 use ccd_core::backend::broad_phase::key_intervals::{
     self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, interval, lower_bound,
     rows,

@@ -3,7 +3,8 @@
 use super::scenes::Case;
 use crate::cells::Cells;
 use crate::measure::{Place, median, warm};
-use ccd::{BroadPhase, BroadPhaseMethod, Error, TreeStatistics};
+use ccd::method::{BroadPhaseMethod, TreeStatistics};
+use ccd::{BroadPhase, Error};
 use serde_json::{Value, json};
 
 /// Medians in milliseconds, of a GPU by its timestamps.

@@ -13,10 +13,8 @@ use crate::cells::Cells;
 use crate::markdown::{Table, digits, rewrite, rewrite_alone};
 use crate::measure::{Place, median, timed};
 use crate::plot::Bars;
-use ccd::{
-    BroadPhase, BroadPhaseMethod, Builder, Catalogued, Descent, Pair, Traversal, TreeOptions,
-    Volume,
-};
+use ccd::method::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
+use ccd::{BroadPhase, Pair};
 use measure::{Measured, RUNS, kept};
 use scenes::{Case, Draped};
 use serde_json::{Value, json};
@@ -117,7 +115,8 @@ fn simultaneous() -> Section {
 
 /// Build time, cost and visited nodes of every builder.
 fn builders() -> Section {
-    let row = |row: &ccd::Row<Builder>| (row.name.to_owned(), tree(row.value, Traversal::Half));
+    let row =
+        |row: &ccd::method::Row<Builder>| (row.name.to_owned(), tree(row.value, Traversal::Half));
     let (rows, figures) = (Builder::ROWS.iter().map(row).collect(), &OF_TREE[..]);
     Section { what: "ms, build alone", ms: |m| m.build, rows, figures, plot: None }
 }

@@ -4,7 +4,8 @@ use crate::markdown::Table;
 use crate::measure::{Place, median, warm};
 use ccd::gpu::{self, Timing};
 use ccd::io::Frame;
-use ccd::{Mesh, Options, Pipeline, Report, Session, TriangleOptions};
+use ccd::method::{Pipeline, TriangleOptions};
+use ccd::{Mesh, Options, Report, Session};
 use ccd_testkit::data::{Scene, data_dir};
 use std::fmt::Write;
 

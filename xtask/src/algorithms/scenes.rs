@@ -1,7 +1,8 @@
 //! Cases for the comparison of methods: generated boxes, and swept edges of real scenes.
 
+use ccd::method::BroadPhaseMethod;
 use ccd::scenes::{debris_boxes, teapot_in_a_stadium_boxes, uniform_boxes};
-use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Pair};
+use ccd::{Aabb, BroadPhase, Pair};
 use ccd_core::narrow_phase::intersection::segment_meets_triangle;
 use ccd_testkit::brute::swept_boxes;
 use ccd_testkit::data::{Scene, data_dir};

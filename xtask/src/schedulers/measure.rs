@@ -6,10 +6,10 @@ use crate::cells::Cells;
 use crate::measure::{Place, median};
 use crate::stages::part;
 use ccd::any::{self, Session};
-use ccd::{
-    BroadPhaseMethod, Error, FrontCounts, Options, Pipeline, Scheduling, Traversal, TreeOptions,
-    Volume, gpu,
+use ccd::method::{
+    BroadPhaseMethod, FrontCounts, Pipeline, Scheduling, Traversal, TreeOptions, Volume,
 };
+use ccd::{Error, Options, gpu};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::time::{Duration, Instant};

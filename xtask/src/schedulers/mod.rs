@@ -16,7 +16,7 @@ use crate::SchedulersOptions;
 use crate::cells::Cells;
 use crate::markdown::{rewrite, rewrite_alone};
 use crate::measure::Place;
-use ccd::{Pipeline, Scheduling, Volume};
+use ccd::method::{Pipeline, Scheduling, Volume};
 use measure::{Effort, Measured, Structure, WARM, WATCHED};
 use scenes::Scene;
 use std::path::Path;

@@ -5,7 +5,7 @@ use super::measure::{Measured, Structure};
 use super::tables::names;
 use crate::plot::{Bars, stacked};
 use crate::stages::PARTS;
-use ccd::Volume;
+use ccd::method::Volume;
 use std::fmt::Write;
 use std::path::Path;
 

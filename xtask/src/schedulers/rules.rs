@@ -6,7 +6,7 @@ use crate::cells::Cells;
 use crate::markdown::{Table, digits};
 use crate::measure::Place;
 use crate::plot;
-use ccd::{Front, FrontOptions, Scheduler, Scheduling, Volume};
+use ccd::method::{Front, FrontOptions, Scheduler, Scheduling, Volume};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;

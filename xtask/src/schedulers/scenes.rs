@@ -1,8 +1,9 @@
 //! Sequences on which schedulers are compared: those of [da Silva 2013], chapter 4, as far as they
 //! can be made again, and one that was simulated.
 
+use ccd::method::Pipeline;
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
-use ccd::{Bodies, Mesh, Options, PerKind, Pipeline, Session};
+use ccd::{Bodies, Mesh, Options, PerKind, Session};
 use ccd_testkit::data::data_dir;
 
 /// Figures of the dissertation for a scene; NaN where it has none.

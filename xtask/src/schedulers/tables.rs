@@ -5,7 +5,7 @@ use super::{Group, Results};
 use crate::markdown::{Table, digits};
 use crate::measure::Place;
 use crate::stages::PARTS;
-use ccd::Volume;
+use ccd::method::Volume;
 use std::fmt::Write;
 
 /// Trees with boxes along the axes.

@@ -7,7 +7,7 @@ use super::tables::{BALANCED, LAZY, TREE, ms};
 use crate::cells::Cells;
 use crate::markdown::Table;
 use crate::measure::Place;
-use ccd::{Scheduling, WorkerOptions};
+use ccd::method::{Scheduling, WorkerOptions};
 use std::fmt::Write;
 
 const WORKERS: [u32; 5] = [16, 64, 256, 1024, 2048];

@@ -7,7 +7,7 @@ use super::{Front, Scheduler, Scheduling};
 /// by itself; what a scheduler does not have is refused.
 ///
 /// ```
-/// use ccd::{Scheduler, Scheduling, WorkerOptions};
+/// use ccd::method::{Scheduler, Scheduling, WorkerOptions};
 ///
 /// let few = WorkerOptions::default().workers(2).batch(8);
 /// let lazy = Scheduling::default().scheduler(Scheduler::LazyStealing).workers(few);
