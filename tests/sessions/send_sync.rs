@@ -1,6 +1,6 @@
 //! Every public type may go to another thread and be looked at from several; the compiler says so.
 
-use ccd::{any, gpu, io, positions, scenes};
+use ccd::{any, gpu, io, method, positions, scenes};
 
 const fn is<T: Send + Sync>() {}
 
@@ -12,21 +12,18 @@ macro_rules! are {
 
 are! {
     ccd::Aabb, ccd::Approach, ccd::Bodies, ccd::BodyMotion<'static>, ccd::BroadPhase,
-    ccd::method::BroadPhaseMethod,
-    ccd::BroadPhaseTimes, ccd::method::Builder, ccd::Candidates<'static>, ccd::Contact,
-    ccd::ContactGeometry, ccd::method::Descent, ccd::CancelToken, ccd::Digest,
-    ccd::Distance, ccd::EdgeEdge<f64>, ccd::Error, ccd::Exclusions, ccd::method::Front,
-    ccd::method::FrontCounts, ccd::method::FrontOptions, ccd::Groups, ccd::Hit, ccd::Intersection, ccd::Kind,
-    ccd::Mesh, ccd::Mode,
-    ccd::Options, ccd::Pair, ccd::Pairs<'static>, ccd::PerKind, ccd::method::Pipeline,
-    ccd::Posed<'static, f32>, ccd::Report, ccd::method::Row<ccd::method::Scheduler>, ccd::method::Scheduler,
-    ccd::method::Scheduling, ccd::Session, ccd::State, ccd::Strided<'static, f64>,
-    ccd::Times, ccd::method::Traversal, ccd::method::TreeOptions, ccd::method::TreeStatistics, ccd::method::TriangleCounts,
-    ccd::method::TriangleOptions, ccd::Verdict<f64>, ccd::VertexEdge<f64>, ccd::VertexFace<f32>,
-    ccd::VertexVertex<f64>, ccd::method::Volume, ccd::method::WorkerOptions, ccd::geometry::Motion<f64>,
-    ccd::geometry::Patch, ccd::exact::Exact,
-    positions::Ends<'static>, positions::PositionView<'static, f32>,
-    positions::Precision<u8, u8>,
+    method::BroadPhaseMethod, ccd::BroadPhaseTimes, method::Builder, ccd::Candidates<'static>,
+    ccd::Contact, ccd::ContactGeometry, method::Descent, ccd::CancelToken, ccd::Digest,
+    ccd::Distance, ccd::EdgeEdge<f64>, ccd::Error, ccd::Exclusions, method::Front,
+    method::FrontCounts, method::FrontOptions, ccd::Groups, ccd::Hit, ccd::Intersection, ccd::Kind,
+    ccd::Mesh, ccd::Mode, ccd::Options, ccd::Pair, ccd::Pairs<'static>, ccd::PerKind,
+    method::Pipeline, ccd::Posed<'static, f32>, ccd::Report, method::Row<method::Scheduler>,
+    method::Scheduler, method::Scheduling, ccd::Session, ccd::State, ccd::Strided<'static, f64>,
+    ccd::Times, method::Traversal, method::TreeOptions, method::TreeStatistics,
+    method::TriangleCounts, method::TriangleOptions, ccd::Verdict<f64>, ccd::VertexEdge<f64>,
+    ccd::VertexFace<f32>, ccd::VertexVertex<f64>, method::Volume, method::WorkerOptions,
+    ccd::geometry::Motion<f64>, ccd::geometry::Patch, ccd::exact::Exact, positions::Ends<'static>,
+    positions::PositionView<'static, f32>, positions::Precision<u8, u8>,
 }
 are! {
     any::Backend, any::BroadPhase, any::Candidates<'static>, any::Choice, any::Error,
