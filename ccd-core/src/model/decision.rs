@@ -84,7 +84,7 @@ impl Decider {
         Some(match found? {
             Exact::Miss => Answer::from(Verdict::Miss),
             Exact::Contact([toi, _]) => {
-                // They certainly are apart until the time of impact.
+                // No contact from the start of the window to `toi`, so they approach there.
                 let approach = if toi > from { Approach::Approaching } else { Approach::Unknown };
                 Answer { verdict: Verdict::Hit { toi }, approach }
             }

@@ -31,8 +31,9 @@ pub enum Mode {
     /// [`narrow_phase::exact`](crate::narrow_phase::exact). Of a GPU, the filters run on the device
     /// and the decisions on the CPU.
     ///
-    /// Refused with a minimum distance, [`Error::ExactDistance`]. Undecided is left only what its
-    /// integers of 6,144 bits do not hold: coordinates of one pair hundreds of powers of two apart.
+    /// Refused with a minimum distance, [`Error::ExactDistance`]; [`Options::leave_contact`] has no
+    /// effect. What its integers of 6,144 bits do not hold keeps its conservative answer: pairs of
+    /// which coordinates on one axis are hundreds of powers of two apart.
     Exact,
 }
 

@@ -38,7 +38,7 @@ impl<T: Number> Features<T> {
         dot(&self.a, &self.normal)
     }
 
-    /// The sides of the patch: together, where it is no longer one, all of it.
+    /// The sides of the patch. Where it is flattened to a segment or a point, they cover all of it.
     pub fn boundary(&self) -> impl Iterator<Item = OnEdge<T>> {
         let Self { patch, a, b, c, .. } = self;
         let (ab, ac) = (minus(a, b), minus(a, c));
@@ -91,7 +91,7 @@ fn all_zero<T>(all: &[T], sign: Sign<T>) -> Option<bool> {
 
 /// A vertex and an edge, whose ends are seen from the vertex.
 pub struct OnEdge<T> {
-    /// Both ends span nothing if the three are on a line.
+    /// The cross product of both ends, as seen from the vertex: 0 if all three are on one line.
     pub span: Vector<T>,
     /// Not positive if they are on two sides, or one of them at the vertex.
     pub sides: T,

@@ -15,11 +15,13 @@
 //! | vertex, vertex | at one place: three linear forms | |
 //!
 //! Asked first is the conservative search in `f64`: what it certifies stands, a miss as it is, a
-//! contact with the time to the last bit (`refine.rs`). What it leaves is mostly features that rest
-//! on each other, so the beginning of the window is looked at next, by itself (`moment.rs`).
+//! contact with the time to the last bit (`refine.rs`). Most of what is left rests on each other,
+//! and so touches at the start of the window already. So that moment is tested next; it needs no
+//! polynomial of time (`moment.rs`).
 //!
-//! Closed features, closed windows. Every loop ends: zeros of a form without double ones are
-//! separated by some interval, and a sign that is not 0 shows in some interval around them.
+//! Closed features, closed windows. Every loop ends: simple zeros are separated by halving often
+//! enough, and a polynomial that is not 0 at a zero of another has coefficients of one sign over a
+//! small enough interval around it.
 
 mod features;
 mod form;
@@ -37,7 +39,7 @@ use features::{Features, OnEdge, differences};
 use form::Form;
 use integer::{Fixed, parts};
 use vector::{Vector, minus};
-use zeros::{Time, Window, begin, zeros};
+use zeros::{Time, Window, zeros};
 
 /// The exact answer of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,9 +70,9 @@ fn first<const N: usize>(
     touches: impl Fn(&mut Time<N>) -> Option<bool>,
 ) -> Option<Exact> {
     let mut first = Exact::Miss;
-    for time in zeros(form)?.as_mut_slice() {
+    for time in zeros(form, window)?.as_mut_slice() {
         if touches(time)? {
-            first = first.or(Exact::Contact(time.enclosure(window)?));
+            first = first.or(Exact::Contact(time.enclosure()?));
         }
     }
     Some(first)
@@ -81,9 +83,9 @@ fn at_begin<const N: usize>(
     window: &Window<N>,
     touches: impl Fn(&mut Time<N>) -> Option<bool>,
 ) -> Option<Exact> {
-    let mut time = Time::At(begin());
+    let mut time = Time::At(window.begin());
     let touches = touches(&mut time)?;
-    Some(if touches { Exact::Contact(time.enclosure(window)?) } else { Exact::Miss })
+    Some(if touches { Exact::Contact(time.enclosure()?) } else { Exact::Miss })
 }
 
 impl<const N: usize> OnEdge<Form<N>> {
@@ -94,7 +96,8 @@ impl<const N: usize> OnEdge<Form<N>> {
             return Some(at_begin);
         }
         let span = self.span.iter().find(|form| !form.vanishes());
-        // On one line all the time: it reaches an end.
+        // If all three points stay on one line, the first contact is with an end of the edge,
+        // where `sides` is 0.
         first(span.unwrap_or(&self.sides), window, touches)
     }
 }
@@ -102,11 +105,12 @@ impl<const N: usize> OnEdge<Form<N>> {
 impl<const N: usize> Features<Form<N>> {
     fn contact(&self, window: &Window<N>) -> Option<Exact> {
         let coplanarity = self.coplanarity().checked()?;
-        if never_zero(&coplanarity) {
+        let part = window.part(&coplanarity)?;
+        if never_zero(&part) {
             return Some(Exact::Miss);
         }
         let touches = |time: &mut Time<N>| self.touch(&mut |form| time.sign(form));
-        if coplanarity.coefficients()[0].sign() == 0 {
+        if part.coefficients()[0].sign() == 0 {
             let at_begin = at_begin(window, touches)?;
             if at_begin != Exact::Miss {
                 return Some(at_begin);
@@ -119,24 +123,22 @@ impl<const N: usize> Features<Form<N>> {
     }
 }
 
-/// Moving points in a common unit over a window, and the window.
+/// Points that move over a step, in a unit of each axis of which all its coordinates are whole
+/// multiples: whether features touch does not depend on how axes are scaled.
 fn points<const N: usize, const K: usize>(
     t0: &[[f64; 3]; K],
     t1: &[[f64; 3]; K],
-    [from, until]: [f64; 2],
-) -> Option<([Vector<Form<N>>; K], Window<N>)> {
-    // In a unit of which all are multiples.
-    let unit = parts(from).1.min(parts(until).1).min(0);
-    let [from, until] = [from, until].map(|t| Fixed::<N>::of(t, unit));
-    let window = Window { times: [from, until - from], unit: unit.unsigned_abs() };
-    let of_space = t0.iter().chain(t1).flatten().map(|&x| parts(x).1).min()?;
-    let coordinate = |x0: f64, x1: f64| {
-        let (x0, x1) = (Fixed::of(x0, of_space), Fixed::of(x1, of_space));
-        let at = |t: Fixed<N>| x0.shifted(window.unit) + (x1 - x0) * t;
-        Form::linear([at(from), at(until)])
-    };
-    let point = |i: usize| core::array::from_fn(|k| coordinate(t0[i][k], t1[i][k]));
-    Some((core::array::from_fn(point), window))
+) -> [Vector<Form<N>>; K] {
+    let units = units(t0.iter().chain(t1));
+    let at = |x: f64, k: usize| Fixed::of(x, units[k]);
+    let point = |i: usize| [0, 1, 2].map(|k| Form::linear([at(t0[i][k], k), at(t1[i][k], k)]));
+    core::array::from_fn(point)
+}
+
+/// For each axis the greatest power of two of which all coordinates on it are whole multiples.
+fn units<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> [i32; 3] {
+    let least = |units: [i32; 3], p: &[f64; 3]| [0, 1, 2].map(|k| units[k].min(parts(p[k]).1));
+    points.fold([i32::MAX; 3], least)
 }
 
 /// Whether a form is certainly not 0 from the beginning to the end.
@@ -147,9 +149,10 @@ fn never_zero<const N: usize>(form: &Form<N>) -> bool {
 
 /// Whether a vertex and a face touch at a time of a window in `[0, 1]`, and when they first do.
 ///
-/// `None` of coordinates that are not finite, of a window that is none, and where coordinates
-/// are so unlike that integers of 6,144 bits do not hold what comes of them, as they may where
-/// the lowest bit of one stands hundreds of places below the highest of another.
+/// `None` of coordinates that are not finite, of a window that is not in `[0, 1]`, and where
+/// integers of 6,144 bits do not hold what comes of the coordinates. They do if on each axis the
+/// lowest bit of a coordinate stands at most 200 places below the highest of another, as of all
+/// `f32` between 2^-100 and 2^76; mostly they do far beyond.
 ///
 /// ```
 /// use ccd::VertexFace;
@@ -251,8 +254,7 @@ fn by_integers<const N: usize>(
     [t0, t1]: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let (points, window) = points::<N, 4>(t0, t1, window)?;
-    Features::new(patch, &points).contact(&window)
+    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window))
 }
 
 /// The same of a vertex and an edge.
@@ -260,8 +262,8 @@ fn on_edge_by_integers<const N: usize>(
     [t0, t1]: [&[[f64; 3]; 3]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    let ([p, a, b], window) = points::<N, 3>(t0, t1, window)?;
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&window)
+    let [p, a, b] = points(t0, t1);
+    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window))
 }
 
 #[cfg(test)]

@@ -12,16 +12,16 @@ pub fn touch(patch: Patch, x: &[[f64; 3]; 4]) -> Option<bool> {
     if !x.iter().flatten().all(|x| x.is_finite()) {
         return None;
     }
-    let unit = x.iter().flatten().map(|&x| parts(x).1).min()?;
-    short(x, unit)
+    let units = super::units(x.iter());
+    short(x, units)
         .and_then(|x| of_numbers(patch, &x, Short::sign))
-        .or_else(|| by_integers::<6>(patch, x, unit))
-        .or_else(|| by_integers::<24>(patch, x, unit))
-        .or_else(|| by_integers::<96>(patch, x, unit))
+        .or_else(|| by_integers::<6>(patch, x, units))
+        .or_else(|| by_integers::<24>(patch, x, units))
+        .or_else(|| by_integers::<96>(patch, x, units))
 }
 
-/// Whether a vertex is at a corner of the face, or an end of an edge at one of the other: what was
-/// cut, or stands where it was put, mostly is.
+/// Whether a vertex is at a corner of the face, or an end of an edge at one of the other: meshes
+/// that were cut apart, or placed corner to corner, have equal vertices.
 pub fn shares_a_point(patch: Patch, [p, q, r, s]: &[[f64; 3]; 4]) -> bool {
     match patch {
         Patch::Triangle => p == q || p == r || p == s,
@@ -29,8 +29,8 @@ pub fn shares_a_point(patch: Patch, [p, q, r, s]: &[[f64; 3]; 4]) -> bool {
     }
 }
 
-fn by_integers<const N: usize>(patch: Patch, x: &[[f64; 3]; 4], unit: i32) -> Option<bool> {
-    let x = x.map(|p| p.map(|x| Fixed::<N>::of(x, unit)));
+fn by_integers<const N: usize>(patch: Patch, x: &[[f64; 3]; 4], units: [i32; 3]) -> Option<bool> {
+    let x = x.map(|p| [0, 1, 2].map(|k| Fixed::<N>::of(p[k], units[k])));
     of_numbers(patch, &x, |x| x.is_exact().then(|| x.sign()))
 }
 
@@ -46,11 +46,11 @@ fn of_numbers<T: Number>(
     features.touch(&mut sign)
 }
 
-/// Coordinates as numbers of some unit, if they are of less than 62 bits.
-fn short(x: &[[f64; 3]; 4], unit: i32) -> Option<[Vector<Short>; 4]> {
+/// Coordinates in the units of their axes, if they are of less than 62 bits.
+fn short(x: &[[f64; 3]; 4], units: [i32; 3]) -> Option<[Vector<Short>; 4]> {
     let mut out = [[Short::Whole(0); 3]; 4];
     for (p, out) in x.iter().zip(&mut out) {
-        for (&x, out) in p.iter().zip(out) {
+        for ((&x, out), unit) in p.iter().zip(out).zip(units) {
             let (mantissa, exponent) = parts(x);
             if mantissa != 0 {
                 let shift = (exponent - unit) as u32;
@@ -66,8 +66,8 @@ fn short(x: &[[f64; 3]; 4], unit: i32) -> Option<[Vector<Short>; 4]> {
 
 /// An integer as long as it is of 127 bits; then about what it is, and by how much it may be off.
 ///
-/// Of what is computed with here none is beyond 2^300, and a number that is off is off by more than
-/// 2^60: nothing overflows or underflows.
+/// Nothing here is beyond 2^300, and what is rounded stands for at least 2^126 or comes from such a
+/// number, so that its error bound is far above what underflow could add.
 #[derive(Clone, Copy, Debug)]
 enum Short {
     Whole(i128),
@@ -95,14 +95,14 @@ impl Short {
         }
     }
 
-    /// A result that was rounded once, of numbers that make it off by `error`, a bound of which
-    /// three roundings are covered.
+    /// A result `x` that was rounded once; `error` is what its operands contribute. The factor
+    /// covers the roundings of the bound itself.
     fn rounded(x: f64, error: f64) -> Self {
         Short::About(x, (error + x.abs() * f64::EPSILON) * (1.0 + 8.0 * f64::EPSILON))
     }
 }
 
-/// Bits that the magnitude of a number takes at most, and its sign one.
+/// The least `b` with `-2^b <= x < 2^b`.
 fn bits(x: i128) -> u32 {
     128 - (x ^ (x >> 127)).leading_zeros()
 }

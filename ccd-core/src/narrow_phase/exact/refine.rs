@@ -3,8 +3,8 @@
 //! Over `[lo, hi]`, in which a contact is certain, `f = a . (b x c)` has one zero if its derivative
 //! has none, and the contact is there. From `t` in the interval, by the mean value theorem, it is
 //! at `t - f(t) / f'(x)` with some `x` between them. With `f(t)` almost exact and `f'` in bounds
-//! that is an interval far narrower than a unit in the last place, and all of it rounds down alike,
-//! but for one contact in some million.
+//! that is an interval far narrower than a unit in the last place. Nearly always both of its ends
+//! round down to the same `f64`; if not, the answer is `None`, and integers decide.
 //!
 //! # The bounds
 //! Let `u = 2^-53`, and `A B C` bound the components of `a b c` at both ends, hence at all times.
@@ -130,7 +130,7 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     };
     let slope_error = |width: f64| all * (144.0 * width + 1024.0 * f64::UNIT) * 1.001;
 
-    // By Newton's method: so near that little of the correction depends on the slope.
+    // Two Newton steps bring `t` so near the zero that an inexact slope hardly matters.
     let mut t = lo;
     for _ in 0..2 {
         let x = [0, 1, 2].map(|i| add(high(paths[i].start), scale(travel[i], t)));
@@ -149,7 +149,7 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     }
     let width = (f.abs() + f_error) / least * 1.001;
     let near = slope_error(width);
-    // Not below what it is over the whole interval, if that is the shorter one.
+    // The better of two lower bounds of the slope: over the whole interval, and near `t`.
     let least = (slope.abs() - near).max(least);
     let correction = -f / slope;
     let off = (correction.abs() * (near / least + 16.0 * f64::UNIT) + f_error / least) * 1.001;

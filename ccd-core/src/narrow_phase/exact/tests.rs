@@ -82,3 +82,31 @@ fn times_that_are_numbers_are_found_in_any_window() {
         assert_eq!(found, Some(Exact::Contact([0.5; 2])), "{window:?}");
     }
 }
+
+/// A window begins at a tiny time, and does not make the numbers longer.
+#[test]
+fn windows_of_any_length_are_decided() {
+    let t0 = [[1.0, -2.0, 2.0], [1.0, 0.0, -1.0], [-1.0, 2.0, 0.0], [-2.0, 0.0, -1.0]];
+    let t1 = [[-2.0, -1.0, 1.0], [0.0, -2.0, 1.0], [1.0, -1.0, 2.0], [2.0, -2.0, 1.0]];
+    let want = edge_edge(&EdgeEdge { t0, t1 }, [0.0, 0.7]);
+    assert!(want.is_some());
+    for from in [1e-30, 1e-60, 1e-200, f64::from_bits(1)] {
+        assert_eq!(edge_edge(&EdgeEdge { t0, t1 }, [from, 0.7]), want, "{from:e}");
+    }
+    let t0 = [[-1.0, 1e-20, 0.0], [0.0; 3], [1e-20, -1.0, 0.0], [0.0, 0.0, 1.0]];
+    let t1 = [[1.0, 1e-20, 0.0], [0.0; 3], [1e-20, 1.0, 0.0], [0.0, 1.0, -1.3]];
+    let found = vertex_face(&VertexFace { t0, t1 }, [1e-30, 1.0]);
+    assert_eq!(found, vertex_face(&VertexFace { t0, t1 }, WHOLE));
+    assert!(matches!(found, Some(Exact::Contact([0.5, _]))), "{found:?}");
+}
+
+/// Flat ground, but for what rounding has left on one axis: each axis has its own unit.
+#[test]
+fn axes_of_unlike_sizes_are_decided() {
+    for rest in [1e-17, 1e-300, f64::from_bits(1)] {
+        let t0 = [[0.2, 0.1, rest], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let t1 = [[0.6, 0.4, -rest], [0.1, 0.0, 0.0], [1.3, 0.7, 0.0], [0.3, 1.0, 0.0]];
+        let found = vertex_face(&VertexFace { t0, t1 }, WHOLE);
+        assert_eq!(found, Some(Exact::Contact([0.5; 2])), "{rest:e}");
+    }
+}

@@ -18,9 +18,9 @@ use super::integer::{Fixed, parts};
 /// A cubic has no more, counted once each.
 const MAX_ZEROS: usize = 3;
 
-/// Shorter intervals after which a sign that is not certain is suspected to be 0.
+/// After this many looks without a sign it is tested whether a number is exactly 0.
 const PATIENCE: u32 = 2;
-/// The power of two of the parts of an interval of which a guess takes two.
+/// A guess keeps two of `2^STEPS` equal parts of an interval.
 const STEPS: u32 = 30;
 
 /// `u` and `v` of a dyadic time; their sum is a power of two.
@@ -34,16 +34,6 @@ pub enum Time<const N: usize> {
     /// The only zero between two dyadic times, whose sums of `u` and `v` are the same, of a form
     /// without double zeros, and the sign of that form between the first and the zero.
     Between(Form<N>, [Dyadic<N>; 2], i32),
-}
-
-/// The beginning.
-pub fn begin<const N: usize>() -> Dyadic<N> {
-    [Fixed::new(1, 0), Fixed::ZERO]
-}
-
-/// The end.
-pub fn end<const N: usize>() -> Dyadic<N> {
-    [Fixed::ZERO, Fixed::new(1, 0)]
 }
 
 /// Half of the way, and the ends in its unit.
@@ -71,23 +61,25 @@ impl<const N: usize> Zeros<N> {
     }
 }
 
-/// The zeros from the beginning to the end of a form of degree 1 to 3 that does not vanish; `None`
-/// if a number does not fit.
-pub fn zeros<const N: usize>(form: &Form<N>) -> Option<Zeros<N>> {
-    let mut out = Zeros { all: [Time::At(begin()); MAX_ZEROS], len: 0 };
-    let (inner, [first, last]) = form.checked()?.without_ends();
-    if first > 0 {
-        out.push(Time::At(begin()));
+/// The zeros in a window of a form of degree 1 to 3 that does not vanish; `None` if a number does
+/// not fit.
+pub fn zeros<const N: usize>(form: &Form<N>, window: &Window<N>) -> Option<Zeros<N>> {
+    let [begin, end] = window.ends;
+    let mut out = Zeros { all: [Time::At(begin); MAX_ZEROS], len: 0 };
+    let part = window.part(form)?;
+    let c = part.coefficients();
+    if c[0].sign() == 0 {
+        out.push(Time::At(begin));
     }
-    if last > 0 {
-        out.push(Time::At(end()));
+    if c[part.degree()].sign() == 0 && !window.is_moment() {
+        out.push(Time::At(end));
     }
-    let inner = inner.reduced();
-    if inner.variations() == 0 {
+    if part.variations() == 0 {
         return Some(out);
     }
-    for factor in simple_factors(&inner)?.into_iter().flatten() {
-        isolate(&factor, &mut out)?;
+    let (inner, _) = form.without_ends();
+    for factor in simple_factors(&inner.reduced())?.into_iter().flatten() {
+        isolate(&factor, window, &mut out)?;
     }
     Some(out)
 }
@@ -128,18 +120,18 @@ fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]
     }
 }
 
-/// Adds the zeros between the ends of a form without double zeros, that is not 0 at the ends.
-fn isolate<const N: usize>(form: &Form<N>, out: &mut Zeros<N>) -> Option<()> {
+/// Adds the zeros between the ends of a window of a form without double zeros.
+fn isolate<const N: usize>(form: &Form<N>, window: &Window<N>, out: &mut Zeros<N>) -> Option<()> {
     // Variations of both halves are at most those of the whole, three: one half has several.
-    let mut open = Some([begin(), end()]);
-    match form.variations() {
-        0 => return Some(()),
+    let whole = window.part(form)?;
+    let mut open = match whole.variations() {
+        0 => None,
         1 => {
-            out.push(Time::Between(*form, [begin(), end()], form.first_sign()));
-            return Some(());
+            out.push(Time::Between(*form, window.ends, whole.first_sign()));
+            None
         }
-        _ => (),
-    }
+        _ => Some(window.ends),
+    };
     while let Some(part) = open.take() {
         let [from, middle, to] = halved(part);
         let value = form.at(middle);
@@ -239,21 +231,21 @@ impl<const N: usize> Time<N> {
         }
     }
 
-    /// The time of the step, rounded down and up.
-    pub fn enclosure(&mut self, window: &Window<N>) -> Option<[f64; 2]> {
+    /// The time, rounded down and up.
+    pub fn enclosure(&mut self) -> Option<[f64; 2]> {
         loop {
             let (form, [from, to], before) = match self {
-                Time::At(time) => return window.rounded(time),
+                Time::At(time) => return Window::rounded(time),
                 Time::Between(form, ends, sign) => (*form, *ends, *sign),
             };
-            let [lo, hi] = [window.rounded(&from)?[0], window.rounded(&to)?[1]];
+            let [lo, hi] = [Window::rounded(&from)?[0], Window::rounded(&to)?[1]];
             let between = lo.next_up();
             if between >= hi {
                 return Some([lo, hi]);
             }
             if between.next_up() >= hi {
                 // One number in between: the zero is there, or on one side of it.
-                let value = form.at(window.position(between)?);
+                let value = form.at(dyadic(between)?);
                 let sign = value.is_exact().then(|| value.sign())?;
                 return Some(match sign {
                     0 => [between; 2],
@@ -266,29 +258,51 @@ impl<const N: usize> Time<N> {
     }
 }
 
-/// A window of time: the step's `[from, until]`.
+/// A window of time.
 #[derive(Clone, Copy, Debug)]
 pub struct Window<const N: usize> {
-    /// From when, and for how long, in units of `2^-unit` steps.
-    pub times: [Fixed<N>; 2],
-    /// See there.
-    pub unit: u32,
+    ends: [Dyadic<N>; 2],
 }
 
 impl<const N: usize> Window<N> {
-    /// A time of the step, rounded down and up.
-    fn rounded(&self, [u, v]: &Dyadic<N>) -> Option<[f64; 2]> {
-        let [from, span] = self.times;
-        let time = from * (*u + *v) + span * *v;
-        if !time.is_exact() {
+    /// From one time of `[0, 1]` to another.
+    pub fn new(times: [f64; 2]) -> Self {
+        // The greatest power of two of which both are whole multiples.
+        let unit = times.iter().map(|&t| parts(t).1).fold(0, i32::min);
+        let one = Fixed::new(1, unit.unsigned_abs());
+        let ends = times.map(|t| Fixed::of(t, unit)).map(|t| [one - t, t]);
+        Self { ends }
+    }
+
+    /// The first time.
+    pub fn begin(&self) -> Dyadic<N> {
+        self.ends[0]
+    }
+
+    /// Whether it is one time alone.
+    fn is_moment(&self) -> bool {
+        let [begin, end] = self.ends;
+        (begin[1] - end[1]).sign() == 0
+    }
+
+    /// A form over the window alone; `None` if a number does not fit.
+    pub fn part(&self, form: &Form<N>) -> Option<Form<N>> {
+        let [begin, end] = self.ends;
+        let is_step = begin[1].sign() == 0 && end[0].sign() == 0;
+        if is_step { form.checked() } else { form.over(begin, end).checked() }
+    }
+
+    /// A time, rounded down and up.
+    fn rounded([u, v]: &Dyadic<N>) -> Option<[f64; 2]> {
+        let one = *u + *v;
+        if !(one.is_exact() && v.is_exact()) {
             return None;
         }
-        let below_one = ((*u + *v).bits() - 1 + self.unit) as i32;
-        if time.sign() == 0 {
+        if v.sign() == 0 {
             return Some([0.0; 2]);
         }
-        let (mantissa, more, exponent) = time.leading();
-        let exponent = exponent as i32 - below_one;
+        let (mantissa, more, exponent) = v.leading();
+        let exponent = exponent as i32 - (one.bits() - 1) as i32;
         // Of a denormal, fewer bits.
         let dropped = (LEAST - exponent).clamp(0, 63) as u32;
         let (kept, more) = (mantissa >> dropped, more || mantissa & ((1 << dropped) - 1) != 0);
@@ -301,16 +315,12 @@ impl<const N: usize> Window<N> {
         };
         Some([value, if more { value.next_up() } else { value }])
     }
+}
 
-    /// Where a time of the step is in the window: `u` and `v`, up to a positive factor.
-    fn position(&self, time: f64) -> Option<[Fixed<N>; 2]> {
-        let [from, span] = self.times;
-        let unit = parts(time).1.min(-(self.unit as i32));
-        let finer = (-unit) as u32 - self.unit;
-        let (time, from) = (Fixed::of(time, unit), from.shifted(finer));
-        let (u, v) = (from + span.shifted(finer) - time, time - from);
-        (u.is_exact() && v.is_exact()).then_some([u, v])
-    }
+/// A time of `[0, 1]` as a dyadic one.
+fn dyadic<const N: usize>(time: f64) -> Option<Dyadic<N>> {
+    let time @ [u, v] = Window::new([time; 2]).begin();
+    (u.is_exact() && v.is_exact()).then_some(time)
 }
 
 /// The power of two of the last bit of a denormal.
