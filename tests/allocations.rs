@@ -123,18 +123,21 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
     if is_small || scheduling.front != Front::Off {
         return;
     }
-    let sheet = crumpled_sheet(90, 1);
-    let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
-    let side = x.len().isqrt();
-    // A bowl, of which nothing touches anything.
-    let at = |v: usize| {
-        let (i, j) = ((v % side) as f64, (v / side) as f64);
-        [i + 0.01 * j, 0.01 * (i * i + j * j), j]
-    };
-    let bowl: Vec<[f64; 3]> = (0..x.len()).map(at).collect();
-    for threads in [1, 2] {
+    // One, or many of which each needs room to begin with a block of its own.
+    for (side, copies, threads) in [(90, 1, 1), (90, 1, 2), (4, 500, 1)] {
+        let mut sheet = crumpled_sheet(side, 1);
+        // A bowl, of which nothing touches anything.
+        let at = |v: usize| {
+            let (i, j) = ((v % side) as f64, (v / side) as f64);
+            [i + 0.01 * j, 0.01 * (i * i + j * j), j]
+        };
+        sheet.x0 = (0..sheet.x0.len()).map(at).collect();
+        let (ccd::scenes::Step { mesh, x0: bowl, .. }, bodies) =
+            ccd::scenes::copies(&sheet, copies);
+        let mesh = std::sync::Arc::new(mesh);
         let options = Options::default()
             .with_threads(threads)
+            .with_bodies((copies > 1).then_some(bodies))
             .with_broad_phase(method)
             .with_pipeline(pipeline)
             .with_scheduling(scheduling);
