@@ -132,7 +132,8 @@ impl LeafBoxes {
     /// Whether there is a box in this leaf.
     pub fn has_box(&self, leaf: usize) -> bool {
         let Self { len, has_gaps, order, .. } = self;
-        leaf < *len && !(*has_gaps && leaf % WIDTH > 0 && order[leaf] == order[leaf - 1])
+        let repeats = || !leaf.is_multiple_of(WIDTH) && order[leaf] == order[leaf - 1];
+        leaf < *len && !(*has_gaps && repeats())
     }
 
     /// The boxes; lanes without one hold the empty one.

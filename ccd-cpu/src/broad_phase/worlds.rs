@@ -220,7 +220,7 @@ mod tests {
             let mut want = Vec::new();
             for ids in order.chunk_by(|&a, &b| of[a as usize] == of[b as usize]) {
                 want.extend(ids);
-                while fills && want.len() % WIDTH > 0 {
+                while fills && !want.len().is_multiple_of(WIDTH) {
                     want.push(ids[ids.len() - 1]);
                 }
             }
