@@ -1,48 +1,71 @@
-//! Many copies of a cloth in one place, a world each: what they cost beside one. On the CPU, and on
-//! a GPU where there is one; `cargo run --release --example worlds [copies] [side of a cloth]`.
+//! Many copies of a cloth in one place, a world each: one call for all beside a call for each, of
+//! sessions of its own. On the CPU, and on a GPU where there is one;
+//! `cargo run --release --example worlds [copies] [side of a cloth]`.
 #![deny(unsafe_code)]
 
-use ccd::any::{Backend, Session};
+use ccd::any::{Backend, Error, Session};
 use ccd::scenes::{Step, copies, crumpled_sheet};
 use ccd::{Bodies, Options};
 use std::time::Instant;
 
+/// Rounds of all calls in turn; the first two do not count.
+const ROUNDS: usize = 15;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut numbers = std::env::args().skip(1).map(|n| n.parse::<usize>());
-    let n = numbers.next().unwrap_or(Ok(512))?;
-    let side = numbers.next().unwrap_or(Ok(32))?;
+    let n = numbers.next().unwrap_or(Ok(256))?;
+    let side = numbers.next().unwrap_or(Ok(12))?;
     let sheet = crumpled_sheet(side, 5);
     let (all, bodies) = copies(&sheet, n);
-    println!("a cloth of {} edges, {n} worlds", sheet.mesh.edges().len());
+    println!("{n} worlds, each a cloth of {} edges", sheet.mesh.edges().len());
     for backend in [Backend::Cpu, Backend::Gpu] {
-        let of_one = best(backend, &sheet, None, 200);
-        let of_all = best(backend, &all, Some(bodies.clone()), 7);
-        match (of_one, of_all) {
-            (Ok((one, n_one, place)), Ok((all, n_all, _))) => println!(
-                "{place}: one {one:.3} ms, all {all:.3} ms, ratio {:.1}; contacts {n_one}, {n_all}",
-                all / one
-            ),
-            (Err(why), _) | (_, Err(why)) => println!("{why}"),
+        if let Err(why) = compare(backend, &sheet, &all, bodies.clone()) {
+            println!("{why}");
         }
     }
     Ok(())
 }
 
-/// The least milliseconds of a step, contacts, and where it ran.
-fn best(
-    backend: Backend,
-    step: &Step,
-    bodies: Option<Bodies>,
-    steps: usize,
-) -> Result<(f64, usize, String), ccd::any::Error> {
-    let choice = backend.choose(step.mesh.edges().len())?;
-    let options = Options::default().with_bodies(bodies);
-    let mut session = Session::new(&choice, step.mesh.clone(), options)?;
-    let (mut least, mut n_contacts) = (f64::INFINITY, 0);
-    for _ in 0..steps {
-        let start = Instant::now();
-        n_contacts = session.step(&step.x0, &step.x1)?.contacts.len();
-        least = least.min(start.elapsed().as_secs_f64() * 1e3);
+/// Prints the medians of one call for all worlds and of a call for each, by sessions of the
+/// backend's default number of threads.
+fn compare(backend: Backend, one: &Step, all: &Step, bodies: Bodies) -> Result<(), Error> {
+    let choice = backend.choose(one.mesh.edges().len())?;
+    let of_all = Options::default().with_bodies(bodies);
+    let mut together = Session::new(&choice, all.mesh.clone(), of_all)?;
+    let mesh = std::sync::Arc::new(one.mesh.clone());
+    let n = mesh.n_vertices();
+    let open = |_| Session::new(&choice, mesh.clone(), Options::default());
+    let mut apart = (0..all.x0.len() / n).map(open).collect::<Result<Vec<_>, _>>()?;
+    println!("{}", together.place());
+    // Milliseconds by call (step, earliest time), each all at once and one after the other.
+    let mut times = [(); 4].map(|()| Vec::new());
+    let mut contacts = [0; 2];
+    for _ in 0..ROUNDS {
+        let mut start = Instant::now();
+        let mut lap = |k: usize| {
+            times[k].push(start.elapsed().as_secs_f64() * 1e3);
+            start = Instant::now();
+        };
+        contacts = [together.step(&all.x0, &all.x1)?.contacts.len(), 0];
+        lap(0);
+        for (session, (x0, x1)) in apart.iter_mut().zip(all.x0.chunks(n).zip(all.x1.chunks(n))) {
+            contacts[1] += session.step(x0, x1)?.contacts.len();
+        }
+        lap(1);
+        together.earliest_toi(&all.x0, &all.x1)?;
+        lap(2);
+        for (session, (x0, x1)) in apart.iter_mut().zip(all.x0.chunks(n).zip(all.x1.chunks(n))) {
+            session.earliest_toi(x0, x1)?;
+        }
+        lap(3);
     }
-    Ok((least, n_contacts, session.place().to_string()))
+    let [a, b, c, d] = times.map(|mut ms| {
+        ms.drain(..2);
+        ms.sort_by(f64::total_cmp);
+        ms[ms.len() / 2]
+    });
+    assert_eq!(contacts[0], contacts[1]);
+    println!("  all contacts: at once {a:.2} ms, one by one {b:.2} ms, ratio {:.2}", a / b);
+    println!("  earliest time: at once {c:.2} ms, one by one {d:.2} ms, ratio {:.2}", c / d);
+    Ok(())
 }

@@ -123,18 +123,23 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
     if is_small || scheduling.front != Front::Off {
         return;
     }
-    let sheet = crumpled_sheet(90, 1);
-    let (mesh, x) = (std::sync::Arc::new(sheet.mesh), sheet.x0);
-    let side = x.len().isqrt();
-    // A bowl, of which nothing touches anything.
-    let at = |v: usize| {
-        let (i, j) = ((v % side) as f64, (v / side) as f64);
-        [i + 0.01 * j, 0.01 * (i * i + j * j), j]
-    };
-    let bowl: Vec<[f64; 3]> = (0..x.len()).map(at).collect();
-    for threads in [1, 2] {
+    // One, and for blocks also many worlds, of which each begins with a block of its own.
+    let n_sheets = if method == BroadPhaseMethod::Blocks { 3 } else { 2 };
+    for (side, copies, threads) in [(90, 1, 1), (90, 1, 2), (4, 500, 1)].into_iter().take(n_sheets)
+    {
+        let mut sheet = crumpled_sheet(side, 1);
+        // A bowl, of which nothing touches anything.
+        let at = |v: usize| {
+            let (i, j) = ((v % side) as f64, (v / side) as f64);
+            [i + 0.01 * j, 0.01 * (i * i + j * j), j]
+        };
+        sheet.x0 = (0..sheet.x0.len()).map(at).collect();
+        let (ccd::scenes::Step { mesh, x0: bowl, .. }, bodies) =
+            ccd::scenes::copies(&sheet, copies);
+        let mesh = std::sync::Arc::new(mesh);
         let options = Options::default()
             .with_threads(threads)
+            .with_bodies((copies > 1).then_some(bodies))
             .with_broad_phase(method)
             .with_pipeline(pipeline)
             .with_scheduling(scheduling);
@@ -143,13 +148,14 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
             panic!("no memory was enough");
         };
         let before = LIVE.load(Ordering::Relaxed);
-        let mut session = Session::new(mesh.clone(), options.clone()).unwrap();
+        let mut session = Session::new(mesh.clone(), options).unwrap();
         let gathered = Strided::<f64>::of(&bowl);
         for _ in 0..3 {
             assert!(session.step(&gathered, &bowl).unwrap().contacts.is_empty());
         }
         let held = (LIVE.load(Ordering::Relaxed) - before) as u64;
-        assert!(held <= bytes && 4 * held > bytes, "{held} bytes, not {bytes}: {options:?}");
+        let what = format!("{method}, {pipeline:?}, {scheduling}, {copies} of {side}");
+        assert!(held <= bytes && 4 * held > bytes, "{held} bytes, not {bytes}: {what}");
     }
 }
 

@@ -107,12 +107,12 @@ impl Threads {
 
     /// Runs `f` for parts of `out` that begin at the given index.
     pub fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
-        /// Elements a task: small enough to balance, large enough to amortise.
-        const CHUNK: usize = 2048;
+        // Elements a task, some 64 KiB: small enough to balance, large enough to amortise.
+        let n = if size_of::<T>() > 64 { 256 } else { 2048 };
         if self.count == 1 {
-            out.chunks_mut(CHUNK).enumerate().for_each(|(k, part)| f(k * CHUNK, part));
+            out.chunks_mut(n).enumerate().for_each(|(k, part)| f(k * n, part));
         } else {
-            out.par_chunks_mut(CHUNK).enumerate().for_each(|(k, part)| f(k * CHUNK, part));
+            out.par_chunks_mut(n).enumerate().for_each(|(k, part)| f(k * n, part));
         }
     }
 

@@ -7,6 +7,7 @@ use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::Tasks;
+use crate::broad_phase::worlds::fill_blocks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -58,6 +59,9 @@ impl Order for BlockSource {
         }
         // What is fixed comes last, so that whole blocks are.
         self.morton.sort(threads, boxes, marks, order);
+        if let Some(world) = marks.world {
+            fill_blocks(order, world);
+        }
         self.trees[set.index].begin(order, marks);
     }
 

@@ -51,8 +51,9 @@ pub trait Order: Debug + Send + Sync {
     }
 
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
-    /// A box may have several leaves, of which no two are ever emitted with each other, if the
-    /// order does not outlast motion.
+    /// In an order that outlasts motion, a box that is repeated in a block is there once, and the
+    /// rest of the block is empty. In another it may have several leaves, of which no two are ever
+    /// emitted with each other.
     fn sort(
         &mut self,
         threads: &Threads,
@@ -79,7 +80,11 @@ pub trait Order: Debug + Send + Sync {
 #[derive(Debug)]
 pub struct LeafBoxes {
     set: Set,
+    n_boxes: usize,
+    /// Lanes up to the last box.
     len: usize,
+    /// Whether lanes before the last box are empty: those that repeat the id before.
+    has_gaps: bool,
     /// From leaf to id; the last id is repeated up to a whole block.
     order: Vec<u32>,
     blocks: Vec<Block>,
@@ -92,7 +97,16 @@ pub struct LeafBoxes {
 impl LeafBoxes {
     /// No boxes yet.
     pub fn new(set: Set) -> Self {
-        Self { set, len: 0, order: Vec::new(), blocks: Vec::new(), n_still: 0, n_changed: 0 }
+        Self {
+            set,
+            n_boxes: 0,
+            len: 0,
+            has_gaps: false,
+            order: Vec::new(),
+            blocks: Vec::new(),
+            n_still: 0,
+            n_changed: 0,
+        }
     }
 
     /// Which set this is.
@@ -100,7 +114,7 @@ impl LeafBoxes {
         self.set
     }
 
-    /// Number of boxes.
+    /// Number of leaves, up to that of the last box.
     pub fn len(&self) -> usize {
         self.len
     }
@@ -115,7 +129,14 @@ impl LeafBoxes {
         &self.order[..self.len]
     }
 
-    /// The boxes; lanes past the last hold the empty one.
+    /// Whether there is a box in this leaf.
+    pub fn has_box(&self, leaf: usize) -> bool {
+        let Self { len, has_gaps, order, .. } = self;
+        let repeats = || !leaf.is_multiple_of(WIDTH) && order[leaf] == order[leaf - 1];
+        leaf < *len && !(*has_gaps && repeats())
+    }
+
+    /// The boxes; lanes without one hold the empty one.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
@@ -141,7 +162,7 @@ impl LeafBoxes {
         get_lane(&self.blocks[leaf / WIDTH], leaf % WIDTH)
     }
 
-    /// The ids of block `b`; lanes past the end repeat the last id.
+    /// The ids of block `b`; lanes without a box repeat the id before.
     #[inline(always)]
     pub fn ids(&self, b: usize) -> &[u32; WIDTH] {
         debug_assert!(b < self.blocks.len());
@@ -158,7 +179,8 @@ impl LeafBoxes {
     ) {
         self.order.truncate(self.len);
         source.sort(threads, self.set, boxes, &marks, &mut self.order);
-        self.len = self.order.len();
+        (self.n_boxes, self.len) = (boxes.len(), self.order.len());
+        self.has_gaps = source.outlasts_motion() && self.len > self.n_boxes;
         self.n_still = match marks.fixed {
             // A source may give a box several leaves; each of them stands still.
             Some(fixed) => self.order.iter().rev().take_while(|&&id| fixed(id as usize)).count(),
@@ -205,7 +227,7 @@ impl LeafBoxes {
         boxes: &[Aabb<f32>],
         still: bool,
     ) -> f64 {
-        assert_eq!(boxes.len(), self.len(), "refit with another number of boxes");
+        assert_eq!(boxes.len(), self.n_boxes, "refit with another number of boxes");
         self.place(threads, boxes, still);
         source.fit(threads, self)
     }
@@ -213,10 +235,13 @@ impl LeafBoxes {
     fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
         let n = self.len.div_ceil(WIDTH);
         self.n_changed = if still { self.n_moving() } else { n };
-        let Self { len, order, blocks, n_changed, .. } = self;
+        let Self { len, has_gaps, order, blocks, n_changed, .. } = self;
         blocks.resize(n, EMPTY);
         threads.fill(&mut blocks[..*n_changed], |i| {
             let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
+            // A box that is repeated is the last of its block.
+            let gap = ids.windows(2).position(|pair| *has_gaps && pair[0] == pair[1]);
+            let ids = gap.map_or(ids, |last| &ids[..=last]);
             block_of(ids.iter().map(|&id| boxes[id as usize]))
         });
     }

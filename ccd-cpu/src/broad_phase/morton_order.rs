@@ -12,7 +12,7 @@ use ccd_core::math::morton::MortonGrid;
 /// Bits per axis of the codes.
 const BITS: u32 = 21;
 /// Boxes that a task merges.
-const CHUNK: usize = 256;
+const CHUNK: usize = 2048;
 
 /// Sorts boxes along the Morton curve; buffers are kept.
 #[derive(Debug, Default)]
@@ -27,8 +27,8 @@ impl MortonOrder {
     /// The grid over the boxes.
     pub fn grid(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
-        threads.fill(&mut self.chunks, |i| {
-            (0..CHUNK / morton_key::CHUNK).fold(Aabb::EMPTY, |all, k| {
+        threads.each(&mut self.chunks, &|i, chunk| {
+            *chunk = (0..CHUNK / morton_key::CHUNK).fold(Aabb::EMPTY, |all, k| {
                 all.union(&morton_key::scene_bounds(
                     i * CHUNK + k * morton_key::CHUNK,
                     1,

@@ -15,6 +15,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks wanted: enough that the largest is a small part of the whole.
 pub const MIN_TASKS: usize = 1024;
+/// A worker takes one of so many parts of its share of the tasks that are left, and at most so many
+/// tasks.
+const SHARES: usize = 32;
+const MAX_TAKEN: usize = 64;
 
 /// The tasks of a traversal and the stack of each worker, kept between calls.
 #[derive(Debug, Default)]
@@ -61,6 +65,9 @@ impl Tasks {
 
 /// Has workers take the tasks `0`, `part`, `2 part` .. below `n` from a shared counter, until the
 /// call is to end; `run` does one, with what the worker gathers and what it needs for itself.
+///
+/// A worker takes several tasks that follow each other, because these mostly read the same boxes:
+/// the fewer the fewer are left.
 pub fn share<K: PairSink, X: Send>(
     threads: &Threads,
     n: usize,
@@ -70,17 +77,24 @@ pub fn share<K: PairSink, X: Send>(
     scratch: &mut [X],
     run: &(dyn Fn(usize, &mut K::Worker, &mut X) + Sync),
 ) {
-    let counter = AtomicUsize::new(0);
+    let (counter, n_workers) = (AtomicUsize::new(0), workers.len());
+    let n = n.div_ceil(part);
+    let end_of = |first: usize| first + ((n - first) / (SHARES * n_workers)).clamp(1, MAX_TAKEN);
+    let take = || {
+        let next = |first: usize| (first < n).then(|| end_of(first));
+        counter.fetch_update(Ordering::Relaxed, Ordering::Relaxed, next)
+    };
     threads.each_with(workers, scratch, &|worker, scratch| {
-        loop {
-            let k = counter.fetch_add(part, Ordering::Relaxed);
-            if k >= n || threads.stop.is_stopped() {
-                sink.end(worker);
-                break;
+        while let Ok(first) = take() {
+            for k in (first..end_of(first)).map(|k| k * part) {
+                if threads.stop.is_stopped() {
+                    return sink.end(worker);
+                }
+                sink.begin(worker, k);
+                run(k, worker, scratch);
             }
-            sink.begin(worker, k);
-            run(k, worker, scratch);
         }
+        sink.end(worker);
     });
 }
 

@@ -2,12 +2,16 @@
 //! separated.
 //!
 //! ```text
-//!   blocks of a level:  [0 0 0 0]  [0 0 1 1]  [1 1 1 1]  [1 1 2 2]
-//!   one world:              0        MANY         1        MANY
+//!   leaves:             [0 0 0 0]  [0 0 - -]  [1 1 1 1]  [1 1 1 -]   -: no box
+//!   one world:              0          0          1          1
+//!   the block above:    [    0          0          1          1    ]
+//!   one world:                             MANY
 //! ```
 //!
-//! Boxes are sorted by world first, so most blocks have boxes of one world, which a word says: two
-//! of them meet whole or not at all. Ranges by lane are read where a block has several.
+//! Boxes are sorted by world first, and each world begins with a block of its own: a block of two
+//! worlds would reach over most of both and meet all blocks of either. So most blocks have boxes of
+//! one world, which a word says: two of them meet whole or not at all. Ranges by lane are read
+//! where a block has several.
 
 use crate::simd::WIDTH;
 
@@ -26,6 +30,30 @@ struct Level {
     /// Per block: its world, or [`MANY`].
     one: Vec<u32>,
     lanes: Vec<Lanes>,
+}
+
+/// Repeats the last box of each world up to a whole block, unless that takes more than half as much
+/// room again: then worlds are so small that blocks hold several.
+pub fn fill_blocks(order: &mut Vec<u32>, world: &dyn Fn(usize) -> u32) {
+    let world = |id: u32| world(id as usize);
+    let n = order.len();
+    let worlds = order.chunk_by(|&a, &b| world(a) == world(b));
+    let filled: usize = worlds.map(|ids| ids.len().next_multiple_of(WIDTH)).sum();
+    if filled > n + n / 2 {
+        return;
+    }
+    order.resize(filled, 0);
+    // From the back, so that no id is written over that is yet to be moved.
+    let (mut from, mut to) = (n, filled);
+    while from > 0 {
+        let last = order[from - 1];
+        let before = order[..from].iter().rposition(|&id| world(id) != world(last));
+        let first = before.map_or(0, |i| i + 1);
+        let begin = to - (from - first).next_multiple_of(WIDTH);
+        order.copy_within(first..from, begin);
+        order[begin + from - first..to].fill(last);
+        (from, to) = (first, begin);
+    }
 }
 
 /// The worlds of what is in each lane of a block: none where the first is above the last.
@@ -171,6 +199,33 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn each_world_begins_with_a_block_of_its_own() {
+        for (sizes, fills) in [
+            (&[1, 9, 8, 16, 7, 23][..], true),
+            (&[8, 8], true),
+            (&[5], false),
+            (&[6], true),
+            (&[1, 2, 1, 2, 3], false),
+            (&[], true),
+        ] {
+            let of: Vec<u32> =
+                (0..).zip(sizes).flat_map(|(world, &size)| vec![world; size]).collect();
+            // Any order within a world.
+            let mut order: Vec<u32> = (0..of.len() as u32).collect();
+            order.chunk_by_mut(|&a, &b| of[a as usize] == of[b as usize]).for_each(<[_]>::reverse);
+            let mut want = Vec::new();
+            for ids in order.chunk_by(|&a, &b| of[a as usize] == of[b as usize]) {
+                want.extend(ids);
+                while fills && !want.len().is_multiple_of(WIDTH) {
+                    want.push(ids[ids.len() - 1]);
+                }
+            }
+            fill_blocks(&mut order, &|i| of[i]);
+            assert_eq!(order, want, "{sizes:?}");
         }
     }
 

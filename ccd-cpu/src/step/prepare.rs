@@ -227,7 +227,7 @@ impl Prepared {
             changed.iter().for_each(|&(i, scan)| scans[i] = scan);
         } else {
             scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
-            threads.fill(scans, scan);
+            threads.each(scans, &|i, slot| *slot = scan(i));
         }
         let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
         all.check(x.x0, x.x1)?;

@@ -302,7 +302,7 @@ impl<'a, const N: usize> Side<'a, N> for TriangleSide<'a, N> {
     }
 }
 
-/// The features of block `i`; lanes past the end repeat the last triangle and represent nothing.
+/// The features of block `i`; lanes without a box represent nothing.
 fn block(triangles: &Triangles, repeats: bool, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
     let mut block = TriangleBlock { ids: *boxes.ids(i), ..TriangleBlock::NONE };
     for (j, t) in block.ids.into_iter().enumerate() {
@@ -311,7 +311,7 @@ fn block(triangles: &Triangles, repeats: bool, boxes: &LeafBoxes, i: usize) -> T
             block.corners[k][j] = corners[k];
             block.sides[k][j] = sides[k];
         }
-        if i * WIDTH + j < boxes.len() {
+        if boxes.has_box(i * WIDTH + j) {
             let represents = triangles.represents(t) as u32;
             let tests = if repeats { triangles.has(t) as u32 } else { represents };
             for k in 0..6 {
