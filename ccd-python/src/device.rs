@@ -33,8 +33,7 @@ pub fn choose(py: Python<'_>, device: Option<&str>, size: usize) -> PyResult<Cho
 
 #[cfg(feature = "gpu")]
 fn named(name: &str) -> Result<Choice, ccd::any::Error> {
-    let mut options = ccd::gpu::DeviceOptions::default();
-    options.adapter = Some(name.to_owned());
+    let options = ccd::gpu::DeviceOptions { adapter: Some(name.to_owned()), ..Default::default() };
     Backend::Gpu.choose_with(0, &options)
 }
 

@@ -134,7 +134,7 @@ def test_methods_are_listed():
     names = {row["name"] for row in all_methods if row["what"] == "method"}
     assert {"blocks", "tree", "brute-force", "sweep-and-prune"} <= names
     mesh, _, x0, x1 = pieces(40)
-    want = Session(mesh).step(x0, x1)
+    want, n_refused = Session(mesh).step(x0, x1), 0
     for row in all_methods:
         if "cpu" in row["backends"]:
             options = Options(**{"method": "tree", row["what"]: row["name"]})
@@ -142,7 +142,9 @@ def test_methods_are_listed():
                 assert same(Session(mesh, options).step(x0, x1), want), row
             except ValueError as why:
                 # Some need another choice besides, and say it.
-                assert str(why), row
+                assert "must be one of" not in str(why), row
+                n_refused += 1
+    assert n_refused < len(all_methods) / 2
     low = np.random.default_rng(2).random((300, 3))
     boxes = np.stack([low, low + 0.1], axis=1)
     pairs = BroadPhase(threads=1).self_pairs(boxes)
