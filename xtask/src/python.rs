@@ -30,7 +30,7 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     for words in [
         &["-m", "pytest", "--quiet", "-p", "no:cacheprovider"][..],
         &["-m", "mypy.stubtest", "meshccd"],
-        &["-m", "mypy", "--strict", EXAMPLE],
+        &["-m", "mypy", "--check-untyped-defs", EXAMPLE],
         &[EXAMPLE],
     ] {
         command_with(&folder, &[&[python][..], words].concat(), &env)?;
