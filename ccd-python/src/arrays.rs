@@ -22,7 +22,7 @@ impl<'py, const N: usize> Floats<'py, N> {
     pub fn new(given: [(&str, &Bound<'py, PyAny>); N], last: &[usize]) -> PyResult<Self> {
         let mut arrays = Vec::with_capacity(N);
         for (name, any) in given {
-            let array = as_array(any)?;
+            let array = as_array(name, any)?;
             if !array.shape().ends_with(last) {
                 return Err(wrong_shape(name, "..", last, array.shape()));
             }
@@ -58,7 +58,7 @@ pub fn numbers<'a, T: Element>(array: &'a PyReadonlyArrayDyn<'_, T>) -> PyResult
 
 /// Rows of `N` indices.
 pub fn ids<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; N]>> {
-    let array = as_array(given)?;
+    let array = as_array(name, given)?;
     if array.len() == 0 {
         return Ok(Vec::new());
     }
@@ -70,7 +70,7 @@ pub fn ids<const N: usize>(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec
 
 /// Indices in one row.
 pub fn flat_ids(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
-    let array = as_array(given)?;
+    let array = as_array(name, given)?;
     if array.ndim() != 1 {
         return Err(wrong_shape(name, "n", &[], array.shape()));
     }
@@ -94,12 +94,20 @@ fn is_single(array: &Bound<'_, PyUntypedArray>) -> bool {
     dtype.kind() == b'f' && dtype.itemsize() == 4
 }
 
-/// As NumPy sees it: an array as it is, a list as a new one.
-fn as_array<'py>(given: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+/// As NumPy sees it: an array as it is, one of another library by DLPack and without a copy, a list
+/// as a new one.
+fn as_array<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = given.cast::<PyUntypedArray>() {
         return Ok(array.clone());
     }
-    let array = given.py().import("numpy")?.call_method1("asarray", (given,))?;
+    let numpy = given.py().import("numpy")?;
+    let array = if given.hasattr("__dlpack__")? {
+        numpy
+            .call_method1("from_dlpack", (given,))
+            .map_err(|why| refused(format!("{name} cannot be read by DLPack: {why}")))?
+    } else {
+        numpy.call_method1("asarray", (given,))?
+    };
     Ok(array.cast_into()?)
 }
 

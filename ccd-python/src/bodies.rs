@@ -3,8 +3,9 @@
 use crate::arrays::{flat_ids, ids};
 use crate::errors::refused;
 use ccd::{Groups, Kind};
+use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyType};
 
 /// Bodies of a mesh and the rules of their pairs. An array with an entry for each body has that of
 /// body i at place i; what is missing there is as by default.
@@ -40,8 +41,6 @@ use pyo3::types::{PyDict, PyTuple};
 #[pyclass(frozen, module = "meshccd")]
 pub struct Bodies {
     pub inner: ccd::Bodies,
-    of_vertex: Py<PyAny>,
-    rules: Py<PyDict>,
 }
 
 /// One value for all, or one for each body.
@@ -62,14 +61,58 @@ impl Bodies {
         let py = of_vertex.py();
         let rules = rules.map_or_else(|| Ok(PyDict::new(py)), |rules| rules.copy())?;
         let names = flat_ids("of_vertex", of_vertex)?;
-        let inner = with_rules(ccd::Bodies::new(&names), &names, &rules)?;
-        Ok(Self { inner, of_vertex: of_vertex.clone().unbind(), rules: rules.unbind() })
+        Ok(Self { inner: with_rules(ccd::Bodies::new(&names), &names, &rules)? })
     }
 
-    /// The body of each vertex, and the rules by their names.
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let given = PyTuple::new(py, [self.of_vertex.bind(py)])?;
-        PyTuple::new(py, [given.as_any(), self.rules.bind(py).as_any()])
+    /// The body of each vertex: a new array of shape (n_vertices,), uint32.
+    #[getter]
+    fn of_vertex<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        PyArray1::from_slice(py, self.inner.body_of_vertex())
+    }
+
+    /// Whether pairs of features of the bodies of these two vertices are looked at.
+    fn wants(&self, v: u32, w: u32) -> PyResult<bool> {
+        Ok(self.inner.wants(self.vertex(v)?, self.vertex(w)?))
+    }
+
+    /// Whether a pair of features is excluded, by its `Kind` and the ids of both.
+    fn excludes(&self, kind: u8, a: u32, b: u32) -> PyResult<bool> {
+        Ok(self.inner.excludes(kind_of(kind)?, a, b))
+    }
+
+    /// Whether the body of a vertex is fixed.
+    fn is_fixed(&self, v: u32) -> PyResult<bool> {
+        Ok(self.inner.is_fixed(self.vertex(v)?))
+    }
+
+    /// The world of a vertex.
+    fn world(&self, v: u32) -> PyResult<u32> {
+        Ok(self.inner.world(self.vertex(v)?))
+    }
+
+    /// Whether bodies that are fixed or asleep may be moved by the caller.
+    #[getter]
+    fn fixed_motion(&self) -> bool {
+        self.inner.fixed_may_move()
+    }
+
+    /// The body of each vertex and all rules as text that `from_json` reads.
+    fn to_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner).map_err(refused)
+    }
+
+    /// Bodies from the text of `to_json`.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        Ok(Self { inner: serde_json::from_str(text).map_err(refused)? })
+    }
+
+    fn __reduce__<'py>(of: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        Ok((PyType::new::<Self>(of.py()).getattr("from_json")?, (of.get().to_json()?,)))
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().inner == self.inner)
     }
 
     fn __repr__(&self) -> String {
@@ -79,6 +122,20 @@ impl Bodies {
         all.dedup();
         format!("<Bodies: {} of {} vertices>", all.len(), names.len())
     }
+}
+
+impl Bodies {
+    /// A vertex that is there.
+    fn vertex(&self, v: u32) -> PyResult<u32> {
+        let n = self.inner.body_of_vertex().len();
+        if (v as usize) < n { Ok(v) } else { Err(refused(format!("vertex {v} of {n}"))) }
+    }
+}
+
+/// The kind of a number.
+pub fn kind_of(kind: u8) -> PyResult<Kind> {
+    let of_number = Kind::ALL.get(usize::from(kind)).copied();
+    of_number.ok_or_else(|| refused(format!("kind is {kind}; it must be 0, 1, 2 or 3, see Kind")))
 }
 
 fn with_rules(

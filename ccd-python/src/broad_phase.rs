@@ -1,14 +1,17 @@
 //! Boxes in, overlapping pairs out.
 
 use crate::arrays::{Floats, numbers, pair_array};
+use crate::device;
 use crate::errors::{failed, lock, refused};
-use crate::options::by_name;
-use crate::session::backend;
+use crate::options::{self, NAMES_OF_METHODS};
+use crate::process::{MadeBy, threads_here};
 use ccd::Aabb;
-use ccd::any::{self, Backend};
-use ccd::method::BroadPhaseMethod;
+use ccd::any;
+use ccd::method::{BroadPhaseMethod, Scheduling, TreeStatistics};
 use numpy::PyArray2;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
 use std::sync::Mutex;
 
 /// Finds overlapping boxes; keeps its buffers between calls. Overlap is closed: boxes that touch
@@ -21,12 +24,10 @@ use std::sync::Mutex;
 /// ----------
 /// threads : int
 ///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
-/// method : str
-///     "blocks", "tree", "sweep-and-prune", "uniform-grid" or "brute-force"; on a CPU also
-///     "sweep-in-strips" and "sweep-and-tiniest-queue", on a GPU "sweep-by-end-points"; all find
-///     the same pairs.
 /// device : str, optional
-///     None or "cpu"; "gpu", an error if there is none. Boxes on a GPU are float32.
+///     None or "cpu"; "gpu" or "gpu:NAME" as for a Session. Boxes on a GPU are float32.
+/// method, builder, traversal, volume, scheduler, front : str, optional
+///     How pairs are found, by the names that `methods()` returns; all find the same pairs.
 ///
 /// Raises
 /// ------
@@ -37,6 +38,7 @@ use std::sync::Mutex;
 #[pyclass(frozen, module = "meshccd")]
 pub struct BroadPhase {
     inner: Mutex<On>,
+    made_by: MadeBy,
 }
 
 /// On the CPU, with boxes of either precision, or on a GPU.
@@ -48,24 +50,101 @@ enum On {
 #[pymethods]
 impl BroadPhase {
     #[new]
-    #[pyo3(signature = (*, threads=0, method="blocks", device=None))]
-    fn new(py: Python<'_>, threads: usize, method: &str, device: Option<&str>) -> PyResult<Self> {
-        let method: BroadPhaseMethod = by_name("method", method)?;
-        let on = match backend(device)? {
-            Backend::Cpu => {
-                let inner = ccd::BroadPhase::new(threads, method).map_err(refused)?;
-                On::Cpu(Box::new(inner))
+    #[pyo3(signature = (*, threads=0, device=None, **given))]
+    #[pyo3(text_signature = "(*, threads=0, device=None, method=None, builder=None, \
+        traversal=None, volume=None, scheduler=None, front=None)")]
+    fn new(
+        py: Python<'_>,
+        threads: usize,
+        device: Option<&str>,
+        given: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        for (name, _) in given.iter() {
+            let name: String = name.extract()?;
+            if !NAMES_OF_METHODS.contains(&&name[..]) {
+                let why = format!("BroadPhase() got an unexpected keyword argument '{name}'");
+                return Err(PyTypeError::new_err(why));
             }
-            Backend::Gpu => {
+        }
+        let (method, scheduling) =
+            options::method(BroadPhaseMethod::default(), Scheduling::default(), &given)?;
+        let threads = threads_here(threads);
+        let on = match device {
+            None | Some("cpu") => {
+                let inner = ccd::BroadPhase::scheduled(threads, method, scheduling);
+                On::Cpu(Box::new(inner.map_err(refused)?))
+            }
+            Some("auto") => {
+                return Err(refused(
+                    "a broad phase has to be told its device, \"cpu\", \"gpu\" or \"gpu:NAME\"",
+                ));
+            }
+            device => {
+                let choice = device::choose(py, device, 0)?;
                 let inner =
-                    py.detach(|| any::BroadPhase::new(&Backend::Gpu.choose(0)?, threads, method));
+                    py.detach(|| any::BroadPhase::scheduled(&choice, threads, method, scheduling));
                 On::Gpu(Box::new(inner.map_err(failed)?))
             }
-            _ => {
-                return Err(refused("a broad phase has to be told its device, \"cpu\" or \"gpu\""));
-            }
         };
-        Ok(Self { inner: Mutex::new(on) })
+        Ok(Self { inner: Mutex::new(on), made_by: MadeBy::this() })
+    }
+
+    /// Where it runs: "2 threads", or the name of the GPU.
+    #[getter]
+    fn place(&self, py: Python<'_>) -> PyResult<String> {
+        self.with(py, |on| {
+            Ok(match on {
+                On::Cpu(on) => any::Place::Cpu { threads: on.threads() }.to_string(),
+                On::Gpu(on) => on.place().to_string(),
+            })
+        })
+    }
+
+    /// Where the time of the last call went, in milliseconds: "build" and "search". None on a GPU.
+    #[getter]
+    fn times<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let times = self.with(py, |on| {
+            Ok(match on {
+                On::Cpu(on) => Some(on.times()),
+                On::Gpu(_) => None,
+            })
+        })?;
+        let of =
+            |t: ccd::BroadPhaseTimes| [("build", t.build), ("search", t.search)].into_py_dict(py);
+        times.map(of).transpose()
+    }
+
+    /// How many nodes of a tree, or pairs of nodes, the last call visited; 0 by a method without a
+    /// binary tree. None on a GPU.
+    #[getter]
+    fn visits(&self, py: Python<'_>) -> PyResult<Option<u64>> {
+        self.with(py, |on| {
+            Ok(match on {
+                On::Cpu(on) => Some(on.visits()),
+                On::Gpu(_) => None,
+            })
+        })
+    }
+
+    /// Figures of the binary tree of the last call, by name: "nodes", "depth", "sah_cost",
+    /// "visited_per_query". None if the method has none, and on a GPU.
+    #[getter]
+    fn tree_statistics<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let figures = self.with(py, |on| {
+            Ok(match on {
+                On::Cpu(on) => on.tree_statistics(),
+                On::Gpu(_) => None,
+            })
+        })?;
+        let of = |tree: TreeStatistics| {
+            let all = [("sah_cost", tree.sah_cost), ("visited_per_query", tree.visited_per_query)];
+            let all = all.into_py_dict(py)?;
+            all.set_item("nodes", tree.nodes)?;
+            all.set_item("depth", tree.depth)?;
+            Ok(all)
+        };
+        figures.map(of).transpose()
     }
 
     /// Pairs within one set of boxes, each once, the lesser index first: an array of shape (n, 2),
@@ -79,14 +158,14 @@ impl BroadPhase {
         let pairs = match &boxes {
             Floats::F32([boxes]) => {
                 let boxes: &[Aabb<f32>] = bytemuck::cast_slice(numbers(boxes)?);
-                py.detach(|| match &mut *lock(&self.inner)? {
+                self.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.self_pairs(boxes).map_err(refused)?.iter())),
                     On::Gpu(on) => Ok(flat(on.self_pairs(boxes).map_err(failed)?.iter())),
                 })
             }
             Floats::F64([boxes]) => {
                 let boxes: &[Aabb<f64>] = bytemuck::cast_slice(numbers(boxes)?);
-                py.detach(|| match &mut *lock(&self.inner)? {
+                self.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.self_pairs(boxes).map_err(refused)?.iter())),
                     On::Gpu(_) => Err(not_single()),
                 })
@@ -108,7 +187,7 @@ impl BroadPhase {
             Floats::F32([a, b]) => {
                 let a: &[Aabb<f32>] = bytemuck::cast_slice(numbers(a)?);
                 let b: &[Aabb<f32>] = bytemuck::cast_slice(numbers(b)?);
-                py.detach(|| match &mut *lock(&self.inner)? {
+                self.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.pairs(a, b).map_err(refused)?.iter())),
                     On::Gpu(on) => Ok(flat(on.pairs(a, b).map_err(failed)?.iter())),
                 })
@@ -116,13 +195,25 @@ impl BroadPhase {
             Floats::F64([a, b]) => {
                 let a: &[Aabb<f64>] = bytemuck::cast_slice(numbers(a)?);
                 let b: &[Aabb<f64>] = bytemuck::cast_slice(numbers(b)?);
-                py.detach(|| match &mut *lock(&self.inner)? {
+                self.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.pairs(a, b).map_err(refused)?.iter())),
                     On::Gpu(_) => Err(not_single()),
                 })
             }
         };
         pair_array(py, pairs?)
+    }
+}
+
+impl BroadPhase {
+    /// Does something without the interpreter.
+    fn with<R: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut On) -> PyResult<R> + Send,
+    ) -> PyResult<R> {
+        self.made_by.check("broad phase")?;
+        py.detach(|| work(&mut *lock(&self.inner)?))
     }
 }
 

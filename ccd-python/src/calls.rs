@@ -1,8 +1,112 @@
-//! Calls of a session, each over positions of either precision.
+//! Calls of a session, each over positions of either precision, without the interpreter and one
+//! after the other.
 
+use crate::arrays::{Floats, numbers};
+use crate::errors::{failed, lock};
+use crate::filter::Wanted;
+use crate::process::MadeBy;
 use crate::report::Columns;
-use ccd::Coordinate;
 use ccd::any;
+use ccd::{BodyMotion, Coordinate};
+use pyo3::prelude::*;
+use std::sync::Mutex;
+
+/// A session that threads of Python share, in the process that made it.
+pub struct Shared {
+    inner: Mutex<any::Session>,
+    filter: Mutex<Option<Py<PyAny>>>,
+    made_by: MadeBy,
+}
+
+/// Bodies, each with its positions at both ends of a step.
+pub type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
+
+impl Shared {
+    pub fn new(session: any::Session) -> Self {
+        Self { inner: Mutex::new(session), filter: Mutex::default(), made_by: MadeBy::this() }
+    }
+
+    /// Makes a call.
+    pub fn with<C: Call>(
+        &self,
+        py: Python<'_>,
+        [x0, x1]: [&Bound<'_, PyAny>; 2],
+        call: C,
+    ) -> PyResult<C::Found> {
+        let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
+        match &positions {
+            Floats::F32([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
+            Floats::F64([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
+        }
+    }
+
+    fn run<T: Coordinate, C: Call>(
+        &self,
+        py: Python<'_>,
+        x: [&[T]; 2],
+        call: C,
+    ) -> PyResult<C::Found> {
+        let x = x.map(|x| x.as_chunks().0);
+        let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
+        if let Some(filter) = filter {
+            let candidates = self.change(py, |session| {
+                session.remove_filter();
+                ListCandidates.call(session, x)
+            })?;
+            let wanted = Wanted::new(py, &filter, candidates)?;
+            self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
+        }
+        self.change(py, move |session| call.call(session, x))
+    }
+
+    /// Does something with the session.
+    pub fn change<R: Send>(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
+    ) -> PyResult<R> {
+        self.made_by.check("session")?;
+        py.detach(|| change(&mut *lock(&self.inner)?).map_err(failed))
+    }
+
+    /// Has the next calls ask a callback which pairs they want; none has them want all.
+    pub fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        if filter.is_none() {
+            self.change(py, |session| {
+                session.remove_filter();
+                Ok(())
+            })?;
+        }
+        *lock(&self.filter)? = filter;
+        Ok(())
+    }
+
+    /// Makes a call in which bodies move.
+    pub fn with_bodies<R: Send>(
+        &self,
+        py: Python<'_>,
+        motions: &Motions<'_>,
+        call: fn(&mut any::Session, &[BodyMotion]) -> Result<R, any::Error>,
+    ) -> PyResult<R> {
+        let positions = motions.iter().map(|(_, x0, x1)| {
+            Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])
+        });
+        let positions: Vec<Floats<'_, 2>> = positions.collect::<PyResult<_>>()?;
+        let motions = motions.iter().zip(&positions).map(|(&(body, ..), positions)| {
+            Ok(match positions {
+                Floats::F32([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
+                Floats::F64([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
+            })
+        });
+        let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
+        self.change(py, |session| call(session, &motions))
+    }
+}
+
+fn motion<'a, T: Coordinate>(body: u32, x: [&'a [T]; 2]) -> BodyMotion<'a> {
+    let [x0, x1] = x.map(|x| x.as_chunks::<3>().0);
+    BodyMotion::new(body, x0, x1)
+}
 
 /// A call of a session, whatever the precision of positions.
 pub trait Call: Send + Copy {

@@ -1,4 +1,5 @@
-//! Our messages as Python's exceptions: `ValueError` for input, `RuntimeError` for a device.
+//! Our messages as Python's exceptions: `ValueError` for input, `RuntimeError` for a device and for
+//! a call that was cancelled.
 
 use ccd::any;
 use pyo3::PyErr;
@@ -26,6 +27,7 @@ pub fn input(why: ccd::Error) -> PyErr {
 /// Input that is refused, or a device that did not do what was asked.
 pub fn failed(why: any::Error) -> PyErr {
     match why {
+        any::Error::Input(why @ ccd::Error::Cancelled) => PyRuntimeError::new_err(why.to_string()),
         any::Error::Input(why) => input(why),
         why => PyRuntimeError::new_err(why.to_string()),
     }

@@ -5,9 +5,11 @@
 //! | `arrays.rs` | NumPy arrays as slices: as they are, or copied on purpose |
 //! | `mesh.rs`, `bodies.rs` | topology; which pairs are looked at |
 //! | `files.rs` | meshes and animations from files |
-//! | `session.rs`, `calls.rs`, `report.rs` | a mesh stepped frame by frame, and what a step found |
+//! | `session.rs`, `calls.rs` | a mesh stepped frame by frame |
+//! | `report.rs`, `geometry.rs`, `hit.rs` | what a step found |
 //! | `options.rs`, `filter.rs` | how a session works; a callback that selects pairs |
-//! | `broad_phase.rs`, `queries.rs` | boxes alone; single queries |
+//! | `broad_phase.rs`, `queries.rs`, `exact.rs` | boxes alone; single queries |
+//! | `device.rs`, `process.rs` | GPUs by name; processes and their threads |
 //! | `errors.rs` | our messages as Python's exceptions |
 //!
 //! Work is done with the interpreter released. What a `Mutex` here guards is used by one thread of
@@ -17,11 +19,16 @@ mod arrays;
 mod bodies;
 mod broad_phase;
 mod calls;
+mod device;
 mod errors;
+mod exact;
 mod files;
 mod filter;
+mod geometry;
+mod hit;
 mod mesh;
 mod options;
+mod process;
 mod queries;
 mod report;
 mod session;
@@ -34,15 +41,31 @@ mod _native {
     #[pymodule_export]
     use crate::broad_phase::BroadPhase;
     #[pymodule_export]
-    use crate::files::{read_mesh, read_positions};
+    use crate::device::gpus;
+    #[pymodule_export]
+    use crate::exact::{
+        exact_edge_edge, exact_vertex_edge, exact_vertex_face, exact_vertex_vertex,
+    };
+    #[pymodule_export]
+    use crate::files::{read_mesh, read_positions, read_queries};
+    #[pymodule_export]
+    use crate::geometry::Geometry;
+    #[pymodule_export]
+    use crate::hit::Hit;
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
-    use crate::queries::{distance, edge_edge, vertex_edge, vertex_face, vertex_vertex};
+    use crate::options::{CancelToken, Options, methods};
     #[pymodule_export]
-    use crate::report::{Geometry, Hit, Report};
+    use crate::queries::{
+        distance, edge_edge, instruction_set, scaled_toi, toi_to_f32, vertex_edge, vertex_face,
+        vertex_vertex,
+    };
+    #[pymodule_export]
+    use crate::report::Report;
     #[pymodule_export]
     use crate::session::Session;
+
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
@@ -50,7 +73,7 @@ mod _native {
     /// Once, by the process that imports the module.
     #[pymodule_init]
     fn init(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
-        crate::options::loaded();
+        crate::process::loaded();
         Ok(())
     }
 }

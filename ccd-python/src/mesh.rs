@@ -1,9 +1,11 @@
 //! Topology: faces, and the edges in a canonical order.
 
 use crate::arrays::{Floats, ids, numbers, pair_array, rows};
+use crate::bodies::kind_of;
 use crate::errors::{input, refused};
-use ccd::{Exclusions, near_at_rest};
-use numpy::PyArray2;
+use crate::process::threads_here;
+use ccd::{Coordinate, Exclusions, Kind, Pair, Real};
+use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use std::sync::Arc;
@@ -71,6 +73,39 @@ impl Mesh {
         pair_array(py, self.inner.edges().as_flattened().to_vec())
     }
 
+    /// Vertices of no edge, the particles: a new array of shape (n,), uint32, sorted.
+    #[getter]
+    fn isolated_vertices<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        PyArray1::from_slice(py, self.inner.isolated_vertices())
+    }
+
+    /// The vertices of pairs of features, ids of shape (n, 2), of one `Kind`: an array of shape
+    /// (n, 4), uint32, as `Report.vertices`.
+    fn vertices_of<'py>(
+        &self,
+        kind: u8,
+        pairs: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let (py, kind, mesh) = (pairs.py(), kind_of(kind)?, &self.inner);
+        let (v, e, f) = (mesh.n_vertices(), mesh.edges().len(), mesh.faces().len());
+        let counts = match kind {
+            Kind::VertexFace => [v, f],
+            Kind::EdgeEdge => [e, e],
+            Kind::VertexEdge => [v, e],
+            Kind::VertexVertex => [v, v],
+        };
+        let pairs = ids::<2>("pairs", pairs)?;
+        let beyond = |pair: &&[u32; 2]| (0..2).any(|i| pair[i] as usize >= counts[i]);
+        if let Some([a, b]) = pairs.iter().find(beyond) {
+            let [n, m] = counts;
+            return Err(refused(format!(
+                "pairs has the entry [{a}, {b}]; there are {n} and {m} such features"
+            )));
+        }
+        let vertices = pairs.iter().flat_map(|&[a, b]| mesh.vertices_of(kind, Pair { a, b }));
+        rows::<4>(py, vertices.collect())
+    }
+
     /// Pairs of features that at most `rings` edges join, to be excluded where a distance is kept
     /// that is larger than the edges: arrays of shape (n, 2), uint32, of vertex and face, and of
     /// two edges.
@@ -112,4 +147,25 @@ impl Mesh {
 fn pair_lists(py: Python<'_>, lists: Exclusions) -> PyResult<PairLists<'_>> {
     let array = |pairs: Vec<[u32; 2]>| pair_array(py, pairs.into_flattened());
     Ok((array(lists.vf)?, array(lists.ee)?))
+}
+
+/// `ccd::near_at_rest`, with threads that this process has.
+fn near_at_rest<T: Coordinate>(
+    mesh: &ccd::Mesh,
+    rest: &[[T; 3]],
+    distance: f64,
+) -> Result<Exclusions, ccd::Error> {
+    let threads = threads_here(0);
+    if threads == 0 {
+        return ccd::near_at_rest(mesh, rest, distance);
+    }
+    let options = ccd::Options::default().with_min_distance(distance).with_threads(threads);
+    let mut session = ccd::Session::new(mesh.clone(), options)?;
+    let wide: Vec<[f64; 3]> = rest.iter().map(|p| p.map(Real::to_f64)).collect();
+    let all = session.candidates(&wide, &wide)?;
+    let near = |kind: Kind, pairs: ccd::Pairs| {
+        let within = |pair: &Pair| mesh.distance(kind, *pair, &wide).least <= distance;
+        pairs.iter().filter(within).map(|pair| [pair.a, pair.b]).collect()
+    };
+    Ok(Exclusions::new(near(Kind::VertexFace, all.vf), near(Kind::EdgeEdge, all.ee)))
 }

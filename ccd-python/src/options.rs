@@ -1,32 +1,211 @@
 //! Options of a session: Python's arguments by name, and back.
 
-use crate::bodies::bodies;
+use crate::bodies::{Bodies, bodies};
 use crate::errors::refused;
+use ccd::Mode;
 use ccd::method::{
     BroadPhaseMethod, Builder, Catalogued, Front, Pipeline, Row, Scheduler, Scheduling, Traversal,
     TreeOptions, Volume,
 };
-use ccd::{Mode, Options};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyType};
 
 /// Names of a tree's choices, which imply the method.
 const OF_TREES: [&str; 3] = ["builder", "traversal", "volume"];
 
-/// Options from what was given by name; `device` is not theirs.
-pub fn options(given: &Bound<'_, PyDict>) -> PyResult<Options> {
+/// What a session looks for, and how. Options do not change; a session takes others by
+/// `Session.set_options`.
+///
+/// Parameters
+/// ----------
+/// min_distance : float
+///     Contact means a distance of at most this; 0 means touching.
+/// threads : int
+///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
+/// bodies : Bodies, or (n_vertices,) array of integers, optional
+///     Bodies with their rules, or the body that each vertex belongs to.
+/// fixed : (n_bodies,) array of bool, optional
+///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at, and a
+///     step in which one moves is refused.
+/// self_contact : bool, optional
+///     Whether pairs within one body are looked at; by default they are.
+/// max_memory : int, optional
+///     Bytes that the session may hold; by default there is no limit. What would go beyond is
+///     refused before it is allocated, and the session stays usable.
+/// tolerance : float
+///     How early a certain time of impact may be, in units of the step; at least 1e-12. By default
+///     1e-6.
+/// mode : str
+///     "conservative", the default: what cannot be certified is a contact that is undecided; or
+///     "exact": every pair is decided as its coordinates are, and times are the true ones, rounded
+///     down. Exact takes no minimum distance.
+/// leave_contact : bool
+///     Whether features that are in contact at the start may separate: no contact, unless they
+///     come nearer or touch again.
+/// method, builder, traversal, volume, pipeline, scheduler, front : str, optional
+///     How pairs are found, by the names that `methods()` returns. All find the same contacts.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If an option is not one of its names. What does not fit a mesh is refused by `Session`.
+#[pyclass(frozen, module = "meshccd")]
+pub struct Options {
+    pub inner: ccd::Options,
+}
+
+#[pymethods]
+impl Options {
+    #[new]
+    #[pyo3(signature = (**given))]
+    #[pyo3(text_signature = "(*, min_distance=None, threads=None, bodies=None, fixed=None, \
+        self_contact=None, max_memory=None, tolerance=None, mode=None, leave_contact=None, \
+        method=None, builder=None, traversal=None, volume=None, pipeline=None, scheduler=None, \
+        front=None)")]
+    fn new(py: Python<'_>, given: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        Ok(Self { inner: changed("Options", ccd::Options::default(), &given)? })
+    }
+
+    /// Contact means a distance of at most this.
+    #[getter]
+    fn min_distance(&self) -> f64 {
+        self.inner.min_distance
+    }
+
+    /// Threads on the CPU, 0 for all cores.
+    #[getter]
+    fn threads(&self) -> usize {
+        self.inner.threads
+    }
+
+    /// Bodies and the rules of their pairs, if there are any.
+    #[getter]
+    fn bodies(&self) -> Option<Bodies> {
+        self.inner.bodies.clone().map(|inner| Bodies { inner })
+    }
+
+    /// Bytes that a session may hold.
+    #[getter]
+    fn max_memory(&self) -> Option<u64> {
+        self.inner.max_memory
+    }
+
+    /// How early a certain time of impact may be.
+    #[getter]
+    fn tolerance(&self) -> f64 {
+        self.inner.tolerance
+    }
+
+    /// "conservative" or "exact".
+    #[getter]
+    fn mode(&self) -> &'static str {
+        self.inner.mode.name()
+    }
+
+    /// Whether features that are in contact at the start may separate.
+    #[getter]
+    fn leave_contact(&self) -> bool {
+        self.inner.leave_contact
+    }
+
+    /// The broad phase; of a tree with its builder, its traversal and its volume.
+    #[getter]
+    fn method(&self) -> String {
+        self.inner.broad_phase.to_string()
+    }
+
+    /// What is looked for in boxes: pairs of features, or of triangles.
+    #[getter]
+    fn pipeline(&self) -> &'static str {
+        self.inner.pipeline.row().name
+    }
+
+    /// How work is shared out; None: as the method does by itself.
+    #[getter]
+    fn scheduler(&self) -> Option<&'static str> {
+        self.inner.scheduling.scheduler.map(|scheduler| scheduler.row().name)
+    }
+
+    /// Whether descents begin where the last ones ended.
+    #[getter]
+    fn front(&self) -> &'static str {
+        self.inner.scheduling.front.row().name
+    }
+
+    /// All options as text that `from_json` reads, bodies with their rules too.
+    fn to_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner).map_err(refused)
+    }
+
+    /// Options from the text of `to_json`.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        Ok(Self { inner: serde_json::from_str(text).map_err(refused)? })
+    }
+
+    fn __reduce__<'py>(of: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        Ok((PyType::new::<Self>(of.py()).getattr("from_json")?, (of.get().to_json()?,)))
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().inner == self.inner)
+    }
+
+    fn __repr__(&self) -> String {
+        let Self { inner } = self;
+        let (mode, distance, tolerance) = (inner.mode.name(), inner.min_distance, inner.tolerance);
+        format!("<Options: {mode}, min_distance {distance}, tolerance {tolerance}>")
+    }
+}
+
+/// Ends the calls of sessions that have it, from any thread: see `Session.set_cancel_token`.
+#[pyclass(frozen, module = "meshccd")]
+pub struct CancelToken {
+    pub inner: ccd::CancelToken,
+}
+
+#[pymethods]
+impl CancelToken {
+    #[new]
+    fn new() -> Self {
+        Self { inner: ccd::CancelToken::new() }
+    }
+
+    /// Ends the calls that run, and all later ones, of sessions that have it.
+    fn cancel(&self) {
+        self.inner.cancel();
+    }
+
+    /// Whether it is cancelled.
+    #[getter]
+    fn is_cancelled(&self) -> bool {
+        self.inner.is_cancelled()
+    }
+}
+
+/// What a caller has given as options, or the default.
+pub fn inner(given: Option<&Bound<'_, Options>>) -> ccd::Options {
+    given.map_or_else(ccd::Options::default, |options| options.get().inner.clone())
+}
+
+/// Options with what was given by name to a function of Python.
+pub fn changed(
+    function: &str,
+    mut options: ccd::Options,
+    given: &Bound<'_, PyDict>,
+) -> PyResult<ccd::Options> {
     let value = |name: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
         Ok(given.get_item(name)?.filter(|value| !value.is_none()))
     };
     for (name, _) in given.iter() {
         let name: String = name.extract()?;
-        if !NAMES.contains(&&name[..]) {
-            let why = format!("Session() got an unexpected keyword argument '{name}'");
+        if !NAMES.contains(&&name[..]) && !NAMES_OF_METHODS.contains(&&name[..]) {
+            let why = format!("{function}() got an unexpected keyword argument '{name}'");
             return Err(PyTypeError::new_err(why));
         }
     }
-    let mut options = Options::default();
     if let Some(distance) = value("min_distance")? {
         options = options.with_min_distance(distance.extract()?);
     }
@@ -42,12 +221,18 @@ pub fn options(given: &Bound<'_, PyDict>) -> PyResult<Options> {
     if let Some(bytes) = value("max_memory")? {
         options = options.with_max_memory(bytes.extract::<u64>()?);
     }
-    let threads = value("threads")?.map_or(Ok(0), |threads| threads.extract())?;
-    options = options.with_threads(in_this_process(threads));
+    if let Some(threads) = value("threads")? {
+        options = options.with_threads(threads.extract()?);
+    }
 
-    let (fixed, self_contact) = (value("fixed")?, value("self_contact")?);
     if let Some(given) = value("bodies")? {
-        let mut all = bodies(&given)?;
+        options = options.with_bodies(bodies(&given)?);
+    }
+    let (fixed, self_contact) = (value("fixed")?, value("self_contact")?);
+    if fixed.is_some() || self_contact.is_some() {
+        let Some(mut all) = options.bodies.take() else {
+            return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
+        };
         if let Some(fixed) = fixed {
             all = all.with_fixed_mask(&fixed.extract::<Vec<bool>>()?);
         }
@@ -55,36 +240,84 @@ pub fn options(given: &Bound<'_, PyDict>) -> PyResult<Options> {
             all = all.with_self_contacts(self_contact.extract()?);
         }
         options = options.with_bodies(all);
-    } else if fixed.is_some() || self_contact.is_some() {
-        return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
     }
 
-    let method = named::<BroadPhaseMethod>("method", value("method")?)?;
+    if let Some(pipeline) = named::<Pipeline>("pipeline", value("pipeline")?)? {
+        options = options.with_pipeline(pipeline);
+    }
+    let (method, scheduling) = method(options.broad_phase, options.scheduling, given)?;
+    Ok(options.with_broad_phase(method).with_scheduling(scheduling))
+}
+
+/// A broad phase and its scheduling with what was given by name.
+pub fn method(
+    method: BroadPhaseMethod,
+    mut scheduling: Scheduling,
+    given: &Bound<'_, PyDict>,
+) -> PyResult<(BroadPhaseMethod, Scheduling)> {
+    let value = |name: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
+        Ok(given.get_item(name)?.filter(|value| !value.is_none()))
+    };
+    let wanted = named::<BroadPhaseMethod>("method", value("method")?)?;
     let of_tree = OF_TREES.iter().find(|name| matches!(value(name), Ok(Some(_))));
-    let method = match (of_tree, method) {
-        (None, method) => method.unwrap_or_default(),
-        (Some(_), None | Some(BroadPhaseMethod::Tree(_))) => BroadPhaseMethod::Tree(
-            TreeOptions::default()
-                .builder(named::<Builder>("builder", value("builder")?)?.unwrap_or_default())
-                .traversal(
-                    named::<Traversal>("traversal", value("traversal")?)?.unwrap_or_default(),
-                )
-                .volume(named::<Volume>("volume", value("volume")?)?.unwrap_or_default()),
-        ),
+    let method = match (of_tree, wanted) {
+        (None, wanted) => wanted.unwrap_or(method),
+        (Some(_), None | Some(BroadPhaseMethod::Tree(_))) => {
+            let mut tree = match method {
+                BroadPhaseMethod::Tree(tree) => tree,
+                _ => TreeOptions::default(),
+            };
+            if let Some(builder) = named::<Builder>("builder", value("builder")?)? {
+                tree = tree.builder(builder);
+            }
+            if let Some(traversal) = named::<Traversal>("traversal", value("traversal")?)? {
+                tree = tree.traversal(traversal);
+            }
+            if let Some(volume) = named::<Volume>("volume", value("volume")?)? {
+                tree = tree.volume(volume);
+            }
+            BroadPhaseMethod::Tree(tree)
+        }
         (Some(name), Some(other)) => {
             let method = other.row().name;
             return Err(refused(format!("{name} is for the method \"tree\", not {method:?}")));
         }
     };
-    let mut scheduling = Scheduling::default();
     if let Some(scheduler) = named::<Scheduler>("scheduler", value("scheduler")?)? {
         scheduling = scheduling.scheduler(scheduler);
     }
     if let Some(front) = named::<Front>("front", value("front")?)? {
         scheduling = scheduling.front(front);
     }
-    let pipeline = named::<Pipeline>("pipeline", value("pipeline")?)?.unwrap_or_default();
-    Ok(options.with_broad_phase(method).with_pipeline(pipeline).with_scheduling(scheduling))
+    Ok((method, scheduling))
+}
+
+/// The choices of methods: dicts with what is chosen ("method", "builder", "traversal", "volume",
+/// "pipeline", "scheduler" or "front"), its name, a line about it, its source (None: this project),
+/// and the backends that have it.
+#[pyfunction]
+pub fn methods(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    let mut all = rows::<BroadPhaseMethod>(py, "method")?;
+    all.extend(rows::<Builder>(py, "builder")?);
+    all.extend(rows::<Traversal>(py, "traversal")?);
+    all.extend(rows::<Volume>(py, "volume")?);
+    all.extend(rows::<Pipeline>(py, "pipeline")?);
+    all.extend(rows::<Scheduler>(py, "scheduler")?);
+    all.extend(rows::<Front>(py, "front")?);
+    Ok(all)
+}
+
+fn rows<'py, T: Catalogued>(py: Python<'py>, what: &str) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let row = |row: &Row<T>| {
+        let all = PyDict::new(py);
+        all.set_item("what", what)?;
+        all.set_item("name", row.name)?;
+        all.set_item("about", row.about)?;
+        all.set_item("source", row.source)?;
+        all.set_item("backends", row.backends)?;
+        Ok(all)
+    };
+    T::ROWS.iter().map(row).collect()
 }
 
 /// The mode of a name.
@@ -95,26 +328,23 @@ fn mode_named(name: &str) -> PyResult<Mode> {
     })
 }
 
-/// All names of options.
-const NAMES: [&str; 17] = [
+/// Names of options that choose no method.
+const NAMES: [&str; 10] = [
     "min_distance",
     "threads",
     "bodies",
     "fixed",
     "self_contact",
-    "device",
     "max_memory",
     "tolerance",
     "mode",
     "leave_contact",
-    "method",
-    "builder",
-    "traversal",
-    "volume",
     "pipeline",
-    "scheduler",
-    "front",
 ];
+
+/// Those that choose one.
+pub const NAMES_OF_METHODS: [&str; 6] =
+    ["method", "builder", "traversal", "volume", "scheduler", "front"];
 
 /// The value of a name.
 fn named<T: Catalogued>(what: &str, given: Option<Bound<'_, PyAny>>) -> PyResult<Option<T>> {
@@ -122,26 +352,9 @@ fn named<T: Catalogued>(what: &str, given: Option<Bound<'_, PyAny>>) -> PyResult
 }
 
 /// The value of a name, or all names that there are.
-pub fn by_name<T: Catalogued>(what: &str, name: &str) -> PyResult<T> {
+fn by_name<T: Catalogued>(what: &str, name: &str) -> PyResult<T> {
     T::named(name).ok_or_else(|| {
         let names: Vec<_> = T::ROWS.iter().map(|row: &Row<T>| row.name).collect();
         refused(format!("{what} is {name:?}; it must be one of {}", names.join(", ")))
     })
-}
-
-/// The process that has loaded the module.
-static LOADED_BY: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
-
-/// Notes the process that loads the module.
-pub fn loaded() {
-    LOADED_BY.get_or_init(std::process::id);
-}
-
-/// A number of threads that works here. "All cores" are those of a pool that all sessions share;
-/// a child made by a fork has the pool without its threads, and gets one for each session.
-fn in_this_process(threads: usize) -> usize {
-    if threads != 0 || LOADED_BY.get() == Some(&std::process::id()) {
-        return threads;
-    }
-    std::thread::available_parallelism().map_or(1, usize::from)
 }

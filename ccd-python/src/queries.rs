@@ -1,9 +1,10 @@
 //! Single queries, one or many at once.
 
 use crate::arrays::{Floats, numbers};
+use crate::bodies::kind_of;
 use crate::errors::{input, refused};
-use crate::report::{MISS, state_number};
-use ccd::{Distance, EdgeEdge, Error, State, Verdict, VertexEdge, VertexFace, VertexVertex};
+use crate::hit::{MISS, state_number};
+use ccd::{Distance, EdgeEdge, Error, Kind, State, Verdict, VertexEdge, VertexFace, VertexVertex};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -103,12 +104,11 @@ pub fn vertex_vertex<'py>(
 ///     If the shape does not fit, or a number is not finite or beyond 1e100.
 #[pyfunction]
 pub fn distance<'py>(kind: u8, x: &Bound<'py, PyAny>) -> PyResult<Bounds<'py>> {
-    match kind {
-        0 => bounds(x, Distance::vertex_face),
-        1 => bounds(x, Distance::edge_edge),
-        2 => bounds(x, Distance::vertex_edge),
-        3 => bounds(x, Distance::vertex_vertex),
-        _ => Err(refused(format!("kind is {kind}; it must be 0, 1, 2 or 3, see Kind"))),
+    match kind_of(kind)? {
+        Kind::VertexFace => bounds(x, Distance::vertex_face),
+        Kind::EdgeEdge => bounds(x, Distance::edge_edge),
+        Kind::VertexEdge => bounds(x, Distance::vertex_edge),
+        Kind::VertexVertex => bounds(x, Distance::vertex_vertex),
     }
 }
 
@@ -137,6 +137,26 @@ fn bounds<'py, const N: usize>(
     ))
 }
 
+/// The greatest number that a float32 holds and that is not above a time of impact. A cast rounds
+/// to the nearest, which may be later than the contact.
+#[pyfunction]
+pub fn toi_to_f32(toi: f64) -> f32 {
+    ccd::toi_to_f32(toi)
+}
+
+/// A time of impact times a factor in [0, 1], rounded down: how far a step may go that keeps some
+/// of the distance that is left.
+#[pyfunction]
+pub fn scaled_toi(toi: f64, factor: f64) -> f64 {
+    ccd::scaled_toi(toi, factor)
+}
+
+/// The vector instructions that the CPU's path uses here, as "AVX2".
+#[pyfunction]
+pub fn instruction_set() -> &'static str {
+    ccd::instruction_set()
+}
+
 /// A query of `N` points at both ends of a step, with a minimum distance.
 type Query<const N: usize> = fn([[f64; 3]; N], [[f64; 3]; N], f64) -> Verdict<f64>;
 
@@ -148,12 +168,7 @@ fn decide<'py, const N: usize>(
 ) -> PyResult<Answers<'py>> {
     let py = x0.py();
     let positions = Floats::new([("x0", x0), ("x1", x1)], &[N, 3])?;
-    if positions.shape(0) != positions.shape(1) {
-        let [a, b] = [0, 1].map(|i| positions.shape(i));
-        return Err(refused(format!(
-            "x0 has the shape {a:?}, x1 has {b:?}; they must be the same"
-        )));
-    }
+    check_shapes(&positions)?;
     if !(min_distance >= 0.0 && min_distance.is_finite()) {
         return Err(refused(Error::MinDistance { value: min_distance }));
     }
@@ -173,6 +188,15 @@ fn decide<'py, const N: usize>(
         PyArray1::from_vec(py, state).reshape(shape.to_vec())?,
         PyArray1::from_vec(py, toi).reshape(shape.to_vec())?,
     ))
+}
+
+/// Refuses queries whose ends have different shapes.
+pub fn check_shapes(positions: &Floats<'_, 2>) -> PyResult<()> {
+    let [a, b] = [0, 1].map(|i| positions.shape(i));
+    if a == b {
+        return Ok(());
+    }
+    Err(refused(format!("x0 has the shape {a:?}, x1 has {b:?}; they must be the same")))
 }
 
 /// Decides all queries in `f64`, in which every `f32` has its place.
@@ -195,7 +219,7 @@ fn all<T: Copy + Into<f64>, const N: usize>(
 }
 
 /// Points in `f64`, checked.
-fn points<T: Copy + Into<f64>>(time: u8, x: &[T]) -> Result<Vec<[f64; 3]>, Error> {
+pub fn points<T: Copy + Into<f64>>(time: u8, x: &[T]) -> Result<Vec<[f64; 3]>, Error> {
     let points: Vec<[f64; 3]> =
         x.as_chunks::<3>().0.iter().map(|point| point.map(Into::into)).collect();
     for (vertex, point) in points.iter().enumerate() {

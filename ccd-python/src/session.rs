@@ -1,19 +1,19 @@
 //! A mesh stepped frame by frame, on the CPU or on a GPU.
 
-use crate::arrays::{Floats, numbers, pair_array};
+use crate::arrays::pair_array;
 use crate::bodies::bodies;
 use crate::calls::{
-    Call, EarliestToi, FirstContact, Intersect, ListCandidates, SetPositions, Step,
+    EarliestToi, FirstContact, Intersect, ListCandidates, Motions, SetPositions, Shared, Step,
 };
-use crate::errors::{failed, lock, refused};
-use crate::filter::Wanted;
+use crate::device;
+use crate::errors::{failed, lock};
+use crate::hit::Hit;
 use crate::mesh::Mesh;
-use crate::options;
-use crate::report::{Columns, Hit, Report};
-use ccd::any::{self, Backend};
-use ccd::{BodyMotion, Coordinate};
+use crate::options::{self, CancelToken, Options};
+use crate::process::threads_here;
+use crate::report::{Columns, Report};
+use ccd::any;
 use numpy::PyArray2;
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::sync::Mutex;
@@ -31,34 +31,13 @@ use std::sync::Mutex;
 /// Parameters
 /// ----------
 /// mesh : Mesh
-/// min_distance : float
-///     Contact means a distance of at most this; 0 means touching.
-/// threads : int
-///     Threads on the CPU: 0 for all cores, 1 for the calling thread alone.
-/// bodies : Bodies, or (n_vertices,) array of integers, optional
-///     Bodies with their rules, or the body that each vertex belongs to.
-/// fixed : (n_bodies,) array of bool, optional
-///     Bodies that do not move; entry i is that of body i. Pairs of them are not looked at, and a
-///     step in which one moves is refused.
-/// self_contact : bool, optional
-///     Whether pairs within one body are looked at; by default they are.
+/// options : Options, optional
+///     What is looked for, and how.
 /// device : str, optional
-///     None or "cpu"; "gpu", an error if there is none; or "auto", a GPU if there is one and work
-///     enough for it.
-/// max_memory : int, optional
-///     Bytes that the session may hold; by default there is no limit. What would go beyond is
-///     refused before it is allocated, and the session stays usable.
-/// tolerance : float
-///     How early a certain time of impact may be, in units of the step; at least 1e-12.
-/// mode : str
-///     "conservative": what cannot be certified is a contact that is undecided; or "exact": every
-///     pair is decided as its coordinates are, and times are the true ones, rounded down. Exact
-///     takes no minimum distance.
-/// leave_contact : bool
-///     Whether features that are in contact at the start may separate: no contact, unless they
-///     come nearer or touch again.
-/// method, builder, traversal, volume, pipeline, scheduler, front : str, optional
-///     How pairs are found, by the names that `ccd list` prints. All find the same contacts.
+///     None or "cpu"; "gpu", an error if there is none; "gpu:NAME" with a part of its name, or its
+///     place in `gpus()`; or "auto", a GPU if there is one and work enough for it.
+/// min_distance, threads, bodies, .. : optional
+///     Each option by its name, instead of an `Options` or besides; see there.
 ///
 /// Raises
 /// ------
@@ -68,36 +47,38 @@ use std::sync::Mutex;
 ///     If there is no GPU and one was asked for.
 #[pyclass(frozen, module = "meshccd")]
 pub struct Session {
-    inner: Mutex<any::Session>,
+    shared: Shared,
     mesh: Mutex<Py<Mesh>>,
-    filter: Mutex<Option<Py<PyAny>>>,
-    made_by: u32,
 }
 
 #[pymethods]
 impl Session {
     #[new]
-    #[pyo3(signature = (mesh, **given))]
-    #[pyo3(text_signature = "(mesh, *, min_distance=0.0, threads=0, bodies=None, fixed=None, \
-        self_contact=None, device=None, max_memory=None, tolerance=1e-06, mode='conservative', \
-        leave_contact=False, method=None, builder=None, traversal=None, volume=None, \
-        pipeline=None, scheduler=None, front=None)")]
-    fn new(py: Python<'_>, mesh: Py<Mesh>, given: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    #[pyo3(signature = (mesh, options=None, **given))]
+    #[pyo3(text_signature = "(mesh, options=None, *, device=None, min_distance=None, \
+        threads=None, bodies=None, fixed=None, self_contact=None, max_memory=None, \
+        tolerance=None, mode=None, leave_contact=None, method=None, builder=None, \
+        traversal=None, volume=None, pipeline=None, scheduler=None, front=None)")]
+    fn new(
+        py: Python<'_>,
+        mesh: Py<Mesh>,
+        options: Option<&Bound<'_, Options>>,
+        given: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
-        let options = options::options(&given)?;
-        let device: Option<String> = given.get_item("device")?.map_or(Ok(None), |d| d.extract())?;
-        let (backend, topology) = (backend(device.as_deref())?, &mesh.get().inner);
-        let inner = py.detach(|| {
-            options.check(topology)?;
-            let choice = backend.choose(topology.edges().len())?;
-            any::Session::new(&choice, topology.clone(), options)
-        });
-        Ok(Self {
-            inner: Mutex::new(inner.map_err(failed)?),
-            mesh: Mutex::new(mesh),
-            filter: Mutex::default(),
-            made_by: std::process::id(),
-        })
+        let device: Option<String> = match given.get_item("device")? {
+            Some(device) => {
+                given.del_item("device")?;
+                device.extract()?
+            }
+            None => None,
+        };
+        let options = here(options::changed("Session", options::inner(options), &given)?);
+        let topology = &mesh.get().inner;
+        py.detach(|| options.check(topology)).map_err(|why| failed(why.into()))?;
+        let choice = device::choose(py, device.as_deref(), topology.edges().len())?;
+        let session = py.detach(|| any::Session::new(&choice, topology.clone(), options));
+        Ok(Self { shared: Shared::new(session.map_err(failed)?), mesh: Mutex::new(mesh) })
     }
 
     /// Every contact of the step from `x0` to `x1` that exists in the window of time
@@ -111,7 +92,22 @@ impl Session {
         window: Option<[f64; 2]>,
     ) -> PyResult<Report> {
         let window = window.unwrap_or([0.0, 1.0]);
-        self.with(py, [x0, x1], Step(window))?.into_report(py, self.mesh(py)?)
+        self.shared.with(py, [x0, x1], Step(window))?.into_report(py, self.mesh(py)?)
+    }
+
+    /// A report of each step of an animation: from each of these positions to the next. `frames`
+    /// is an array of shape (n_frames, n_vertices, 3), or anything that yields arrays of shape
+    /// (n_vertices, 3), which are asked for one after the other.
+    fn step_many(&self, py: Python<'_>, frames: &Bound<'_, PyAny>) -> PyResult<Vec<Report>> {
+        let mut frames = frames.try_iter()?;
+        let Some(mut before) = frames.next().transpose()? else { return Ok(Vec::new()) };
+        let mut reports = Vec::new();
+        for frame in frames {
+            let after = frame?;
+            reports.push(self.step(py, &before, &after, None)?);
+            before = after;
+        }
+        Ok(reports)
     }
 
     /// The earliest time of impact of the step, never late; None if all of it is free. Cheaper
@@ -122,7 +118,7 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<f64>> {
-        self.with(py, [x0, x1], EarliestToi)
+        self.shared.with(py, [x0, x1], EarliestToi)
     }
 
     /// The first contact of the step with its point and normal; None if all of it is free.
@@ -132,7 +128,7 @@ impl Session {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<Hit>> {
-        Ok(self.with(py, [x0, x1], FirstContact)?.map(Hit::from))
+        Ok(self.shared.with(py, [x0, x1], FirstContact)?.map(Hit::from))
     }
 
     /// The part of the step that is free of contact, in [0, 1]: the earliest time of impact, or 1
@@ -159,14 +155,14 @@ impl Session {
 
     /// From now on all vertices stand at `x`, until `step_bodies` and its like move bodies.
     fn set_positions(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<()> {
-        self.with(py, [x, x], SetPositions)
+        self.shared.with(py, [x, x], SetPositions)
     }
 
     /// Every contact of a step in which some bodies move, and all others stand where they are: a
     /// list of `(body, x0, x1)` with the positions of the vertices of that body. On a CPU what is
     /// fixed costs nothing then.
     fn step_bodies(&self, py: Python<'_>, motions: Motions<'_>) -> PyResult<Report> {
-        let columns = self.with_bodies(py, &motions, |session, motions| {
+        let columns = self.shared.with_bodies(py, &motions, |session, motions| {
             session.step_bodies(motions)?;
             Ok(Columns::new(session.report(), session.options()))
         })?;
@@ -179,7 +175,8 @@ impl Session {
         py: Python<'_>,
         motions: Motions<'_>,
     ) -> PyResult<Option<f64>> {
-        self.with_bodies(py, &motions, |session, motions| session.earliest_toi_of_bodies(motions))
+        self.shared
+            .with_bodies(py, &motions, |session, motions| session.earliest_toi_of_bodies(motions))
     }
 
     /// The first contact of a step in which some bodies move, as for `step_bodies`.
@@ -188,9 +185,9 @@ impl Session {
         py: Python<'_>,
         motions: Motions<'_>,
     ) -> PyResult<Option<Hit>> {
-        let first = self
-            .with_bodies(py, &motions, |session, motions| session.first_contact_of_bodies(motions));
-        Ok(first?.map(Hit::from))
+        let find: fn(&mut any::Session, &[ccd::BodyMotion]) -> _ =
+            |session, motions| session.first_contact_of_bodies(motions);
+        Ok(self.shared.with_bodies(py, &motions, find)?.map(Hit::from))
     }
 
     /// All candidates of the step: pairs of features without a common vertex whose swept boxes
@@ -203,7 +200,7 @@ impl Session {
         x0: &Bound<'py, PyAny>,
         x1: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyTuple>> {
-        let all = self.with(py, [x0, x1], ListCandidates)?;
+        let all = self.shared.with(py, [x0, x1], ListCandidates)?;
         let arrays: Vec<_> =
             all.into_iter().map(|pairs| pair_array(py, pairs)).collect::<PyResult<_>>()?;
         PyTuple::new(py, arrays)
@@ -216,7 +213,7 @@ impl Session {
         py: Python<'py>,
         x: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        pair_array(py, self.with(py, [x, x], Intersect)?)
+        pair_array(py, self.shared.with(py, [x, x], Intersect)?)
     }
 
     /// From now on steps of another mesh, with other bodies if some are given.
@@ -229,7 +226,7 @@ impl Session {
     ) -> PyResult<()> {
         let others = bodies.map(self::bodies).transpose()?;
         let topology = mesh.get().inner.clone();
-        self.change(py, move |session| match others {
+        self.shared.change(py, move |session| match others {
             Some(bodies) => session.set_mesh_and_bodies(topology, bodies),
             None => session.set_mesh(topology),
         })?;
@@ -241,22 +238,64 @@ impl Session {
     #[pyo3(signature = (bodies=None))]
     fn set_bodies(&self, py: Python<'_>, bodies: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let bodies = bodies.map(self::bodies).transpose()?;
-        self.change(py, move |session| session.set_bodies(bodies))
+        self.shared.change(py, move |session| session.set_bodies(bodies))
     }
 
     /// From now on another `min_distance`.
     fn set_min_distance(&self, py: Python<'_>, min_distance: f64) -> PyResult<()> {
-        self.change(py, move |session| session.set_min_distance(min_distance))
+        self.shared.change(py, move |session| session.set_min_distance(min_distance))
     }
 
     /// From now on a body sleeps, or is awake.
     fn set_sleeping(&self, py: Python<'_>, body: u32, sleeping: bool) -> PyResult<()> {
-        self.change(py, move |session| session.set_sleeping(body, sleeping))
+        self.shared.change(py, move |session| session.set_sleeping(body, sleeping))
     }
 
     /// From now on a body is fixed, or moves.
     fn set_fixed(&self, py: Python<'_>, body: u32, fixed: bool) -> PyResult<()> {
-        self.change(py, move |session| session.set_fixed(body, fixed))
+        self.shared.change(py, move |session| session.set_fixed(body, fixed))
+    }
+
+    /// From now on bodies that are fixed or asleep may be moved by the caller, or not.
+    fn set_fixed_motion(&self, py: Python<'_>, may_move: bool) -> PyResult<()> {
+        self.shared.change(py, move |session| session.set_fixed_motion(may_move))
+    }
+
+    /// From now on these options, or those of before; each that is given by its name is changed
+    /// besides.
+    #[pyo3(signature = (options=None, **given))]
+    #[pyo3(text_signature = "($self, options=None, *, min_distance=None, threads=None, \
+        bodies=None, fixed=None, self_contact=None, max_memory=None, tolerance=None, mode=None, \
+        leave_contact=None, method=None, builder=None, traversal=None, volume=None, \
+        pipeline=None, scheduler=None, front=None)")]
+    fn set_options(
+        &self,
+        py: Python<'_>,
+        options: Option<&Bound<'_, Options>>,
+        given: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<()> {
+        let base = match options {
+            Some(options) => options.get().inner.clone(),
+            None => self.options(py)?.inner,
+        };
+        let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
+        let options = here(options::changed("set_options", base, &given)?);
+        self.shared.change(py, move |session| session.set_options(options))
+    }
+
+    /// From now on calls end with a RuntimeError once this token is cancelled, by another thread;
+    /// None: they run to their ends. The session stays usable.
+    #[pyo3(signature = (token=None))]
+    fn set_cancel_token(
+        &self,
+        py: Python<'_>,
+        token: Option<&Bound<'_, CancelToken>>,
+    ) -> PyResult<()> {
+        let token = token.map(|token| token.get().inner.clone());
+        self.shared.change(py, move |session| {
+            session.set_cancel_token(token);
+            Ok(())
+        })
     }
 
     /// From now on `filter(kind, pairs)` says which candidates count: asked once a call for each
@@ -264,14 +303,7 @@ impl Session {
     /// Candidates are listed for it, which costs time. On the CPU; steps of bodies do not ask it.
     #[pyo3(signature = (filter=None))]
     fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
-        if filter.is_none() {
-            self.change(py, |session| {
-                session.remove_filter();
-                Ok(())
-            })?;
-        }
-        *lock(&self.filter)? = filter;
-        Ok(())
+        self.shared.set_filter(py, filter)
     }
 
     /// The mesh of the next step.
@@ -280,10 +312,17 @@ impl Session {
         Ok(lock(&self.mesh)?.clone_ref(py))
     }
 
+    /// The options of the next step.
+    #[getter]
+    fn options(&self, py: Python<'_>) -> PyResult<Options> {
+        let inner = self.shared.change(py, |session| Ok(session.options().clone()))?;
+        Ok(Options { inner })
+    }
+
     /// Where steps run: "2 threads", or the name of the GPU.
     #[getter]
     fn place(&self, py: Python<'_>) -> PyResult<String> {
-        py.detach(|| Ok(lock(&self.inner)?.place().to_string()))
+        self.shared.change(py, |session| Ok(session.place().to_string()))
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
@@ -292,91 +331,8 @@ impl Session {
     }
 }
 
-/// Bodies, each with its positions at both ends of a step.
-type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
-
-impl Session {
-    /// Makes a call without the interpreter.
-    fn with<C: Call>(
-        &self,
-        py: Python<'_>,
-        [x0, x1]: [&Bound<'_, PyAny>; 2],
-        call: C,
-    ) -> PyResult<C::Found> {
-        let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
-        match &positions {
-            Floats::F32([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
-            Floats::F64([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
-        }
-    }
-
-    fn run<T: Coordinate, C: Call>(
-        &self,
-        py: Python<'_>,
-        x: [&[T]; 2],
-        call: C,
-    ) -> PyResult<C::Found> {
-        let x = x.map(|x| x.as_chunks().0);
-        let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
-        if let Some(filter) = filter {
-            let candidates = self.change(py, |session| {
-                session.remove_filter();
-                ListCandidates.call(session, x)
-            })?;
-            let wanted = Wanted::new(py, &filter, candidates)?;
-            self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
-        }
-        self.change(py, move |session| call.call(session, x))
-    }
-
-    /// Does something with the session, without the interpreter.
-    fn change<R: Send>(
-        &self,
-        py: Python<'_>,
-        change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
-    ) -> PyResult<R> {
-        if self.made_by != std::process::id() {
-            let why = "the session was made before a fork, and its threads are not in this \
-                       process: make a new one here, or start processes by \"spawn\"";
-            return Err(PyRuntimeError::new_err(why));
-        }
-        py.detach(|| change(&mut *lock(&self.inner)?).map_err(failed))
-    }
-
-    fn with_bodies<R: Send>(
-        &self,
-        py: Python<'_>,
-        motions: &Motions<'_>,
-        call: fn(&mut any::Session, &[BodyMotion]) -> Result<R, any::Error>,
-    ) -> PyResult<R> {
-        let positions = motions.iter().map(|(_, x0, x1)| {
-            Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])
-        });
-        let positions: Vec<Floats<'_, 2>> = positions.collect::<PyResult<_>>()?;
-        let motions = motions.iter().zip(&positions).map(|(&(body, ..), positions)| {
-            Ok(match positions {
-                Floats::F32([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
-                Floats::F64([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
-            })
-        });
-        let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
-        self.change(py, |session| call(session, &motions))
-    }
-}
-
-fn motion<'a, T: Coordinate>(body: u32, x: [&'a [T]; 2]) -> BodyMotion<'a> {
-    let [x0, x1] = x.map(|x| x.as_chunks::<3>().0);
-    BodyMotion::new(body, x0, x1)
-}
-
-/// The backend of a name.
-pub fn backend(device: Option<&str>) -> PyResult<Backend> {
-    match device {
-        None | Some("cpu") => Ok(Backend::Cpu),
-        Some("gpu") => Ok(Backend::Gpu),
-        Some("auto") => Ok(Backend::Auto),
-        Some(name) => Err(refused(format!(
-            "device is {name:?}; it must be None, \"cpu\", \"gpu\" or \"auto\""
-        ))),
-    }
+/// Options with a number of threads that works in this process.
+fn here(options: ccd::Options) -> ccd::Options {
+    let threads = threads_here(options.threads);
+    options.with_threads(threads)
 }

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from test_api import FACES, X0, X1
 
-from meshccd import Bodies, Kind, Mesh, Session, State, distance, edge_edge, vertex_edge
-from meshccd import read_mesh, read_positions, vertex_vertex
+from meshccd import Bodies, BroadPhase, Kind, Mesh, Session, State, distance, edge_edge
+from meshccd import read_mesh, read_positions, vertex_edge, vertex_vertex
 
 BODIES = [0, 0, 0, 0, 1, 1, 1]
 
@@ -226,25 +226,37 @@ def test_copies_by_pickle():
     assert np.array_equal(copy.geometry(x0, x1).point, report.geometry(x0, x1).point)
 
 
-def step_in_child(queue, session, mesh, x0, x1):
-    try:
-        session.step(x0, x1)
-        queue.put("no error")
-    except RuntimeError as why:
-        queue.put(str(why))
-    queue.put(len(Session(mesh).step(x0, x1)))
+def in_child(queue, session, broad, mesh, x0, x1):
+    for call in (
+        lambda: len(session.step(x0, x1)),
+        lambda: session.place,
+        lambda: len(broad.self_pairs(boxes_of(x0))),
+        lambda: len(Session(mesh).step(x0, x1)),
+        lambda: len(BroadPhase().self_pairs(boxes_of(x0))),
+        lambda: [len(pairs) for pairs in mesh.near_at_rest(x0, 0.01)],
+    ):
+        try:
+            queue.put(call())
+        except RuntimeError as why:
+            queue.put(str(why))
+
+
+def boxes_of(x):
+    return np.stack([x, x + 0.1], axis=1)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
 def test_a_fork_is_told_apart():
     mesh, _, x0, x1 = pieces(60)
-    session = Session(mesh)
-    want = len(session.step(x0, x1))
+    session, broad = Session(mesh), BroadPhase()
+    want = [len(session.step(x0, x1)), len(broad.self_pairs(boxes_of(x0)))]
+    want.append([len(pairs) for pairs in mesh.near_at_rest(x0, 0.01)])
     context = multiprocessing.get_context("fork")
     queue = context.Queue()
-    child = context.Process(target=step_in_child, args=(queue, session, mesh, x0, x1))
+    child = context.Process(target=in_child, args=(queue, session, broad, mesh, x0, x1))
     child.start()
-    why, found = queue.get(timeout=60), queue.get(timeout=60)
+    refused, found = ([queue.get(timeout=60) for _ in range(3)] for _ in range(2))
     child.join()
-    assert "before a fork" in why and found == want
+    assert found == want
+    assert all("before a fork" in why for why in refused) and "broad phase" in refused[2]

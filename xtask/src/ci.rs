@@ -59,6 +59,8 @@ fn long(root: &Path) -> Result<(), String> {
     // A test of the gate compares hashes of sources and kernels; here the kernels are compiled.
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     crate::python::run(root, true)?;
+    let no_gpu = ["--release", "-p", "meshccd-python", "--no-default-features", "--lib"];
+    command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     for backend in ["cpu", "gpu"] {
         for kind in ["boxes", "queries", "sessions"] {
             let attack = ["cargo", "xtask", "attack", "--backend", backend, "--kind", kind];

@@ -25,6 +25,7 @@ mod mutants;
 mod plot;
 mod programs;
 mod python;
+mod python_calls;
 #[cfg(feature = "report")]
 mod report;
 #[cfg(feature = "report")]

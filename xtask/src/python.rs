@@ -1,5 +1,5 @@
 //! `cargo xtask python`: the module of ccd-python as a user meets it: tests against ipctk, stubs
-//! against the module, the example.
+//! against the module, types as mypy and pyright see them, the example.
 //!
 //! The tests of the workspace have compiled the module already (`ccd-python/tests/module.rs`): it
 //! is put beside the Python sources in a folder below target. `--wheel` builds, installs and tests
@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
+const EXAMPLE: &str = "examples/line_search.py";
 
 pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let target = target_folder(root);
@@ -29,9 +30,19 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     for words in [
         &["-m", "pytest", "--quiet", "-p", "no:cacheprovider"][..],
         &["-m", "mypy.stubtest", "meshccd"],
-        &["examples/line_search.py"],
+        &["-m", "mypy", "--check-untyped-defs", EXAMPLE],
+        &[EXAMPLE],
     ] {
         command_with(&folder, &[&[python][..], words].concat(), &env)?;
+    }
+    if let Err(why) = output(Command::new("node").arg("--version")) {
+        skipped(&format!("types were not checked by pyright, which needs Node: {why}"));
+        return Ok(());
+    }
+    // By itself pyright looks at the packages of another interpreter.
+    let pyright = [python, "-m", "pyright", "--pythonpath", python];
+    for words in [&["--verifytypes", "meshccd", "--ignoreexternal"][..], &[EXAMPLE]] {
+        command_with(&folder, &[&pyright[..], words].concat(), &env)?;
     }
     Ok(())
 }
@@ -49,7 +60,7 @@ fn assemble(root: &Path) -> Result<PathBuf, String> {
         Ok(_) => Ok(()),
         Err(e) => Err(format!("{}: {e}", from.display())),
     };
-    for name in ["__init__.py", "_native.pyi", "py.typed"] {
+    for name in ["__init__.py", "_native.pyi", "exact.py", "py.typed"] {
         copy(root.join(FOLDER).join("python/meshccd").join(name), name)?;
     }
     let library =
@@ -64,8 +75,8 @@ fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, 
     let wheels = target.join("python/wheels");
     let _ = std::fs::remove_dir_all(&wheels);
     let env = [("CARGO_TARGET_DIR", text(target)?)];
-    let build =
-        [python, "-m", "maturin", "build", "--release", "--locked", "--out", text(&wheels)?];
+    // With the profile of pyproject.toml, as pip builds it.
+    let build = [python, "-m", "maturin", "build", "--locked", "--out", text(&wheels)?];
     command_with(folder, &build, &env)?;
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];

@@ -72,6 +72,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     problems.extend(crate::circles::check(&sources));
     problems.extend(check_twins(&sources));
     problems.extend(crate::doc_examples::check(&sources));
+    problems.extend(crate::python_calls::check(&sources));
     let text = std::fs::read_to_string(root.join(REFERENCES));
     let text = text.map_err(|e| format!("{REFERENCES}: {e}"))?;
     problems.extend(check_references(&cited, &text));

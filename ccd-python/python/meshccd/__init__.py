@@ -6,50 +6,73 @@ of impact is late, rounding included.
 
 - `Mesh`: faces and edges; `Session`: a mesh stepped frame by frame; `Report`: what a step found,
   with its `Geometry`; `Hit`: the first contact of a step.
+- `Options`: what a session looks for, and how; `methods`: the choices; `CancelToken` ends calls.
 - `Bodies`: which vertices belong together, and which pairs of bodies are looked at.
 - `BroadPhase`: boxes in, overlapping pairs out.
-- `vertex_face`, `edge_edge`, `vertex_edge`, `vertex_vertex`: queries, one or many; `distance`.
-- `read_mesh`, `read_positions`: files.
-- `Kind`, `State`: what the numbers in the columns of a report mean.
+- `vertex_face`, `edge_edge`, `vertex_edge`, `vertex_vertex`: queries, one or many; `distance`;
+  `exact` has the same queries, decided exactly.
+- `read_mesh`, `read_positions`, `read_queries`: files.
+- `scaled_toi`, `toi_to_f32`: times as an application uses them, never later.
+- `gpus`, `instruction_set`: what this machine has.
+- `Kind`, `State`, `Approach`: what the numbers in the columns of a report mean.
 
 What is refused is a ValueError that says what, where and the value.
 """
 
 import enum
 
+from . import exact
 from ._native import (
     Bodies,
     BroadPhase,
+    CancelToken,
     Geometry,
     Hit,
     Mesh,
+    Options,
     Report,
     Session,
     __version__,
     distance,
     edge_edge,
+    gpus,
+    instruction_set,
+    methods,
     read_mesh,
     read_positions,
+    read_queries,
+    scaled_toi,
+    toi_to_f32,
     vertex_edge,
     vertex_face,
     vertex_vertex,
 )
 
 __all__ = [
+    "Approach",
     "Bodies",
     "BroadPhase",
+    "CancelToken",
     "Geometry",
     "Hit",
     "Kind",
     "Mesh",
+    "Options",
     "Report",
     "Session",
     "State",
     "__version__",
     "distance",
     "edge_edge",
+    "exact",
+    "gpus",
+    "instruction_set",
+    "methods",
     "read_mesh",
     "read_positions",
+    "read_queries",
+    "scaled_toi",
+    "toi_to_f32",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -76,3 +99,14 @@ class State(enum.IntEnum):
     """Certainly a contact; its time of impact is at most 1e-6 of the step early."""
     UNDECIDED = 2
     """Neither is certain: to be treated as a contact. There is none before its time of impact."""
+
+
+class Approach(enum.IntEnum):
+    """Whether features come nearer at the time of impact."""
+
+    UNKNOWN = 0
+    """Certainly neither, or not certain."""
+    APPROACHING = 1
+    """Certainly nearer."""
+    SEPARATING = 2
+    """Certainly apart: a contact at the start whose distance grows from then on for a while."""

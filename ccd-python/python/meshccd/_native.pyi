@@ -1,6 +1,6 @@
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from os import PathLike
-from typing import Final, Literal, final
+from typing import Final, Literal, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -8,16 +8,28 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "Bodies",
     "BroadPhase",
+    "CancelToken",
     "Geometry",
     "Hit",
     "Mesh",
+    "Options",
     "Report",
     "Session",
     "__version__",
     "distance",
     "edge_edge",
+    "exact_edge_edge",
+    "exact_vertex_edge",
+    "exact_vertex_face",
+    "exact_vertex_vertex",
+    "gpus",
+    "instruction_set",
+    "methods",
     "read_mesh",
     "read_positions",
+    "read_queries",
+    "scaled_toi",
+    "toi_to_f32",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -25,14 +37,25 @@ __all__ = [
 
 __version__: Final[str]
 
+class _OfDLPack(Protocol):
+    """An array of another library, in the memory of the CPU."""
+
+    def __dlpack__(self) -> object: ...
+    def __dlpack_device__(self) -> tuple[int, int]: ...
+
+_Array: TypeAlias = ArrayLike | _OfDLPack
+_Ids: TypeAlias = NDArray[np.uint32]
+_Flags: TypeAlias = Sequence[bool] | NDArray[np.bool_]
+_PerKind: TypeAlias = tuple[int, int, int, int]
+
 @final
 class Mesh:
     """The connectivity of a triangle mesh; it stays the same while vertices move."""
 
     def __new__(
         cls,
-        faces: ArrayLike,
-        edges: ArrayLike | None = None,
+        faces: _Array,
+        edges: _Array | None = None,
         *,
         n_vertices: int | None = None,
     ) -> Mesh: ...
@@ -40,20 +63,23 @@ class Mesh:
     def n_vertices(self) -> int:
         """Number of vertices, also those in no face."""
     @property
-    def faces(self) -> NDArray[np.uint32]:
+    def faces(self) -> _Ids:
         """Faces as given, (n, 3)."""
     @property
-    def edges(self) -> NDArray[np.uint32]:
+    def edges(self) -> _Ids:
         """Undirected edges (n, 2), sorted by the second vertex, then by the first."""
-    def neighbours(self, rings: int) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    def neighbours(self, rings: int) -> tuple[_Ids, _Ids]:
         """Pairs of vertex and face, and of edges, that at most so many edges join."""
     def near_at_rest(
-        self, x: ArrayLike, distance: float
-    ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+        self, x: _Array, distance: float
+    ) -> tuple[_Ids, _Ids]:
         """Pairs of vertex and face, and of edges, at most so far apart at the positions x."""
-    def __getnewargs_ex__(
-        self,
-    ) -> tuple[tuple[NDArray[np.uint32], NDArray[np.uint32]], dict[str, int]]: ...
+    @property
+    def isolated_vertices(self) -> _Ids:
+        """Vertices of no edge, the particles, (n,)."""
+    def vertices_of(self, kind: int, pairs: _Array) -> _Ids:
+        """The vertices of pairs of features of a Kind, (n, 4)."""
+    def __getnewargs_ex__(self) -> tuple[tuple[_Ids, _Ids], dict[str, int]]: ...
 
 @final
 class Bodies:
@@ -61,20 +87,116 @@ class Bodies:
 
     def __new__(
         cls,
-        of_vertex: ArrayLike,
+        of_vertex: _Array,
         *,
-        fixed: Sequence[bool] | NDArray[np.bool_] | None = None,
-        sleeping: Sequence[bool] | NDArray[np.bool_] | None = None,
-        self_contact: bool | Sequence[bool] | NDArray[np.bool_] = True,
-        memberships: ArrayLike | None = None,
-        filters: ArrayLike | None = None,
-        worlds: ArrayLike | None = None,
-        excluded_bodies: ArrayLike | None = None,
-        excluded_vertex_face: ArrayLike | None = None,
-        excluded_edge_edge: ArrayLike | None = None,
+        fixed: _Flags | None = None,
+        sleeping: _Flags | None = None,
+        self_contact: bool | _Flags = True,
+        memberships: _Array | None = None,
+        filters: _Array | None = None,
+        worlds: _Array | None = None,
+        excluded_bodies: _Array | None = None,
+        excluded_vertex_face: _Array | None = None,
+        excluded_edge_edge: _Array | None = None,
         fixed_motion: bool = False,
     ) -> Bodies: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[ArrayLike], dict[str, object]]: ...
+    @property
+    def of_vertex(self) -> _Ids:
+        """The body of each vertex, (n_vertices,)."""
+    @property
+    def fixed_motion(self) -> bool:
+        """Whether bodies that are fixed or asleep may be moved by the caller."""
+    def wants(self, v: int, w: int) -> bool:
+        """Whether features of the bodies of these two vertices are looked at."""
+    def excludes(self, kind: int, a: int, b: int) -> bool:
+        """Whether a pair of features is excluded, by its Kind and the ids of both."""
+    def is_fixed(self, v: int) -> bool:
+        """Whether the body of a vertex is fixed."""
+    def world(self, v: int) -> int:
+        """The world of a vertex."""
+    def to_json(self) -> str:
+        """The body of each vertex and all rules, as text."""
+    @staticmethod
+    def from_json(text: str) -> Bodies:
+        """Bodies from the text of to_json."""
+    def __eq__(self, value: object, /) -> bool: ...
+    def __reduce__(self) -> tuple[Callable[[str], Bodies], tuple[str]]: ...
+
+@final
+class Options:
+    """What a session looks for, and how."""
+
+    def __new__(
+        cls,
+        *,
+        min_distance: float | None = None,
+        threads: int | None = None,
+        bodies: Bodies | _Array | None = None,
+        fixed: _Flags | None = None,
+        self_contact: bool | None = None,
+        max_memory: int | None = None,
+        tolerance: float | None = None,
+        mode: Literal["conservative", "exact"] | None = None,
+        leave_contact: bool | None = None,
+        method: str | None = None,
+        builder: str | None = None,
+        traversal: str | None = None,
+        volume: str | None = None,
+        pipeline: str | None = None,
+        scheduler: str | None = None,
+        front: str | None = None,
+    ) -> Options: ...
+    @property
+    def min_distance(self) -> float:
+        """Contact means a distance of at most this."""
+    @property
+    def threads(self) -> int:
+        """Threads on the CPU, 0 for all cores."""
+    @property
+    def bodies(self) -> Bodies | None:
+        """Bodies and the rules of their pairs, if there are any."""
+    @property
+    def max_memory(self) -> int | None:
+        """Bytes that a session may hold."""
+    @property
+    def tolerance(self) -> float:
+        """How early a certain time of impact may be."""
+    @property
+    def mode(self) -> str:
+        """Conservative or exact."""
+    @property
+    def leave_contact(self) -> bool:
+        """Whether features that are in contact at the start may separate."""
+    @property
+    def method(self) -> str:
+        """The broad phase; of a tree with its builder, its traversal and its volume."""
+    @property
+    def pipeline(self) -> str:
+        """What is looked for in boxes: pairs of features, or of triangles."""
+    @property
+    def scheduler(self) -> str | None:
+        """How work is shared out; None: as the method does by itself."""
+    @property
+    def front(self) -> str:
+        """Whether descents begin where the last ones ended."""
+    def to_json(self) -> str:
+        """All options as text, bodies with their rules too."""
+    @staticmethod
+    def from_json(text: str) -> Options:
+        """Options from the text of to_json."""
+    def __eq__(self, value: object, /) -> bool: ...
+    def __reduce__(self) -> tuple[Callable[[str], Options], tuple[str]]: ...
+
+@final
+class CancelToken:
+    """Ends the calls of sessions that have it, from any thread."""
+
+    def __new__(cls) -> CancelToken: ...
+    def cancel(self) -> None:
+        """Ends the calls that run, and all later ones."""
+    @property
+    def is_cancelled(self) -> bool:
+        """Whether it is cancelled."""
 
 @final
 class Session:
@@ -83,17 +205,18 @@ class Session:
     def __new__(
         cls,
         mesh: Mesh,
+        options: Options | None = None,
         *,
-        min_distance: float = 0.0,
-        threads: int = 0,
-        bodies: Bodies | ArrayLike | None = None,
-        fixed: Sequence[bool] | NDArray[np.bool_] | None = None,
-        self_contact: bool | None = None,
         device: str | None = None,
+        min_distance: float | None = None,
+        threads: int | None = None,
+        bodies: Bodies | _Array | None = None,
+        fixed: _Flags | None = None,
+        self_contact: bool | None = None,
         max_memory: int | None = None,
-        tolerance: float = 1e-06,
-        mode: Literal["conservative", "exact"] = "conservative",
-        leave_contact: bool = False,
+        tolerance: float | None = None,
+        mode: Literal["conservative", "exact"] | None = None,
+        leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
         traversal: str | None = None,
@@ -106,43 +229,48 @@ class Session:
     def mesh(self) -> Mesh:
         """The mesh of the next step."""
     @property
+    def options(self) -> Options:
+        """The options of the next step."""
+    @property
     def place(self) -> str:
         """Where steps run: "2 threads", or the name of the GPU."""
     def step(
-        self, x0: ArrayLike, x1: ArrayLike, window: tuple[float, float] | None = None
+        self, x0: _Array, x1: _Array, window: tuple[float, float] | None = None
     ) -> Report:
         """Every contact of the step that exists in a window of time."""
-    def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
+    def step_many(self, frames: _Array | Iterable[_Array]) -> list[Report]:
+        """A report of each step of an animation: from each of these positions to the next."""
+    def earliest_toi(self, x0: _Array, x1: _Array) -> float | None:
         """The earliest time of impact; None if all of the step is free."""
-    def first_contact(self, x0: ArrayLike, x1: ArrayLike) -> Hit | None:
+    def first_contact(self, x0: _Array, x1: _Array) -> Hit | None:
         """The first contact with its point and normal; None if all of the step is free."""
-    def collision_free_stepsize(self, x0: ArrayLike, x1: ArrayLike) -> float:
+    def collision_free_stepsize(self, x0: _Array, x1: _Array) -> float:
         """The part of the step that is free of contact, in [0, 1]."""
-    def is_step_collision_free(self, x0: ArrayLike, x1: ArrayLike) -> bool:
+    def is_step_collision_free(self, x0: _Array, x1: _Array) -> bool:
         """Whether nothing touches during the step, both ends included."""
-    def set_positions(self, x: ArrayLike) -> None:
+    def set_positions(self, x: _Array) -> None:
         """From now on all vertices stand there, until step_bodies moves some."""
-    def step_bodies(self, motions: Sequence[tuple[int, ArrayLike, ArrayLike]]) -> Report:
+    def step_bodies(self, motions: Sequence[tuple[int, _Array, _Array]]) -> Report:
         """Every contact of a step in which these bodies move: (body, x0, x1) of each."""
     def earliest_toi_of_bodies(
-        self, motions: Sequence[tuple[int, ArrayLike, ArrayLike]]
+        self, motions: Sequence[tuple[int, _Array, _Array]]
     ) -> float | None:
         """The earliest time of impact of a step in which these bodies move."""
     def first_contact_of_bodies(
-        self, motions: Sequence[tuple[int, ArrayLike, ArrayLike]]
+        self, motions: Sequence[tuple[int, _Array, _Array]]
     ) -> Hit | None:
         """The first contact of a step in which these bodies move."""
     def candidates(
-        self, x0: ArrayLike, x1: ArrayLike
+        self, x0: _Array, x1: _Array
     ) -> tuple[
-        NDArray[np.uint32], NDArray[np.uint32], NDArray[np.uint32], NDArray[np.uint32]
+        _Ids, _Ids, _Ids, _Ids
     ]:
         """Pairs whose swept boxes overlap, an array (n, 2) for each Kind."""
-    def intersections(self, x: ArrayLike) -> NDArray[np.uint32]:
+    def intersections(self, x: _Array) -> _Ids:
         """Edges and faces that have a point in common at the positions x, (n, 2)."""
-    def set_mesh(self, mesh: Mesh, bodies: Bodies | ArrayLike | None = None) -> None:
+    def set_mesh(self, mesh: Mesh, bodies: Bodies | _Array | None = None) -> None:
         """From now on steps of another mesh, with other bodies if some are given."""
-    def set_bodies(self, bodies: Bodies | ArrayLike | None = None) -> None:
+    def set_bodies(self, bodies: Bodies | _Array | None = None) -> None:
         """From now on these bodies, or none."""
     def set_min_distance(self, min_distance: float) -> None:
         """From now on another min_distance."""
@@ -150,8 +278,34 @@ class Session:
         """From now on a body sleeps, or is awake."""
     def set_fixed(self, body: int, fixed: bool) -> None:
         """From now on a body is fixed, or moves."""
+    def set_fixed_motion(self, may_move: bool) -> None:
+        """From now on bodies that are fixed or asleep may be moved by the caller, or not."""
+    def set_options(
+        self,
+        options: Options | None = None,
+        *,
+        min_distance: float | None = None,
+        threads: int | None = None,
+        bodies: Bodies | _Array | None = None,
+        fixed: _Flags | None = None,
+        self_contact: bool | None = None,
+        max_memory: int | None = None,
+        tolerance: float | None = None,
+        mode: Literal["conservative", "exact"] | None = None,
+        leave_contact: bool | None = None,
+        method: str | None = None,
+        builder: str | None = None,
+        traversal: str | None = None,
+        volume: str | None = None,
+        pipeline: str | None = None,
+        scheduler: str | None = None,
+        front: str | None = None,
+    ) -> None:
+        """From now on these options, or those of before, with each that is named changed."""
+    def set_cancel_token(self, token: CancelToken | None = None) -> None:
+        """From now on calls end with a RuntimeError once this token is cancelled."""
     def set_filter(
-        self, filter: Callable[[int, NDArray[np.uint32]], NDArray[np.bool_]] | None = None
+        self, filter: Callable[[int, _Ids], NDArray[np.bool_]] | None = None
     ) -> None:
         """From now on filter(kind, pairs) says which candidates count."""
 
@@ -159,29 +313,15 @@ class Session:
 class Report:
     """What a step found: arrays with an entry for each contact."""
 
-    def __new__(
-        cls,
-        kind: NDArray[np.uint8],
-        a: NDArray[np.uint32],
-        b: NDArray[np.uint32],
-        toi: NDArray[np.float64],
-        state: NDArray[np.uint8],
-        vertices: NDArray[np.uint32],
-        earliest_toi: float | None,
-        n_candidates: tuple[int, int, int, int],
-        n_undecided: int,
-        times: dict[str, float],
-        toi_of_worlds: NDArray[np.float64] | None,
-        mesh: Mesh,
-    ) -> Report: ...
+    def __new__(cls, **parts: object) -> Report: ...
     @property
     def kind(self) -> NDArray[np.uint8]:
         """Kind of each contact."""
     @property
-    def a(self) -> NDArray[np.uint32]:
+    def a(self) -> _Ids:
         """Vertex id, or the lesser edge id."""
     @property
-    def b(self) -> NDArray[np.uint32]:
+    def b(self) -> _Ids:
         """Face id, or the greater edge id."""
     @property
     def toi(self) -> NDArray[np.float64]:
@@ -190,7 +330,10 @@ class Report:
     def state(self) -> NDArray[np.uint8]:
         """How certain: State.HIT or State.UNDECIDED."""
     @property
-    def vertices(self) -> NDArray[np.uint32]:
+    def approach(self) -> NDArray[np.uint8]:
+        """Whether features come nearer at the time of impact: an Approach."""
+    @property
+    def vertices(self) -> _Ids:
         """v f0 f1 f2, or ea0 ea1 eb0 eb1: (n, 4)."""
     @property
     def contacts(self) -> NDArray[np.void]:
@@ -199,11 +342,26 @@ class Report:
     def earliest_toi(self) -> float | None:
         """Least time of impact; None without contact."""
     @property
-    def n_candidates(self) -> tuple[int, int, int, int]:
+    def n_candidates(self) -> _PerKind:
         """Numbers of candidates in the order of Kind."""
+    @property
+    def n_filtered(self) -> _PerKind:
+        """Numbers of candidates that the filters left open, in the order of Kind."""
+    @property
+    def n_contacts(self) -> _PerKind:
+        """Numbers of contacts in the order of Kind."""
     @property
     def n_undecided(self) -> int:
         """Number of contacts that are undecided."""
+    @property
+    def triangles(self) -> dict[str, int] | None:
+        """Figures of pairs of triangles; None but with the pipeline "triangles"."""
+    @property
+    def front(self) -> dict[str, int] | None:
+        """Figures of the front; None without one."""
+    @property
+    def rebuilt(self) -> bool:
+        """Whether trees were built anew rather than refitted."""
     @property
     def times(self) -> dict[str, float]:
         """Where the time went, in milliseconds."""
@@ -213,10 +371,10 @@ class Report:
     @property
     def mesh(self) -> Mesh:
         """The mesh of the step."""
-    def geometry(self, x0: ArrayLike, x1: ArrayLike) -> Geometry:
+    def geometry(self, x0: _Array, x1: _Array) -> Geometry:
         """Points, normals and weights, from the positions of the step."""
     def __len__(self) -> int: ...
-    def __getnewargs__(self) -> tuple[object, ...]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, object]]: ...
 
 @final
 class Geometry:
@@ -286,39 +444,102 @@ class BroadPhase:
         cls,
         *,
         threads: int = 0,
-        method: str = "blocks",
         device: str | None = None,
+        method: str | None = None,
+        builder: str | None = None,
+        traversal: str | None = None,
+        volume: str | None = None,
+        scheduler: str | None = None,
+        front: str | None = None,
     ) -> BroadPhase: ...
-    def self_pairs(self, boxes: ArrayLike) -> NDArray[np.uint32]:
+    @property
+    def place(self) -> str:
+        """Where it runs: "2 threads", or the name of the GPU."""
+    @property
+    def times(self) -> dict[str, float] | None:
+        """Where the time of the last call went, in milliseconds; None on a GPU."""
+    @property
+    def visits(self) -> int | None:
+        """How many nodes of a tree, or pairs of nodes, the last call visited."""
+    @property
+    def tree_statistics(self) -> dict[str, float] | None:
+        """Figures of the binary tree of the last call, by name."""
+    def self_pairs(self, boxes: _Array) -> _Ids:
         """Pairs within one set of boxes (n, 2, 3), each once, the lesser index first."""
-    def pairs(self, a: ArrayLike, b: ArrayLike) -> NDArray[np.uint32]:
+    def pairs(self, a: _Array, b: _Array) -> _Ids:
         """Pairs of a box of a with a box of b."""
 
 def vertex_face(
-    x0: ArrayLike, x1: ArrayLike, min_distance: float = 0.0
+    x0: _Array, x1: _Array, min_distance: float = 0.0
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times of vertex-face queries, positions (..., 4, 3)."""
 
 def edge_edge(
-    x0: ArrayLike, x1: ArrayLike, min_distance: float = 0.0
+    x0: _Array, x1: _Array, min_distance: float = 0.0
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times of edge-edge queries, positions (..., 4, 3)."""
 
 def vertex_edge(
-    x0: ArrayLike, x1: ArrayLike, min_distance: float = 0.0
+    x0: _Array, x1: _Array, min_distance: float = 0.0
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times of vertex-edge queries, positions (..., 3, 3)."""
 
 def vertex_vertex(
-    x0: ArrayLike, x1: ArrayLike, min_distance: float = 0.0
+    x0: _Array, x1: _Array, min_distance: float = 0.0
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times of vertex-vertex queries, positions (..., 2, 3)."""
 
-def distance(kind: int, x: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def distance(kind: int, x: _Array) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Least and greatest distance of features at one moment, positions (..., n, 3)."""
 
-def read_mesh(path: str | PathLike[str]) -> tuple[Mesh, NDArray[np.float64]]:
+def exact_vertex_face(
+    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+    """States and times (.., 2) of vertex-face queries decided exactly, positions (..., 4, 3)."""
+
+def exact_edge_edge(
+    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+    """States and times (.., 2) of edge-edge queries decided exactly, positions (..., 4, 3)."""
+
+def exact_vertex_edge(
+    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+    """States and times (.., 2) of vertex-edge queries decided exactly, positions (..., 3, 3)."""
+
+def exact_vertex_vertex(
+    x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
+) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+    """States and times (.., 2) of vertex-vertex queries decided exactly, positions (..., 2, 3)."""
+
+def scaled_toi(toi: float, factor: float) -> float:
+    """A time of impact times a factor in [0, 1], rounded down."""
+
+def toi_to_f32(toi: float) -> float:
+    """The greatest number that a float32 holds and that is not above a time of impact."""
+
+def instruction_set() -> str:
+    """The vector instructions that the CPU's path uses here."""
+
+def gpus() -> list[str]:
+    """Names of the GPUs of this machine."""
+
+def methods() -> list[dict[str, object]]:
+    """The choices of methods: what, name, about, source, backends."""
+
+def read_mesh(
+    path: str | PathLike[str], first: str | PathLike[str] | None = None
+) -> tuple[Mesh, NDArray[np.float64]]:
     """A mesh and its positions: OBJ, PLY, STL, OFF, glTF or GLB."""
 
-def read_positions(path: str | PathLike[str]) -> NDArray[np.float64]:
+def read_positions(
+    path: str | PathLike[str], frames: tuple[int, int] | None = None
+) -> NDArray[np.float64]:
     """Positions over time (n_frames, n_vertices, 3): NPY, NPZ, PC2 or MDD."""
+
+def read_queries(
+    path: str | PathLike[str], kind: int | None = None
+) -> tuple[
+    NDArray[np.uint8], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_] | None
+]:
+    """Kinds, positions at both ends (n, 4, 3) and answers of a file of queries."""

@@ -1,0 +1,97 @@
+//! Geometry of all contacts of a report, as columns.
+
+use crate::arrays::{Floats, numbers};
+use crate::errors::{input, refused};
+use ccd::{Contact, Coordinate, Kind, Mesh, State};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+/// How features meet at the times of impact: arrays with an entry for each contact.
+#[pyclass(frozen, get_all, module = "meshccd")]
+pub struct Geometry {
+    /// Halfway between the nearest points, (n, 3) float64.
+    point: Py<PyArray2<f64>>,
+    /// Unit vector from `b` towards `a`: pushing `a` along it parts the two, (n, 3) float64.
+    normal: Py<PyArray2<f64>>,
+    /// Of the vertices in `Report.vertices`, in the nearest point of their feature: (n, 4) float64.
+    weights: Py<PyArray2<f64>>,
+    /// The nearest point of `a`, (n, 3) float64.
+    on_a: Py<PyArray2<f64>>,
+    /// The nearest point of `b`, (n, 3) float64.
+    on_b: Py<PyArray2<f64>>,
+    /// Between the nearest points, (n,) float64.
+    distance: Py<PyArray1<f64>>,
+}
+
+/// Columns that say which contacts.
+pub struct Contacts<'py> {
+    kind: PyReadonlyArray1<'py, u8>,
+    a: PyReadonlyArray1<'py, u32>,
+    b: PyReadonlyArray1<'py, u32>,
+    toi: PyReadonlyArray1<'py, f64>,
+}
+
+impl<'py> Contacts<'py> {
+    pub fn new(
+        kind: &Bound<'py, PyArray1<u8>>,
+        (a, b): (&Bound<'py, PyArray1<u32>>, &Bound<'py, PyArray1<u32>>),
+        toi: &Bound<'py, PyArray1<f64>>,
+    ) -> PyResult<Self> {
+        Ok(Self {
+            kind: kind.try_readonly().map_err(refused)?,
+            a: a.try_readonly().map_err(refused)?,
+            b: b.try_readonly().map_err(refused)?,
+            toi: toi.try_readonly().map_err(refused)?,
+        })
+    }
+
+    /// Where they are, from positions at both ends of the step.
+    pub fn geometry(
+        &self,
+        py: Python<'_>,
+        mesh: &Mesh,
+        [x0, x1]: [&Bound<'_, PyAny>; 2],
+    ) -> PyResult<Geometry> {
+        let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
+        match &positions {
+            Floats::F32([x0, x1]) => self.of(py, mesh, [numbers(x0)?, numbers(x1)?]),
+            Floats::F64([x0, x1]) => self.of(py, mesh, [numbers(x0)?, numbers(x1)?]),
+        }
+    }
+
+    fn of<T: Coordinate + Element>(
+        &self,
+        py: Python<'_>,
+        mesh: &Mesh,
+        x: [&[T]; 2],
+    ) -> PyResult<Geometry> {
+        let [x0, x1] = x.map(|x| x.as_chunks().0);
+        mesh.check_positions(x0, x1).map_err(input)?;
+        let kind = self.kind.as_slice().map_err(refused)?;
+        let (a, b) = (self.a.as_slice().map_err(refused)?, self.b.as_slice().map_err(refused)?);
+        let toi = self.toi.as_slice().map_err(refused)?;
+        let [point, normal, weights, on_a, on_b, distance] = py.detach(|| {
+            let mut columns: [Vec<f64>; 6] = Default::default();
+            for (((&kind, &a), &b), &toi) in kind.iter().zip(a).zip(b).zip(toi) {
+                let contact = Contact::new(Kind::ALL[kind as usize], State::Hit, a, b, toi);
+                let at = contact.geometry(mesh, x0, x1);
+                let values: [&[f64]; 6] =
+                    [&at.point, &at.normal, &at.weights, &at.on_a, &at.on_b, &[at.distance]];
+                columns.iter_mut().zip(values).for_each(|(column, v)| column.extend(v));
+            }
+            columns
+        });
+        let n = toi.len();
+        let rows = |flat: Vec<f64>, width: usize| -> PyResult<Py<PyArray2<f64>>> {
+            Ok(PyArray1::from_vec(py, flat).reshape([n, width])?.unbind())
+        };
+        Ok(Geometry {
+            point: rows(point, 3)?,
+            normal: rows(normal, 3)?,
+            weights: rows(weights, 4)?,
+            on_a: rows(on_a, 3)?,
+            on_b: rows(on_b, 3)?,
+            distance: PyArray1::from_vec(py, distance).unbind(),
+        })
+    }
+}
