@@ -1,6 +1,6 @@
 //! Readers of what the command takes: meshes (PLY, OBJ, OFF, STL, glTF; also by gzip), positions
-//! over time (NPY, NPZ, PC2, MDD) and query files. Feature `io`. What is read of each format is said in
-//! `docs/formats.md`.
+//! over time (NPY, NPZ, PC2, MDD) and query files. Feature `io`. What is read of each format is
+//! said in `docs/formats.md`.
 
 mod gltf;
 mod input;
