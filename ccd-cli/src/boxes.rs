@@ -2,7 +2,7 @@
 
 use super::backend::BackendOptions;
 use super::method::MethodOptions;
-use super::{Failure, Outcome, backend, files, in_file, output};
+use super::{Failure, Outcome, backend, files, in_file, output, progress};
 use ccd::Aabb;
 use ccd::any::{BroadPhase, Error, Pairs};
 use clap::Args;
@@ -74,11 +74,14 @@ impl Boxes {
         let mut broad = BroadPhase::scheduled(&choice, self.threads, method, scheduling)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
+        let bar = progress::bar(self.runs as usize, "runs");
         for _ in 0..self.runs {
             let start = Instant::now();
             n_pairs = pairs(&mut broad, &a, b.as_deref())?.len();
             times.push(start.elapsed().as_secs_f64() * 1e3);
+            bar.inc(1);
         }
+        bar.finish_and_clear();
         if let (Some(out), Some(path)) = (out, &self.pairs) {
             let found = pairs(&mut broad, &a, b.as_deref())?;
             write(out, found).map_err(|e| files::failed(path, e))?;
@@ -92,7 +95,7 @@ impl Boxes {
         if self.json {
             let (place, runs) = (output::Place::new(&place, None), self.runs);
             output::json(&Json { boxes, pairs: n_pairs, place, runs, times_ms: times })?;
-        } else if !pairs_path.is_some_and(files::is_stdout) {
+        } else if !pairs_path.is_some_and(files::is_standard) {
             match boxes {
                 [n, 0] if b.is_none() => output::line("boxes", n),
                 [n, m] => output::line("boxes", format_args!("{n} against {m}")),
@@ -148,7 +151,7 @@ fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {
         // Written so that NaN fails.
         if let Some(axis) = (0..3).find(|&axis| !(n[axis] <= n[axis + 3])) {
             let (name, min, max) = (["x", "y", "z"][axis], n[axis], n[axis + 3]);
-            let what = format!("box {} (counted from 1) has {name} from {min} to {max}", at + 1);
+            let what = format!("box {at} (counted from 0) has {name} from {min} to {max}");
             return Err(in_file(path, what));
         }
         Ok(Aabb { min: [n[0], n[1], n[2]], max: [n[3], n[4], n[5]] })

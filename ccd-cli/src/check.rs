@@ -5,7 +5,7 @@ use super::output::{self, Counts, MeshSize, TimesMs};
 use super::start::{self, Intersections};
 use super::{
     Failure, INPUT, OUTPUT, Outcome, Precision, QUESTION, StepOptions, backend, files, in_file,
-    picture, rows,
+    look, picture, progress::Work, rows,
 };
 use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, MESH_EXTENSIONS, listed};
@@ -20,7 +20,8 @@ use std::time::Instant;
 #[derive(Args)]
 pub struct Check {
     #[arg(value_name = "T0")]
-    #[arg(help = format!("The mesh at the start of the step ({})", listed(&MESH_EXTENSIONS)))]
+    #[arg(help = format!("The mesh at the start of the step ({}; also by gzip, as .ply.gz); `-` \
+        for one of the two is standard input", listed(&MESH_EXTENSIONS)))]
     t0: PathBuf,
     /// The same mesh at the end of the step
     #[arg(value_name = "T1")]
@@ -31,18 +32,22 @@ pub struct Check {
     /// being 0.
     #[arg(short = 'w', long = "with", value_name = "B0[,B1]", help_heading = INPUT)]
     others: Vec<Files>,
+    /// Format of standard input; default: as its first bytes say
+    #[arg(long, value_parser = MESH_EXTENSIONS, hide_short_help = true, help_heading = INPUT)]
+    format: Option<String>,
     /// Only contacts that exist at some time from A to B in [0, 1]
     #[arg(long, value_name = "A,B", value_parser = window, help_heading = QUESTION)]
     window: Option<[f64; 2]>,
-    /// Write and draw only the N contacts with the least times
+    /// Write and draw at most N contacts, those with the least times
+    ///
+    /// This limits files and the picture alone: all contacts are found and counted.
     #[arg(long, value_name = "N", help_heading = OUTPUT)]
     earliest: Option<usize>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
     #[arg(long, value_name = "OUT.csv", hide_short_help = true, help_heading = OUTPUT)]
     candidates: Option<PathBuf>,
-    /// What the picture shows
-    #[arg(long, value_enum, default_value_t = picture::Zoom::All, help_heading = OUTPUT)]
-    zoom: picture::Zoom,
+    #[command(flatten)]
+    look: look::Look,
     #[command(flatten)]
     pub options: StepOptions,
 }
@@ -78,12 +83,15 @@ impl Check {
         let points = self.options.point_file()?;
         let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
         let listed = listed.transpose()?;
+        let work = Work::new("reading meshes");
         let start = Instant::now();
-        let objects = Objects::read(files)?;
+        let objects = Objects::read(files, self.format.as_deref())?;
         let (t0, t1) = (&objects.start, &objects.end);
-        let mesh = mesh_of(&self.t0, t0)?;
+        let names = objects.first();
+        let mesh = mesh_of(names[0], t0)?;
         let load = start.elapsed().as_secs_f64() * 1e3;
 
+        work.goes_on("preparing the step");
         let mut session = self.options.session_of(mesh, objects.bodies())?;
         if session.options().scheduling.front != Front::Off {
             output::notice!(
@@ -92,17 +100,21 @@ impl Check {
             );
         }
         if let Some(file) = listed {
+            work.goes_on("listing candidates");
             list_candidates(&mut session, self.options.precision, t0, t1, file)?;
         }
         let precision = self.options.precision;
         let place = |time, vertex| objects.place(time == 1, vertex);
         let window = self.window.unwrap_or([0.0, 1.0]);
+        work.goes_on("looking for contacts");
         step(&mut session, precision, [t0, t1], window, place)?;
+        work.goes_on("looking for intersections of the first frame");
         let start = look_at_start(&mut session, precision, t0, place)?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         let shown = self.shown(&report.contacts);
         if file.is_some() || points.is_some() {
+            work.goes_on("writing contacts");
             let [x0, x1] = [t0, t1].map(|frame| self.options.precision.round(&frame.positions));
             let step = rows::Step { mesh, x0: &x0, x1: &x1, polygons: &t0.polygons };
             if let Some(mut file) = file {
@@ -114,13 +126,14 @@ impl Check {
             }
         }
         if let Some(path) = &self.options.picture {
-            let title = output::title(&[&self.t0, &self.t1], &session.place());
+            work.goes_on("drawing the picture");
+            let (distance, place) = (self.options.min_distance, session.place());
+            let title = &output::title(&names, distance, &place);
             let x = [&t0.positions[..], &t1.positions];
-            let (contacts, zoom) = (&shown[..], self.zoom);
-            let (title, min_distance) = (&title[..], self.options.min_distance);
-            let scene = picture::Scene { title, mesh, x, contacts, min_distance, zoom };
+            let scene = picture::Scene { title, mesh, x, contacts: &shown, look: self.look };
             picture::write(path, &scene)?;
         }
+        drop(work);
         let contacts = report.n_contacts();
         if self.options.json {
             let place = session.place();
@@ -155,7 +168,7 @@ impl Check {
     }
 
     fn lists_to_stdout(&self) -> bool {
-        self.candidates.as_deref().is_some_and(files::is_stdout)
+        self.candidates.as_deref().is_some_and(files::is_standard)
     }
 }
 
@@ -270,13 +283,13 @@ fn named<'a>(
             let name = ["x", "y", "z"][axis as usize];
             let precision = precision.name();
             let (path, vertex) = place(time as u32, vertex);
-            let what = format!("vertex {} (counted from 1): {name} = {value} in", vertex + 1);
+            let what = format!("vertex {vertex} (counted from 0): {name} = {value} in");
             in_file(path, format_args!("{what} {precision}"))
         }
         Error::Input(ccd::Error::FixedMoves { vertex }) => {
             let [(from, _), (path, vertex)] = [0, 1].map(|time| place(time, vertex));
-            let (vertex, from) = (vertex + 1, from.display());
-            let what = format!("vertex {vertex} (counted from 1) is not where it is in {from}");
+            let from = from.display();
+            let what = format!("vertex {vertex} (counted from 0) is not where it is in {from}");
             in_file(path, format_args!("{what}, and its body is --fixed"))
         }
         _ => e.into(),

@@ -2,9 +2,12 @@
 
 use super::backend::BackendOptions;
 use super::cloth::{Cloth, PUSH_DISTANCE, Size};
+use super::look::{Look, Zoom};
 use super::method::MethodOptions;
+use super::plot::Series;
 use super::{
     Failure, Outcome, backend, files, in_file, interrupt, mesh_file, output, picture, plot,
+    progress,
 };
 use ccd::Mesh;
 use clap::Args;
@@ -27,8 +30,8 @@ pub struct Demo {
     #[arg(long, value_name = "DIR", default_value = "ccd-demo")]
     out: PathBuf,
     /// What the picture of the last frame shows
-    #[arg(long, value_enum, default_value_t = picture::Zoom::All)]
-    zoom: picture::Zoom,
+    #[arg(long, value_enum, default_value_t = Zoom::Auto)]
+    zoom: Zoom,
     /// Write the frames, the first one too, as PLY: FOLDER/frame-00000.ply and so on; made if it is
     /// not there
     #[arg(long, value_name = "FOLDER")]
@@ -56,7 +59,7 @@ impl Demo {
         self.write_frame(0, &cloth)?;
         output::line("scene", output::MeshSize::of(&cloth.mesh));
         let n_frames = self.frames + self.settle;
-        let bar = output::progress(n_frames as usize, "frames");
+        let bar = progress::bar(n_frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());
         let mut n_calls = 0;
         for frame in 0..n_frames {
@@ -73,15 +76,16 @@ impl Demo {
         }
         bar.finish_and_clear();
         let (place, backend) = (cloth.place(), cloth.place().backend().to_uppercase());
-        let title = format!("a cloth on a sphere, {n_frames} frames; {backend}: {place}");
+        let distance = format!("minimum distance {PUSH_DISTANCE}");
+        let title =
+            format!("a cloth on a sphere, {n_frames} frames; {distance}; {backend}: {place}");
         let [x0, x1] = &cloth.step;
         let scene = picture::Scene {
             title: &title,
             mesh: &cloth.mesh,
             x: [x0, x1],
             contacts: &cloth.contacts,
-            min_distance: PUSH_DISTANCE,
-            zoom: self.zoom,
+            look: Look { zoom: self.zoom, ..Look::default() },
         };
         picture::write(&last, &scene)?;
         plot::write(
@@ -89,8 +93,8 @@ impl Demo {
             &title,
             ("frame", 0),
             [
-                ("collision detection, ms a frame", &times),
-                ("contacts within 6 mm in the last step of a frame", &contacts),
+                Series::new("collision detection, ms a frame", &times),
+                Series::new("contacts within 6 mm in the last step of a frame", &contacts),
             ],
         )?;
         let total: f64 = times.iter().sum();

@@ -12,14 +12,14 @@ pub fn has_extension(path: &Path, extensions: &[&str]) -> bool {
     path.extension().is_some_and(|e| extensions.iter().any(|x| e.eq_ignore_ascii_case(x)))
 }
 
-/// Whether a path means standard output.
-pub fn is_stdout(path: &Path) -> bool {
+/// Whether a path means standard input or output.
+pub fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
 /// Creates a file, or opens standard output for `-`.
 pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
-    if is_stdout(path) {
+    if is_standard(path) {
         return Ok(Output { to: Box::new(io::stdout()), places: None });
     }
     if !has_extension(path, &[extension]) {
@@ -113,7 +113,7 @@ impl Drop for Output {
 
 /// Why something could not be written; ends the program where nobody reads standard output.
 pub fn failed(path: &Path, e: std::io::Error) -> Failure {
-    if is_stdout(path) { ended(&e) } else { in_file(path, e) }
+    if is_standard(path) { ended(&e) } else { in_file(path, e) }
 }
 
 /// Refuses outputs that would lie over each other or over what is read, before one of them is
@@ -128,7 +128,7 @@ pub fn check(
     let mut on_stdout = json.map(str::to_owned);
     for &(option, path) in written {
         let Some(path) = path else { continue };
-        if is_stdout(path) {
+        if is_standard(path) {
             let this = format!("`{option} -`");
             if let Some(other) = on_stdout {
                 return Err(Failure(format!("{other} and {this} both go to standard output")));

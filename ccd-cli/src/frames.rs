@@ -5,7 +5,7 @@ use super::files::has_extension;
 use super::objects::{mesh_of, same_topology};
 use super::{Failure, in_file};
 use ccd::Mesh;
-use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, read_frame, read_frame_as};
+use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, mesh_format, read_frame, read_frame_as};
 use std::path::{Path, PathBuf};
 
 /// Source of frames.
@@ -137,7 +137,7 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     for entry in entries {
         let path = entry.map_err(|e| in_file(folder, e))?.path();
-        if has_extension(&path, &MESH_EXTENSIONS) {
+        if mesh_format(&path).is_some() {
             found.push(path);
         }
     }

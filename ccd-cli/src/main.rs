@@ -5,6 +5,7 @@ mod backend;
 mod bench;
 mod bodies;
 mod boxes;
+mod camera;
 mod canvas;
 mod check;
 mod cloth;
@@ -18,6 +19,7 @@ mod interrupt;
 mod join;
 mod legend;
 mod lines;
+mod look;
 mod manual;
 mod merge;
 mod mesh_file;
@@ -30,6 +32,7 @@ mod picture;
 mod pixels;
 mod plot;
 mod points;
+mod progress;
 mod queries;
 mod rows;
 mod scheduling;
@@ -51,6 +54,10 @@ use std::process::ExitCode;
 /// A contact is where features touch on their way. A first frame that already passes through
 /// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
 /// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
+///
+/// Vertices, edges, faces, bodies, boxes, queries, frames and steps are counted from 0, in what is
+/// printed and written and in errors, whatever the file's own numbers are: `f 1 2 3` of an OBJ file
+/// has vertices 0, 1 and 2. Lines of files, and parts (--part 1/8), are counted from 1.
 ///
 /// Exit status: 0 done; 1 contacts were found, or a first frame that intersects itself, and
 /// --fail-on-contact was given; 2 bad use or bad input; 130 ended by Ctrl-C. Files are written
@@ -130,8 +137,8 @@ const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of t
               other
   toi, state  time of impact in [0, 1]; hit or undecided
   v0 .. v3    the vertices of a, then those of b; ve has three, vv two
-  polygon     the file's face, counted from 0, that face b is cut from;
-              without a face: empty
+  polygon     the file's face that face b is cut from; without a face:
+              empty
   px py pz    where they meet at the time of impact
   nx ny nz    unit normal there, from b to a
   w0 .. w3    weights of v0 .. v3: points on a and b as sums of positions";
@@ -266,7 +273,7 @@ impl StepOptions {
     /// Whether text is printed: not with JSON, nor if a file goes to standard output.
     fn prints_text(&self) -> bool {
         let files = [&self.contacts, &self.picture];
-        !self.json && !files.into_iter().flatten().any(|path| files::is_stdout(path))
+        !self.json && !files.into_iter().flatten().any(|path| files::is_standard(path))
     }
 
     /// A session for a mesh where the options want it.
@@ -296,8 +303,7 @@ impl StepOptions {
         let mut session = session.map_err(|e| match e {
             ccd::any::Error::Input(ccd::Error::MixedBodies { element, at, bodies: [a, b] }) => {
                 let element = if element == "face" { "triangle" } else { element };
-                let at = at + 1;
-                let what = format!("{element} {at} (counted from 1) joins bodies {a} and {b}");
+                let what = format!("{element} {at} (counted from 0) joins bodies {a} and {b}");
                 in_file(self.bodies.file().unwrap_or("--bodies".as_ref()), what)
             }
             _ => Failure::from(e),

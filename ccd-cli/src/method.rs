@@ -183,9 +183,10 @@ impl MethodOptions {
             (Builder::NearestPair { .. }, None, Some(limit)) => Ok(Builder::NearestPair { limit }),
             (_, None, None) => Ok(builder),
             (_, Some(_), _) => Err(Failure(format!("--radius is for --builder ploc, not {name}"))),
-            (_, _, Some(_)) => {
-                Err(Failure(format!("--limit is for --builder nearest-pair, not {name}")))
-            }
+            (_, _, Some(_)) => Err(Failure(format!(
+                "--limit is for --builder nearest-pair, not {name}; contacts that are written are \
+                     limited by check --earliest"
+            ))),
         }
     }
 

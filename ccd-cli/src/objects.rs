@@ -1,8 +1,8 @@
 //! Several objects in one check: their files, joined to one mesh of which each object is a body.
 
-use super::{Failure, in_file, output};
+use super::{Failure, files, in_file, output};
 use ccd::Mesh;
-use ccd::io::{Frame, read_frame, read_frame_as};
+use ccd::io::{Frame, read_frame, read_frame_from};
 use std::convert::Infallible;
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ impl Files {
         Self { start: start.into(), end: Some(end.into()) }
     }
 
-    /// What is read.
+    /// What is read; `-` is standard input.
     pub fn paths(&self) -> impl Iterator<Item = &Path> {
         [Some(&self.start), self.end.as_ref()].into_iter().flatten().map(PathBuf::as_path)
     }
@@ -50,16 +50,31 @@ pub struct Objects {
 }
 
 impl Objects {
-    /// Reads all files and joins them in their order.
-    pub fn read(files: Vec<Files>) -> Result<Self, Failure> {
-        let before = vec![[0; 2]];
+    /// Reads all files and joins them in their order. `format`: that of standard input, if it is
+    /// not told by its first bytes.
+    pub fn read(mut files: Vec<Files>, format: Option<&str>) -> Result<Self, Failure> {
+        let streams = files.iter().flat_map(Files::paths).filter(|path| files::is_standard(path));
+        match streams.count() {
+            0 if format.is_some() => {
+                return Err(Failure("--format is that of standard input; no file is `-`".into()));
+            }
+            0 | 1 => {}
+            _ => return Err(Failure("`-` is given twice; standard input has one mesh".into())),
+        }
+        let read = |path: &mut PathBuf| -> Result<Frame, Failure> {
+            if !files::is_standard(path) {
+                return Ok(read_frame(path)?);
+            }
+            *path = "standard input".into();
+            Ok(read_frame_from(std::io::stdin().lock(), path, format)?)
+        };
         let (start, end) = (Frame::default(), Frame::default());
-        let mut all = Self { files, before, start, end };
-        for files in &all.files {
-            let start = read_frame(&files.start)?;
+        let mut all = Self { files: Vec::new(), before: vec![[0; 2]], start, end };
+        for files in &mut files {
+            let start = read(&mut files.start)?;
             mesh_of(&files.start, &start)?;
-            if let Some(path) = &files.end {
-                let end = read_frame_as(path, &start)?;
+            if let Some(path) = &mut files.end {
+                let end = read(path)?.merged_as(&start).map_err(|e| in_file(path, e))?;
                 same_topology((&files.start, &start), (path, &end))?;
                 append(&mut all.end, &end);
             } else {
@@ -68,7 +83,13 @@ impl Objects {
             append(&mut all.start, &start);
             all.before.push([all.start.positions.len(), all.start.faces.len()]);
         }
+        all.files = files;
         Ok(all)
+    }
+
+    /// The files of the first object, as they are called in what is said of them.
+    pub fn first(&self) -> Vec<&Path> {
+        self.files[0].paths().collect()
     }
 
     /// The object of each vertex, and whether each stands still; `None` of one object.
@@ -151,7 +172,7 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
 /// The first element that two frames do not share: its name, and its vertices in each.
 fn other<T: PartialEq + Debug>(name: &str, a: &[T], b: &[T]) -> Option<(String, [String; 2])> {
     let i = a.iter().zip(b).position(|(a, b)| a != b)?;
-    Some((format!("{name} {} (counted from 1)", i + 1), [&a[i], &b[i]].map(|v| format!("{v:?}"))))
+    Some((format!("{name} {i} (counted from 0)"), [&a[i], &b[i]].map(|v| format!("{v:?}"))))
 }
 
 /// The mesh of a frame with the path in its errors.

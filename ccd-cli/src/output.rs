@@ -263,8 +263,8 @@ pub fn thousands(n: usize) -> String {
 }
 
 /// Title of a picture: the end of the first path with the folders that name its scene, the names of
-/// the other files, and the place of the computation.
-pub fn title(files: &[&Path], place: &any::Place) -> String {
+/// the other files, the minimum distance, and the place of the computation.
+pub fn title(files: &[&Path], min_distance: f64, place: &any::Place) -> String {
     let mut names = Vec::new();
     for (i, path) in files.iter().enumerate() {
         // Without `..` and the like, which name no scene.
@@ -276,7 +276,8 @@ pub fn title(files: &[&Path], place: &any::Place) -> String {
         let kept = if i == 0 { 3 } else { 1 };
         names.push(parts[parts.len().saturating_sub(kept)..].join("/"));
     }
-    format!("{}; {}: {place}", names.join(" to "), place.backend().to_uppercase())
+    let (names, backend) = (names.join(" to "), place.backend().to_uppercase());
+    format!("{names}; minimum distance {min_distance}; {backend}: {place}")
 }
 
 /// Prints an object as one line of JSON.
@@ -284,18 +285,6 @@ pub fn json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).map_err(|e| Failure(e.to_string()))?;
     print(format_args!("{text}"));
     Ok(())
-}
-
-/// Progress bar; hidden if standard error is not a terminal, or with `--quiet`.
-pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
-    let template = "{msg} {wide_bar} {pos}/{len}, {eta} left";
-    let style = indicatif::ProgressStyle::with_template(template)
-        .unwrap_or_else(|_| indicatif::ProgressStyle::default_bar());
-    let bar = indicatif::ProgressBar::new(n as u64).with_style(style).with_message(what);
-    if is_quiet() {
-        bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
-    }
-    bar
 }
 
 /// The processor, as Linux names it; elsewhere its architecture.

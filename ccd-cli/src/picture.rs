@@ -1,8 +1,9 @@
 //! A picture of a mesh with its contacts: where and when each of them is, with a scale and a
 //! legend.
 
-use super::canvas::{Canvas, Colour, Shape, View};
-use super::legend::{Legend, SIZE_ALL, colour_of};
+use super::canvas::{Canvas, Colour, Shape};
+use super::legend::{Frame, Legend, colour_of};
+use super::look::{Look, Subject};
 use super::output::thousands;
 use super::{Failure, in_file, pixels, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
@@ -10,32 +11,24 @@ use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
 use std::path::Path;
 
-/// Visible part of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Zoom {
-    /// All of the mesh
-    All,
-    /// Where the contacts are
-    Contacts,
-}
-
 /// Contents of a picture.
 pub struct Scene<'a> {
-    /// First line: the scene, and the backend that ran it.
+    /// First line: the scene, the minimum distance, and the backend that ran it.
     pub title: &'a str,
     pub mesh: &'a Mesh,
     /// Positions at the start and at the end of the step.
     pub x: [&'a [[f64; 3]]; 2],
     pub contacts: &'a [Contact],
-    /// Up to which distance there is contact.
-    pub min_distance: f64,
-    pub zoom: Zoom,
+    pub look: Look,
 }
 
 const ROD: Colour = [0.20, 0.24, 0.32];
 const RING: Colour = [0.03, 0.03, 0.06];
-/// Radius of the ring around the earliest contact, in samples.
+/// Radius of the ring around the earliest contact, and the least one of its mark, in samples.
 const RING_RADIUS: f64 = 30.0;
+const FIRST_RADIUS: f64 = 7.0;
+/// Opacity of marks that nothing is before.
+const SEEN: f64 = 0.92;
 /// Up to this number of contacts their features are outlined.
 const FEW: usize = 24;
 
@@ -43,57 +36,48 @@ const FEW: usize = 24;
 /// contact at its place and in the colour of its time.
 pub fn write(path: &Path, scene: &Scene) -> Result<(), Failure> {
     let drawn = draw(scene).map_err(|e| in_file(path, e))?;
-    pixels::save(path, SIZE_ALL, drawn)
+    pixels::save(path, scene.look.size.map(|n| n as u32).into(), drawn)
 }
 
 fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
     let (mesh, [x0, x1]) = (scene.mesh, scene.x);
-    // The latest first, so that the earlier are not covered.
     let mut marks: Vec<(&Contact, ContactGeometry)> =
         scene.contacts.iter().map(|c| (c, c.geometry(mesh, x0, x1))).collect();
-    marks.sort_by(|a, b| b.0.toi.total_cmp(&a.0.toi));
-    let times = marks.last().zip(marks.first()).map(|(first, last)| {
+    marks.sort_by(|a, b| a.0.toi.total_cmp(&b.0.toi));
+    let times = marks.first().zip(marks.last()).map(|(first, last)| {
         let [first, last] = [first.0.toi, last.0.toi];
         // Times are known to their tolerance: what differs by less has one colour.
         if last - first > TOI_TOLERANCE { [first, last] } else { [first, first] }
     });
     let shown = times.map_or(0.0, |[first, _]| first);
     let x: Vec<[f64; 3]> = x0.iter().zip(x1).map(|(&p, &q)| lerp(p, q, shown)).collect();
-    let points = marks.iter().map(|(_, at)| at.point);
-    let whole = View::of(x.iter().copied().chain(points.clone()), 0.0);
-    let view = match scene.zoom {
-        Zoom::Contacts if !marks.is_empty() => {
-            // Large features in contact do not make it show less closely than all.
-            let least = match size_of_features(scene) {
-                0.0 => 0.1 * whole.extent(),
-                size => 2.0 * size,
-            };
-            let near = View::of(points, least);
-            if near.scale() > whole.scale() { near } else { whole }
-        }
-        _ => whole,
-    };
+    let points: Vec<[f64; 3]> = marks.iter().map(|(_, at)| at.point).collect();
+    let frame = Frame::of(scene.look.size);
+    let features = size_of_features(scene);
+    let subject = Subject { mesh, x: &x, points: &points, features };
+    let view = scene.look.view(&subject, frame.area(), frame.unit);
 
-    let spread = view.samples_of(&View::of(marks.iter().map(|(_, at)| at.point), 0.0));
     let mut canvas = Canvas::new(view);
     for &face in mesh.faces() {
         canvas.triangle(face.map(|v| x[v as usize]));
     }
+    let backs = canvas.shows_backs();
     let (rods, particles) = loose(mesh);
     for [a, b] in rods {
-        canvas.line(x[a as usize], x[b as usize], 4.0, ROD, false);
+        canvas.line(x[a as usize], x[b as usize], 4.0 * frame.unit, ROD, false);
     }
     for v in particles {
-        canvas.mark(x[v as usize], Shape::Disc, 5.0, ROD, 0.0);
+        let p = x[v as usize];
+        if canvas.sees(p) {
+            canvas.mark(p, Shape::Disc, 5.0 * frame.unit, ROD, SEEN);
+        }
     }
-    draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]), spread);
+    let spread = view.samples_of(&view.of_points(&points));
+    draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]), [spread, frame.unit]);
 
     let n_undecided = marks.iter().filter(|(c, _)| c.state == State::Undecided).count();
     let plural = if marks.len() == 1 { "" } else { "s" };
     let mut text = format!("{} contact{plural}", thousands(marks.len()));
-    if scene.min_distance > 0.0 {
-        text += &format!(" (a distance of at most {})", scene.min_distance);
-    }
     if n_undecided > 0 {
         text += &format!(", {} of them undecided", thousands(n_undecided));
     }
@@ -101,27 +85,35 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
         Some(_) => format!("; the mesh as it is at the earliest, t = {}", toi::plain(shown)),
         None => "; the mesh at the start of the step".into(),
     };
+    let enlarged = view.scale() / view.of_points(&x).scale();
+    if enlarged > 1.05 {
+        text += &format!("; enlarged {enlarged:.1} times (all: --zoom all)");
+    }
     let legend = Legend {
+        frame,
         lines: [scene.title, &text],
         pixels_per_unit: view.scale(),
         times,
         undecided: n_undecided > 0,
+        backs,
     };
-    legend.frame(&canvas.pixels())
+    legend.around(&canvas.pixels())
 }
 
+/// Marks of contacts, which are sorted by their times: the latest first, so that the earlier are
+/// not covered. `spread`: the length of all contacts in samples; `unit`: that of the frame.
 fn draw_marks(
     canvas: &mut Canvas,
     scene: &Scene,
     marks: &[(&Contact, ContactGeometry)],
     [first, last]: [f64; 2],
-    spread: f64,
+    [spread, unit]: [f64; 2],
 ) {
     let n = marks.len().max(1) as f64;
     // Few marks are large, many are small, and smaller where all are in one spot.
-    let mut radius = (14.0 - 2.0 * n.log10()).max(3.0);
+    let mut radius = (14.0 - 2.0 * n.log10()).max(3.0) * unit;
     if marks.len() > FEW {
-        radius = radius.min((0.02 * spread).max(2.0));
+        radius = radius.min((0.02 * spread).max(2.0 * unit));
     }
     // So that many marks behind a surface do not add up to one before it.
     let hidden = (300.0 / n).clamp(0.01, 0.25);
@@ -130,27 +122,30 @@ fn draw_marks(
         false => colour_of(0.0),
     };
     if marks.len() <= FEW {
-        for (c, _) in marks {
-            outline(canvas, scene, c, colour(c));
+        for (c, _) in marks.iter().rev() {
+            outline(canvas, scene, c, colour(c), 3.0 * unit);
         }
     }
-    for (c, at) in marks {
-        let shape = if c.state == State::Hit { Shape::Disc } else { Shape::Square };
-        canvas.mark(at.point, shape, radius, colour(c), hidden);
+    let shape = |c: &Contact| if c.state == State::Hit { Shape::Disc } else { Shape::Square };
+    for (c, at) in marks.iter().skip(1).rev() {
+        let opacity = if canvas.sees(at.point) { SEEN } else { hidden };
+        canvas.mark(at.point, shape(c), radius, colour(c), opacity);
     }
-    if let Some((_, at)) = marks.last() {
-        canvas.mark(at.point, Shape::Ring, RING_RADIUS, RING, 0.92);
+    // The earliest is opaque wherever it is, as its ring is.
+    if let Some((c, at)) = marks.first() {
+        canvas.mark(at.point, shape(c), radius.max(FIRST_RADIUS * unit), colour(c), 1.0);
+        canvas.mark(at.point, Shape::Ring, RING_RADIUS * unit, RING, 1.0);
     }
 }
 
 /// The two features of a contact where they are at its time.
-fn outline(canvas: &mut Canvas, scene: &Scene, c: &Contact, colour: Colour) {
+fn outline(canvas: &mut Canvas, scene: &Scene, c: &Contact, colour: Colour, width: f64) {
     let [x0, x1] = scene.x;
     let p = c.vertices(scene.mesh).map(|v| lerp(x0[v as usize], x1[v as usize], c.toi));
     let sides: &[[usize; 2]] =
         if c.kind.n_first() == 1 { &[[1, 2], [2, 3], [3, 1]] } else { &[[0, 1], [2, 3]] };
     for &[i, j] in sides {
-        canvas.line(p[i], p[j], 3.0, colour, true);
+        canvas.line(p[i], p[j], width, colour, true);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::method::{Choices, choice};
 use super::rows::{self, Rows};
-use super::{Failure, Outcome, Precision, files, interrupt, output};
+use super::{Failure, Outcome, Precision, files, interrupt, output, progress};
 use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
 use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
 use clap::Args;
@@ -25,8 +25,8 @@ pub struct Queries {
     /// hits that they call misses are not counted as false
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
     min_distance: f64,
-    /// Write the verdicts as CSV: file,query,kind,verdict,toi,answer, queries counted from 0,
-    /// verdicts hit, miss, undecided, or far (a miss by the boxes alone); `-` is standard output
+    /// Write the verdicts as CSV: file,query,kind,verdict,toi,answer; verdicts are hit,
+    /// miss, undecided, or far (a miss by the boxes alone); `-` is standard output
     #[arg(long, value_name = "OUT.csv")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of text
@@ -74,8 +74,8 @@ impl Queries {
         files::check(self.json.then_some("--json"), &[("--out", path)], &read_from)?;
         let columns = "file,query,kind,verdict,toi,answer";
         let mut out = path.map(|path| Rows::create(path, columns)).transpose()?;
-        let prints_text = !self.json && !path.is_some_and(files::is_stdout);
-        let bar = output::progress(self.files.len(), "files");
+        let prints_text = !self.json && !path.is_some_and(files::is_standard);
+        let bar = progress::bar(self.files.len(), "files");
         let mut files = Vec::new();
         let mut total = Counts::default();
         let mut total_ns = 0.0;

@@ -5,8 +5,9 @@ use super::frames::Frames;
 use super::lines::{LastLine, Share, Step, Summary, step_ms, summarise};
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
+use super::plot::Series;
 use super::start::Intersections;
-use super::{Failure, INPUT, OUTPUT, Outcome, StepOptions, backend, plot, rows, toi};
+use super::{Failure, INPUT, OUTPUT, Outcome, StepOptions, backend, plot, progress, rows, toi};
 use ccd::any::Session;
 use ccd::io::{MESH_EXTENSIONS, PointCache, listed};
 use clap::Args;
@@ -74,7 +75,7 @@ impl Sequence {
             check::look_at_start(&mut session, precision, &before, |_, vertex| (&first, vertex))
         });
         let start = start.transpose()?;
-        let bar = output::progress(todo.len(), "steps");
+        let bar = progress::bar(todo.len(), "steps");
         let mut steps: Vec<Step> = Vec::new();
         let is_text = self.options.prints_text() && !self.json_lines;
         if is_text {
@@ -138,11 +139,16 @@ impl Sequence {
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
             let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
-            let mut title = output::title(&ends, &session.place());
+            let tois: Vec<f64> = steps.iter().map(|s| s.toi.unwrap_or(f64::NAN)).collect();
+            let mut title = output::title(&ends, self.options.min_distance, &session.place());
             if let Some(Share { part, all_steps }) = part {
                 title += &format!("; part {} of {} of {all_steps} steps", part.index, part.of);
             }
-            let series = [("time of a step, ms", &times[..]), ("contacts", &contacts)];
+            let series = [
+                Series::new("time of a step, ms", &times),
+                Series::new("contacts", &contacts),
+                Series { top: Some(1.0), ..Series::new("earliest time of impact", &tois) },
+            ];
             plot::write(path, &title, ("step", first), series)?;
         }
         let any = summary.contacts > 0 || start.as_ref().is_some_and(|start| start.pairs > 0);

@@ -6,15 +6,17 @@
 //! Skins, morph targets and animations are not applied; positions must be three `float`s.
 
 use super::weld::Weld;
-use super::{Frame, ReadErrorKind, quote};
+use super::{Frame, Input, ReadErrorKind, quote};
 use base64::Engine;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 use std::io::Read;
 use std::path::Path;
 
-pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let (mut blob, gltf) = parse(&std::fs::read(path)?)?;
+pub(super) fn read(mut input: Input, path: &Path) -> Result<Frame, ReadErrorKind> {
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
+    let (mut blob, gltf) = parse(&bytes)?;
     let mut buffers = Vec::new();
     for buffer in gltf.buffers() {
         let bad = |what: String| ReadErrorKind::Element {

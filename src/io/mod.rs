@@ -1,8 +1,9 @@
-//! Readers of what the command takes: meshes (PLY, OBJ, OFF, STL, glTF), positions over time (NPY,
-//! NPZ, PC2, MDD) and query files. Feature `io`. What is read of each format is said in
-//! `docs/formats.md`.
+//! Readers of what the command takes: meshes (PLY, OBJ, OFF, STL, glTF; also by gzip), positions
+//! over time (NPY, NPZ, PC2, MDD) and query files. Feature `io`. What is read of each format is
+//! said in `docs/formats.md`.
 
 mod gltf;
+mod input;
 mod npy;
 mod obj;
 mod off;
@@ -16,10 +17,12 @@ pub use point_cache::PointCache;
 pub use queries::{Queries, Query, read_queries, read_queries_of};
 
 use crate::Mesh;
+use input::Input;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-type Reader = fn(&Path) -> Result<Frame, ReadErrorKind>;
+/// Reads a mesh; the path is that of files beside it.
+type Reader = fn(Input, &Path) -> Result<Frame, ReadErrorKind>;
 
 /// Ends of names, and what reads such files.
 const READERS: [(&str, Reader); 6] = [
@@ -122,7 +125,7 @@ impl Frame {
         let edges = self.edges.iter().enumerate().map(|(at, edge)| ("edge", at, &edge[..]));
         for (element, at, corners) in faces.chain(edges) {
             if let Some(v) = corners.iter().find(|&&v| v as usize >= n) {
-                let what = format!("refers to vertex {v}; the {n} vertices are counted from 0");
+                let what = format!("refers to vertex {v}; there are {n} vertices");
                 return Err(ReadErrorKind::Element { element, at, what });
             }
         }
@@ -174,7 +177,7 @@ pub enum ReadErrorKind {
         what: String,
     },
     /// An element cannot be used.
-    #[error("{element} {} (counted from 1): {what}", at + 1)]
+    #[error("{element} {at} (counted from 0): {what}")]
     Element {
         /// `"vertex"`, `"face"`, `"edge"` or `"frame"`.
         element: &'static str,
@@ -195,7 +198,8 @@ pub enum ReadErrorKind {
 }
 
 /// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type), an
-/// `.obj`, `.off` or `.stl` file, or the scene of a `.gltf` or `.glb` file.
+/// `.obj`, `.off` or `.stl` file, or the scene of a `.gltf` or `.glb` file. A file that is
+/// compressed by gzip is unpacked on the way, whether its name ends in `.gz` or not.
 ///
 /// Vertices of STL and glTF files, which repeat a vertex for every triangle or normal, are merged
 /// where they have exactly the same position (in glTF: within one node), and numbered as they first
@@ -205,7 +209,7 @@ pub enum ReadErrorKind {
 /// use std::path::Path;
 ///
 /// let before = ccd::io::read_frame(Path::new("before.ply"))?;
-/// let after = ccd::io::read_frame(Path::new("after.ply"))?;
+/// let after = ccd::io::read_frame(Path::new("after.ply.gz"))?;
 /// let mut session = ccd::Session::new(before.mesh()?, ccd::Options::default())?;
 /// println!("{:?}", session.earliest_toi(&before.positions, &after.positions)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -216,19 +220,68 @@ pub enum ReadErrorKind {
 /// What cannot be understood is refused with its line or element, as is a coordinate that is not
 /// finite or beyond [`crate::Error::MAX_COORDINATE`], or a face of a vertex that is not there.
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
-    let end = extension(path).unwrap_or_default();
-    let frame = match READERS.iter().find(|reader| reader.0 == end) {
-        Some((_, read)) => {
-            read(path).map_err(|kind| foreign(path, &end).map_or(kind, ReadErrorKind::Format))
-        }
-        None => Err(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS }),
-    };
-    let checked = frame.and_then(|frame| frame.check().map(|()| frame));
-    checked.map_err(|kind| ReadError { path: path.to_owned(), kind })
+    let reader = mesh_format(path).ok_or(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS });
+    let frame = reader.and_then(|format| {
+        let (input, head) = input::open(std::fs::File::open(path)?)?;
+        read_as(format, input, &head, path)
+    });
+    frame.map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
 
-/// Reads another frame of the mesh of `first`. Vertices of STL and glTF files are merged as they
-/// are there, so that bodies which touch in one of the frames alone do not change the mesh.
+/// Reads a mesh from a stream, such as standard input. `format` is one of [`MESH_EXTENSIONS`];
+/// without it the first bytes say what the stream is. `name` is what errors call it; buffers of
+/// glTF in files of their own are sought beside it.
+///
+/// ```
+/// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// let frame = ccd::io::read_frame_from(text.as_bytes(), "a text".as_ref(), None)?;
+/// assert_eq!(frame.faces, [[0, 1, 2]]);
+/// # Ok::<(), ccd::io::ReadError>(())
+/// ```
+///
+/// # Errors
+/// As [`read_frame`].
+pub fn read_frame_from(
+    from: impl Read,
+    name: &Path,
+    format: Option<&str>,
+) -> Result<Frame, ReadError> {
+    let opened = input::open(from).map_err(ReadErrorKind::from);
+    let frame = opened.and_then(|(input, head)| {
+        let known = |format| MESH_EXTENSIONS.into_iter().find(|&known| known == format);
+        let format = format.map_or(Some(input::format_of(&head)), known);
+        let format = format.ok_or(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS })?;
+        read_as(format, input, &head, name)
+    });
+    frame.map_err(|kind| ReadError { path: name.to_owned(), kind })
+}
+
+/// Reads a format; `head` are the first bytes of the input, which has them still.
+fn read_as(format: &str, input: Input, head: &[u8], path: &Path) -> Result<Frame, ReadErrorKind> {
+    let reader = READERS.iter().find(|reader| reader.0 == format);
+    let (_, read) = reader.ok_or(ReadErrorKind::Extension { expected: &MESH_EXTENSIONS })?;
+    let foreign = |kind| input::foreign(head, format).map_or(kind, ReadErrorKind::Format);
+    let frame = read(input, path).map_err(foreign)?;
+    frame.check()?;
+    Ok(frame)
+}
+
+/// The one of [`MESH_EXTENSIONS`] that the name of a file ends in, before an ending `.gz` if it has
+/// one.
+///
+/// ```
+/// assert_eq!(ccd::io::mesh_format("before.ply.GZ".as_ref()), Some("ply"));
+/// assert_eq!(ccd::io::mesh_format("before.npy".as_ref()), None);
+/// ```
+pub fn mesh_format(path: &Path) -> Option<&'static str> {
+    let end = match extension(path)?.as_str() {
+        "gz" => extension(path.file_stem()?.as_ref())?,
+        end => end.to_owned(),
+    };
+    MESH_EXTENSIONS.into_iter().find(|&format| format == end)
+}
+
+/// Reads another frame of the mesh of `first`, see [`Frame::merged_as`].
 ///
 /// ```no_run
 /// use ccd::io::{read_frame, read_frame_as};
@@ -240,36 +293,10 @@ pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
 /// ```
 ///
 /// # Errors
-/// As [`read_frame`]; [`ReadErrorKind::Element`] with a vertex that was at the place of another one
-/// in `first`, and is not here. A frame of another mesh is no error, and has its own topology.
+/// As [`read_frame`] and [`Frame::merged_as`].
 pub fn read_frame_as(path: &Path, first: &Frame) -> Result<Frame, ReadError> {
-    let frame = read_frame(path)?;
-    let merged = weld::merged_as(frame, first);
+    let merged = read_frame(path)?.merged_as(first);
     merged.map_err(|kind| ReadError { path: path.to_owned(), kind })
-}
-
-/// What a file that could not be read is, if its first bytes say that it is not what its name ends
-/// in.
-fn foreign(path: &Path, end: &str) -> Option<String> {
-    // A pipe would wait for somebody who writes to it again.
-    std::fs::metadata(path).ok().filter(|of| of.is_file())?;
-    let mut head = Vec::new();
-    std::fs::File::open(path).ok()?.take(16).read_to_end(&mut head).ok()?;
-    let is = |start: &[u8]| head.starts_with(start);
-    let what = match end {
-        _ if is(b"\xff\xfe") || is(b"\xfe\xff") => "text in UTF-16; save it as UTF-8",
-        _ if is(b"\x1f\x8b") => "compressed by gzip; unpack it",
-        _ if is(b"PK\x03\x04") => "an archive (zip); unpack it",
-        _ if is(b"\x89PNG") => "a picture (PNG)",
-        "ply" if head.len() >= 3 && !is(b"ply") => "no PLY: it does not begin with `ply`",
-        "gltf" | "glb"
-            if head.len() >= 4 && !is(b"glTF") && !head.trim_ascii().starts_with(b"{") =>
-        {
-            "no glTF: it begins neither with `glTF` nor with `{`"
-        }
-        _ => return None,
-    };
-    Some(format!("the file is {what}"))
 }
 
 /// What the name of a file ends in, in lower case.

@@ -12,7 +12,7 @@
 //!   programs and means nothing outside of rational surfaces in others.
 //! - `f` and `l`: words `v`, `v/vt`, `v//vn` or `v/vt/vn`; the last two numbers are not used.
 
-use super::{Frame, ReadErrorKind, number, quote};
+use super::{Frame, Input, ReadErrorKind, number, quote};
 use std::io::BufRead;
 use std::path::Path;
 
@@ -26,8 +26,7 @@ const PASSED_OVER: &str = "\
 /// Byte order mark that some editors put before text in UTF-8.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
-pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let mut reader = std::io::BufReader::new(std::fs::File::open(path)?);
+pub(super) fn read(mut reader: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
     let mut frame = Frame::default();
     let mut chunk = Vec::new();
     // What is there of a statement that goes on in the next line, and where it began.

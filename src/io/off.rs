@@ -6,11 +6,13 @@
 //! which are not used; points in four or `n` dimensions (`4OFF`, `nOFF`) and binary files are
 //! refused.
 
-use super::{Frame, ReadErrorKind, number, quote};
+use super::{Frame, Input, ReadErrorKind, number, quote};
+use std::io::Read;
 use std::path::Path;
 
-pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let bytes = std::fs::read(path)?;
+pub(super) fn read(mut input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
     let text = String::from_utf8_lossy(&bytes);
     // Lines that hold something, without comments, by their numbers.
     let lines = text.lines().enumerate().map(|(at, line)| {

@@ -1,6 +1,6 @@
 //! PLY through `ply-rs-bw`, straight into positions and triangles.
 
-use super::{Frame, ReadErrorKind, of_comma, quote};
+use super::{Frame, Input, ReadErrorKind, of_comma, quote};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
 use std::io::{BufRead, ErrorKind};
@@ -75,9 +75,8 @@ fn integers(property: Property) -> Option<Vec<i64>> {
     })
 }
 
-pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let file = std::fs::File::open(path)?;
-    let mut reader = Reader::new(std::io::BufReader::with_capacity(1 << 16, file));
+pub(super) fn read(input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
+    let mut reader = Reader::new(input);
     let header = Parser::<Element>::new().read_header(&mut reader).map_err(stopped)?;
     if !header.elements.contains_key("vertex") {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));

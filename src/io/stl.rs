@@ -6,15 +6,17 @@
 //! else it is text. Normals and attributes are not used.
 
 use super::weld::Weld;
-use super::{Frame, ReadErrorKind, number, quote};
+use super::{Frame, Input, ReadErrorKind, number, quote};
+use std::io::Read;
 use std::path::Path;
 
 /// Bytes of the comment and the number of triangles, and of a triangle.
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
-pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
-    let bytes = std::fs::read(path)?;
+pub(super) fn read(mut input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
     let n = bytes.get(80..HEADER).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     let is_text = bytes.trim_ascii_start().starts_with(b"solid");
     match n {

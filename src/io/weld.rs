@@ -23,9 +23,20 @@ impl Weld {
     }
 }
 
-/// The frame with the vertices of `first`. As it is, if it is not of the same mesh: then its
-/// topology tells it.
-pub(super) fn merged_as(mut frame: Frame, first: &Frame) -> Result<Frame, ReadErrorKind> {
+impl Frame {
+    /// This frame with the vertices of `first`, another frame of its mesh: vertices of STL and glTF
+    /// files are merged as they are there, so that bodies which touch in one of the frames alone do
+    /// not change the mesh. A frame of another mesh stays as it is, with its own topology.
+    ///
+    /// # Errors
+    /// [`ReadErrorKind::Element`] with a vertex that was at the place of another one in `first`,
+    /// and is not here.
+    pub fn merged_as(self, first: &Frame) -> Result<Frame, ReadErrorKind> {
+        merged_as(self, first)
+    }
+}
+
+fn merged_as(mut frame: Frame, first: &Frame) -> Result<Frame, ReadErrorKind> {
     if first.merged.is_empty() || frame.merged.len() != first.merged.len() {
         return Ok(frame);
     }

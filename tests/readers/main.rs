@@ -8,7 +8,8 @@ mod over_time;
 mod refused;
 mod texts;
 
-use ccd::io::{Frame, read_frame, read_frame_as};
+use ccd::io::{Frame, read_frame, read_frame_as, read_frame_from};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
@@ -31,6 +32,12 @@ fn check_refused(name: &str, content: &[u8], says: &str) {
     assert!(text.contains(says), "{text:?} does not say {says:?}");
 }
 
+fn gzip(content: &[u8]) -> Vec<u8> {
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), Default::default());
+    std::io::Write::write_all(&mut packed, content).unwrap();
+    packed.finish().unwrap()
+}
+
 /// A square of one polygon and a triangle beside it.
 const POSITIONS: [[f64; 3]; 5] =
     [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25], [2.0, 0.0, 0.1]];
@@ -51,6 +58,68 @@ fn polygons_are_remembered() {
     }
 }
 
+/// What is read of a file is read of it when it is compressed, and of a stream, by its first bytes.
+#[test]
+fn compressed_files_and_streams_are_read() {
+    let solid: String = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+        .map(|p| format!("vertex {} {} {}\n", p[0], p[1], p[2]))
+        .concat();
+    let solid =
+        format!("solid\nfacet normal 0 0 1\nouter loop\n{solid}endloop\nendfacet\nendsolid\n");
+    let mut binary = vec![b' '; 80];
+    binary.extend(1u32.to_le_bytes());
+    binary
+        .extend([0f32, 0., 1., 0., 0., 0., 1., 0., 0., 0., 1., 0.].map(f32::to_le_bytes).concat());
+    binary.extend([0; 2]);
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+        property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let off = "\u{feff}# by hand\n\n  # again\nCOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let obj = "\u{feff}# solid\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let data = "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    let gltf = format!(
+        r#" {{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+        "min":[0,0,0],"max":[1,1,0]}}],"bufferViews":[{{"buffer":0,"byteLength":36}}],
+        "buffers":[{{"byteLength":36,"uri":"{data}"}}]}}"#
+    );
+    let files: [(&str, &[u8]); 6] = [
+        ("a.ply", ply.as_bytes()),
+        ("a.obj", obj.as_bytes()),
+        ("a.off", off.as_bytes()),
+        ("a.stl", solid.as_bytes()),
+        ("b.stl", &binary),
+        ("a.gltf", gltf.as_bytes()),
+    ];
+    for (name, content) in files {
+        let want = read(name, content).unwrap();
+        assert_eq!(want.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], "{name}");
+        assert_eq!(want.faces, [[0, 1, 2]], "{name}");
+        let packed = gzip(content);
+        // In several members, as `cat a.gz b.gz` has them.
+        let parts = [gzip(&content[..9]), gzip(&content[9..])].concat();
+        for (ending, content) in [(".gz", &packed), (".GZ", &parts), ("", &packed)] {
+            let frame = read(&format!("{name}{ending}"), content);
+            assert_eq!(frame.as_ref(), Ok(&want), "{name}{ending}");
+        }
+        let end = name.rsplit('.').next();
+        for (content, format) in [(content, None), (&packed, None), (content, end)] {
+            // In pieces, as a pipe has them.
+            let (first, rest) = content.split_at(1);
+            let frame = read_frame_from(first.chain(rest), "-".as_ref(), format);
+            assert_eq!(frame.map_err(|e| e.to_string()), Ok(want.clone()), "{name} {format:?}");
+        }
+        let (cut, mut changed) = (&packed[..packed.len() - 9], packed.clone());
+        *changed.iter_mut().nth_back(7).unwrap() ^= 1;
+        for broken in [cut, &changed] {
+            assert!(read(&format!("{name}.gz"), broken).is_err(), "{name}");
+        }
+    }
+    let why = read_frame_from(ply.as_bytes(), "a stream".as_ref(), Some("doc")).unwrap_err();
+    assert!(why.to_string().starts_with("a stream: unknown kind of file; expected .ply"), "{why}");
+}
+
 #[test]
 fn off_is_read_in_its_variants() {
     let body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -63,7 +132,7 @@ fn off_is_read_in_its_variants() {
         assert_eq!(read("a.off", text.as_bytes()).unwrap(), want, "{text:?}");
     }
     check_refused("bad.off", b"", "empty");
-    check_refused("bad.off", b"OFF\n2 0 0\n0 0 0\n", "vertex 2 (counted from 1): the file ends");
+    check_refused("bad.off", b"OFF\n2 0 0\n0 0 0\n", "vertex 1 (counted from 0): the file ends");
 }
 
 /// Two triangles with a common side: six corners, four vertices.
@@ -127,7 +196,7 @@ fn files_of_other_kinds_are_named() {
     let utf16: Vec<u8> = "v 0 0 0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
     check_refused("a.obj", &[b"\xff\xfe", &utf16[..]].concat(), "UTF-16");
     check_refused("a.ply", b"\x89PNG\r\n\x1a\n", "a picture (PNG)");
-    check_refused("a.stl", b"\x1f\x8b\x08\0", "gzip");
+    check_refused("a.stl", &gzip(b"\x1f\x8b\x08\0"), "gzip twice");
     check_refused("a.off", b"PK\x03\x04", "zip");
     check_refused("a.ply", b"OFF\n3 1 0\n", "no PLY");
     let head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
@@ -151,7 +220,7 @@ fn counts_of_ply_are_not_trusted() {
     let body = "element nothing 2000000000\nelement vertex 1000000\n";
     let text = format!("ply\nformat binary_little_endian 1.0\n{body}end_header\n");
     let error = small(text.as_bytes(), || read("a.ply", text.as_bytes())).unwrap_err();
-    assert!(error.contains("vertex 1 (counted from 1): x, y or z is missing"), "{error}");
+    assert!(error.contains("vertex 0 (counted from 0): x, y or z is missing"), "{error}");
     for format in ["ascii", "binary_big_endian"] {
         let text = format!(
             "ply\nformat {format} 1.0\nelement vertex 2000000000\nproperty char x\n\
@@ -201,7 +270,7 @@ fn a_later_frame_is_merged_as_the_first() {
     assert_eq!(later.positions[4], [1.0, 1.0, 0.5]);
     // What the first frame made one vertex cannot come apart.
     let why = read_frame_as(&apart, &alone).unwrap_err().to_string();
-    assert!(why.contains("apart.stl: vertex 7 (counted from 1): was at the place"), "{why}");
+    assert!(why.contains("apart.stl: vertex 6 (counted from 0): was at the place"), "{why}");
     // Another mesh stays what it is, also with as many vertices in its file.
     let text = stl_with_gap(0.5).replacen("vertex 0 1 0", "vertex 0 0 0", 1);
     let other = write(dir.path(), "other.stl", text.as_bytes());

@@ -125,7 +125,7 @@ fn what_does_not_fit_is_refused() {
     let at = nan.len() - 4;
     nan[at..].copy_from_slice(&f32::NAN.to_le_bytes());
     let error = open(dir.path(), "nan.pc2", &nan).unwrap().frame(2).unwrap_err().to_string();
-    let says = "frame 3 (counted from 1): vertex 2 (counted from 1): z = NaN";
+    let says = "frame 2 (counted from 0): vertex 1 (counted from 0): z = NaN";
     assert!(error.contains(says), "{error}");
 }
 

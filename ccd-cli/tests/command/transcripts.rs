@@ -8,15 +8,16 @@ use regex::Regex;
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::sync::LazyLock;
 
 /// What the lines of a script do, besides a remark behind `#`.
 const COMMANDS: &str = "
-    $ [NAME=VALUE ..] ccd ARGS [> FILE]  run the command; stderr follows behind `!`
+    $ [NAME=VALUE ..] ccd ARGS [< FILE] [> FILE]  run it; stderr follows behind `!`
     obj FILE H         the square and the triangle above it, lowered by H
     file FILE          an empty file, to which the lines behind `|` are added
-    copy NEW OLD; edit NEW OLD FROM TO; lines NEW OLD FIRST LAST; cut NEW OLD BYTES; pc2 NEW OBJ ..
+    copy NEW OLD; gzip NEW OLD; edit NEW OLD FROM TO
+    lines NEW OLD FIRST LAST; cut NEW OLD BYTES; pc2 NEW OBJ ..
     f32 FILE X ..; f64 FILE X ..; u8 FILE X ..   numbers, added to a file
     cat FILE; u32 FILE; ls FOLDER    what is in it
     same FILE OTHER    fails unless both hold the same, but for times
@@ -104,6 +105,11 @@ impl At {
                 crate::obj(&self.dir, name, drop.parse().unwrap());
             }
             ["copy", new, old] => append(new, &fs::read(path(old)).unwrap()),
+            ["gzip", new, old] => {
+                let mut packed = flate2::write::GzEncoder::new(Vec::new(), Default::default());
+                packed.write_all(&fs::read(path(old)).unwrap()).unwrap();
+                append(new, &packed.finish().unwrap());
+            }
             ["edit", new, old, from, to] => {
                 let text = fs::read_to_string(path(old)).unwrap();
                 assert!(text.contains(from), "{old} has no {from:?}");
@@ -169,6 +175,10 @@ impl At {
             [words @ .., ">", to] => (words, Some(to)),
             all => (all, None),
         };
+        let (words, from) = match words {
+            [words @ .., "<", from] => (words, Some(from)),
+            all => (all, None),
+        };
         let n = words.iter().position(|word| *word == "ccd").expect("the command");
         let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
         command.current_dir(&self.dir).args(&words[n + 1..]).env("COLUMNS", "100");
@@ -177,6 +187,9 @@ impl At {
             command.env_remove(name);
         }
         command.envs(words[..n].iter().map(|word| word.split_once('=').expect("NAME=VALUE")));
+        command.stdin(
+            from.map_or(Stdio::null(), |from| File::open(self.dir.join(from)).unwrap().into()),
+        );
         if let Some(to) = to {
             command.stdout(File::create(self.dir.join(to)).unwrap());
         }
