@@ -41,6 +41,7 @@
 //! | another mesh, distance or options between steps | [`Session::set_mesh`], and its like |
 //! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
 //! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
+//! | its square with gradient and Hessian, for a barrier | [`squared_distance`] |
 //! | where a mesh goes through itself at one moment | [`intersections`] |
 //! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
@@ -93,6 +94,13 @@ pub mod method {
         Front, FrontOptions, Scheduler, Scheduling, WorkerOptions,
     };
     pub use ccd_core::model::tree_statistics::TreeStatistics;
+}
+
+/// Squared distances of two features with gradient and Hessian, by the type of what is nearest.
+pub mod squared_distance {
+    pub use ccd_core::narrow_phase::squared_distance::{
+        EdgeEdgeType, SquaredDistance, VertexFaceType,
+    };
 }
 
 /// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
