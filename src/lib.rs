@@ -42,9 +42,10 @@
 //! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
 //! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
 //! | its square with gradient and Hessian, for a barrier | [`squared_distance`] |
-//! | where a mesh goes through itself at one moment | [`intersections`] |
+//! | where a mesh goes through itself at one moment | [`intersections`], [`has_intersections`] |
 //! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
+//! | candidates for many steps, of a line search | [`CandidateSet`] |
 //! | every pair decided exactly | [`Mode::Exact`]; [`exact`] for one pair |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`method::BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
@@ -156,6 +157,6 @@ pub use ccd_core::{
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, Intersection, MAX_LOOSENESS, Pairs, Session,
-    earliest_toi, instruction_set, intersections, near_at_rest, step,
+    BroadPhase, BroadPhaseTimes, CandidateSet, Candidates, Intersection, MAX_LOOSENESS, Pairs,
+    Session, earliest_toi, has_intersections, instruction_set, intersections, near_at_rest, step,
 };

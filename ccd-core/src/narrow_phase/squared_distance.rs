@@ -17,7 +17,8 @@
 //! the parameters give way: `F_xx - F_xp (F_pp)^-1 F_px`, where `F_pp` has at most two rows.
 //!
 //! Nothing here is certified, unlike in [`Distance`](super::distance::Distance): results are
-//! rounded, and edges that are parallel within 1e-10 have the type of an end and an edge.
+//! rounded. Where two edges come near parallel, the nearest points, and with them the gradient, are
+//! known as badly as rounding of the coordinates lets them be, and the Hessian grows without bound.
 //!
 //! Beside vertex-face and edge-edge pairs, other pairs are types of these: a vertex and an edge are
 //! nearest as [`VertexFaceType::F0F1`] says, or one of its ends.
@@ -27,10 +28,6 @@ use crate::math::vec3::{add, cross, dot, max_abs, scale, sub};
 
 /// Positions of the vertices `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
 type Points = [[f64; 3]; 4];
-
-/// Edges, or sides of a face, count as parallel if the square of the sine between them is at most
-/// this: the rounding of differences, `u`, is 1e-6 of the sine there.
-const PARALLEL: f64 = 1e-20;
 
 /// A squared distance of one type, in the square of the unit of length, with its derivatives by the
 /// twelve coordinates, vertex by vertex.
@@ -176,12 +173,9 @@ impl VertexFaceType {
         let [v, f0, f1, f2] = *x;
         let (a, b, c) = (sub(v, f0), sub(f1, f0), sub(f2, f0));
         let n = cross(b, c);
-        let nn = dot(n, n);
-        if nn > PARALLEL * dot(b, b) * dot(c, c) {
-            let (s, r) = (dot(cross(a, c), n), dot(cross(b, a), n));
-            if s > 0.0 && r > 0.0 && s + r < nn {
-                return Self::Face;
-            }
+        let (s, r) = (dot(cross(a, c), n), dot(cross(b, a), n));
+        if s > 0.0 && r > 0.0 && s + r < dot(n, n) {
+            return Self::Face;
         }
         nearest([
             beside(v, [f0, f1], [Self::F0, Self::F1, Self::F0F1]),
@@ -252,11 +246,9 @@ impl EdgeEdgeType {
         let (u, v, w) = (sub(a1, a0), sub(b1, b0), sub(b0, a0));
         let n = cross(u, v);
         let nn = dot(n, n);
-        if nn > PARALLEL * dot(u, u) * dot(v, v) {
-            let (s, t) = (dot(cross(w, v), n), dot(cross(w, u), n));
-            if s > 0.0 && s < nn && t > 0.0 && t < nn {
-                return Self::AB;
-            }
+        let (s, t) = (dot(cross(w, v), n), dot(cross(w, u), n));
+        if s > 0.0 && s < nn && t > 0.0 && t < nn {
+            return Self::AB;
         }
         nearest([
             beside(a0, [b0, b1], [Self::A0B0, Self::A0B1, Self::A0B]),
@@ -290,13 +282,13 @@ impl EdgeEdgeType {
 /// first end, its second end, or its inside.
 fn beside<T>(p: [f64; 3], [e0, e1]: [[f64; 3]; 2], [first, second, inside]: [T; 3]) -> (f64, T) {
     let (e, w, back) = (sub(e1, e0), sub(p, e0), sub(p, e1));
-    let along = dot(w, e);
-    if !(along > 0.0) {
+    let (along, ee) = (dot(w, e), dot(e, e));
+    if !(along > 0.0 && ee > 0.0) {
         (dot(w, w), first)
     } else if !(dot(back, e) < 0.0) {
         (dot(back, back), second)
     } else {
-        let r = sub(w, scale(e, along / dot(e, e)));
+        let r = sub(w, scale(e, along / ee));
         (dot(r, r), inside)
     }
 }

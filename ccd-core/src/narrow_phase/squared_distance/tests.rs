@@ -25,7 +25,8 @@ fn check_derivatives(x: &Points, size: f64, at: Evaluate) {
         for j in 0..12 {
             let slope = (up.gradient()[j] - down.gradient()[j]) / (2.0 * h);
             let found = hessian[i][j];
-            assert!((slope - found).abs() <= 1e-6 * (1.0 + found.abs()), "{i} {j}: {slope} {found}");
+            let near = (slope - found).abs() <= 1e-6 * (1.0 + found.abs());
+            assert!(near, "{i} {j}: {slope} {found}");
             assert_eq!(found, hessian[j][i]);
         }
     }
@@ -115,5 +116,22 @@ fn flat_features_have_types_of_their_ends() {
             assert!(distance >= bounds.least - 1e-9 && distance <= bounds.greatest + 1e-9, "{x:?}");
             assert!(d.gradient().iter().chain(d.hessian().as_flattened()).all(|x| x.is_finite()));
         }
+    }
+}
+
+/// Edges that cross at a distance of 1, at an angle that rounding makes uncertain.
+#[test]
+fn nearly_parallel_edges_have_their_distance() {
+    let mut random = Random::new(8);
+    for _ in 0..20_000 {
+        let [e, f] = [(); 2].map(|()| random.point().map(|c| c - 0.5));
+        let unit = |v: [f64; 3]| scale(v, 1.0 / dot(v, v).sqrt());
+        let (e, up) = (unit(e), unit(cross(e, f)));
+        let turned = scale(cross(e, up), 10f64.powf(-9.0 - 9.0 * random.unit()));
+        let (by, middle) = (add(e, turned), random.point());
+        let above = add(middle, up);
+        let x = [sub(middle, e), add(middle, e), sub(above, by), add(above, by)];
+        let d = EdgeEdgeType::of(&x).at(&x);
+        assert!((d.value() - 1.0).abs() < 1e-9, "{} {x:?}", d.value());
     }
 }
