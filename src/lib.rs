@@ -134,6 +134,11 @@ struct Readme;
 #[doc = include_str!("../docs/solver.md")]
 struct SolverPage;
 
+/// And that of another.
+#[cfg(all(doctest, feature = "gpu"))]
+#[doc = include_str!("../docs/coming-from.md")]
+struct ComingFromPage;
+
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::cancel::CancelToken;
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};

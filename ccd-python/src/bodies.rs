@@ -2,9 +2,11 @@
 
 use crate::arrays::{flat_ids, ids};
 use crate::errors::refused;
+use crate::mesh::Mesh;
 use ccd::{Groups, Kind};
+use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 /// Bodies of a mesh and the rules of their pairs. An array with an entry for each body has that of
 /// body i at place i; what is missing there is as by default.
@@ -64,6 +66,41 @@ impl Bodies {
         let names = flat_ids("of_vertex", of_vertex)?;
         let inner = with_rules(ccd::Bodies::new(&names), &names, &rules)?;
         Ok(Self { inner, of_vertex: of_vertex.clone().unbind(), rules: rules.unbind() })
+    }
+
+    /// Static obstacles: vertices whose entry of `is_static`, an array of bool, is true are body 1,
+    /// which is fixed; all others are body 0. Obstacles are tested against what moves alone.
+    #[staticmethod]
+    fn of_obstacles(py: Python<'_>, is_static: Vec<bool>) -> PyResult<Self> {
+        let of_vertex: Vec<u32> = is_static.into_iter().map(u32::from).collect();
+        let rules = [("fixed", vec![false, true])].into_py_dict(py)?;
+        Self::new(PyArray1::from_vec(py, of_vertex).as_any(), Some(&rules))
+    }
+
+    /// Patches of vertices: each is a body, without self-contact. `patches` has that of each
+    /// vertex.
+    #[staticmethod]
+    fn of_patches(patches: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::new(patches, Some(&[("self_contact", false)].into_py_dict(patches.py())?))
+    }
+
+    /// Connected components of a mesh: vertices that a path of edges joins are a body. They are
+    /// numbered from 0 in the order of their first vertices. `self_contact`: whether pairs within a
+    /// component are looked at.
+    #[staticmethod]
+    #[pyo3(signature = (mesh, self_contact=true))]
+    fn of_components(mesh: &Bound<'_, Mesh>, self_contact: bool) -> PyResult<Self> {
+        let (py, mesh) = (mesh.py(), &mesh.get().inner);
+        let bodies = py.detach(|| ccd::Bodies::of_components(mesh));
+        let of_vertex = PyArray1::from_slice(py, bodies.body_of_vertex());
+        let rules = [("self_contact", self_contact)].into_py_dict(py)?;
+        Self::new(of_vertex.as_any(), Some(&rules))
+    }
+
+    /// The bodies of the vertices: a new array of shape (n_vertices,), uint32.
+    #[getter]
+    fn of_vertex<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        PyArray1::from_slice(py, self.inner.body_of_vertex())
     }
 
     /// The body of each vertex, and the rules by their names.

@@ -1,8 +1,9 @@
 //! Calls of a session, each over positions of either precision.
 
+use crate::candidate_set::flat;
 use crate::report::Columns;
-use ccd::Coordinate;
 use ccd::any;
+use ccd::{Coordinate, Kind};
 
 /// A call of a session, whatever the precision of positions.
 pub trait Call: Send + Copy {
@@ -15,6 +16,40 @@ pub trait Call: Send + Copy {
         session: &mut any::Session,
         x: [&[[T; 3]]; 2],
     ) -> Result<Self::Found, any::Error>;
+
+    /// The candidates that a filter is asked of before the call: those that the call may take.
+    fn candidates<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<[Vec<u32>; 4], any::Error> {
+        ListCandidates.call(session, x)
+    }
+}
+
+/// Candidates for steps up to this far from the one that they are found for.
+#[derive(Clone, Copy)]
+pub struct MakeSet(pub f64);
+
+impl Call for MakeSet {
+    type Found = ccd::CandidateSet;
+
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        [x0, x1]: [&[[T; 3]]; 2],
+    ) -> Result<ccd::CandidateSet, any::Error> {
+        Ok(session.candidate_set(x0, x1, self.0)?)
+    }
+
+    fn candidates<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<[Vec<u32>; 4], any::Error> {
+        let set = self.call(session, x)?;
+        Ok(Kind::ALL.map(|kind| flat(&set, kind)))
+    }
 }
 
 macro_rules! calls {
@@ -55,4 +90,5 @@ calls! {
         let all = session.intersections(x0)?;
         Ok(all.iter().flat_map(|found| [found.edge, found.face]).collect())
     }
+    Intersects, |_, session, x0, _x1| -> bool { Ok(session.has_intersections(x0)?) }
 }

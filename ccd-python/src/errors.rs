@@ -1,8 +1,8 @@
 //! Our messages as Python's exceptions: `ValueError` for input, `RuntimeError` for a device.
 
 use ccd::any;
-use pyo3::PyErr;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::{PyErr, PyResult};
 use std::fmt::Display;
 use std::sync::{Mutex, MutexGuard};
 
@@ -35,4 +35,15 @@ pub fn failed(why: any::Error) -> PyErr {
 pub fn lock<T>(mutex: &Mutex<T>) -> Result<MutexGuard<'_, T>, PyErr> {
     let broken = "an earlier call panicked: make a new object";
     mutex.lock().map_err(|_| PyRuntimeError::new_err(broken))
+}
+
+/// Refuses what another process made.
+pub fn check_process(made_by: u32, what: &str) -> PyResult<()> {
+    if made_by == std::process::id() {
+        return Ok(());
+    }
+    Err(PyRuntimeError::new_err(format!(
+        "{what} was made before a fork, and its threads are not in this process: make a new one \
+         here, or start processes by \"spawn\""
+    )))
 }

@@ -6,8 +6,10 @@
 //! | `mesh.rs`, `bodies.rs` | topology; which pairs are looked at |
 //! | `files.rs` | meshes and animations from files |
 //! | `session.rs`, `calls.rs`, `report.rs` | a mesh stepped frame by frame, and what a step found |
+//! | `candidate_set.rs` | candidates for many steps |
 //! | `options.rs`, `filter.rs` | how a session works; a callback that selects pairs |
 //! | `broad_phase.rs`, `queries.rs` | boxes alone; single queries |
+//! | `squared_distance.rs` | squared distances with derivatives |
 //! | `errors.rs` | our messages as Python's exceptions |
 //!
 //! Work is done with the interpreter released. What a `Mutex` here guards is used by one thread of
@@ -17,6 +19,7 @@ mod arrays;
 mod bodies;
 mod broad_phase;
 mod calls;
+mod candidate_set;
 mod errors;
 mod files;
 mod filter;
@@ -25,6 +28,7 @@ mod options;
 mod queries;
 mod report;
 mod session;
+mod squared_distance;
 
 /// Continuous collision detection for triangle meshes.
 #[pyo3::pymodule]
@@ -33,6 +37,8 @@ mod _native {
     use crate::bodies::Bodies;
     #[pymodule_export]
     use crate::broad_phase::BroadPhase;
+    #[pymodule_export]
+    use crate::candidate_set::CandidateSet;
     #[pymodule_export]
     use crate::files::{read_mesh, read_positions};
     #[pymodule_export]
@@ -43,6 +49,10 @@ mod _native {
     use crate::report::{Geometry, Hit, Report};
     #[pymodule_export]
     use crate::session::Session;
+    #[pymodule_export]
+    use crate::squared_distance::{
+        distance_type, squared_distance, squared_distance_gradient, squared_distance_hessian,
+    };
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -195,7 +195,7 @@ fn all<T: Copy + Into<f64>, const N: usize>(
 }
 
 /// Points in `f64`, checked.
-fn points<T: Copy + Into<f64>>(time: u8, x: &[T]) -> Result<Vec<[f64; 3]>, Error> {
+pub fn points<T: Copy + Into<f64>>(time: u8, x: &[T]) -> Result<Vec<[f64; 3]>, Error> {
     let points: Vec<[f64; 3]> =
         x.as_chunks::<3>().0.iter().map(|point| point.map(Into::into)).collect();
     for (vertex, point) in points.iter().enumerate() {

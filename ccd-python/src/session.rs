@@ -3,9 +3,11 @@
 use crate::arrays::{Floats, numbers, pair_array};
 use crate::bodies::bodies;
 use crate::calls::{
-    Call, EarliestToi, FirstContact, Intersect, ListCandidates, SetPositions, Step,
+    Call, EarliestToi, FirstContact, Intersect, Intersects, ListCandidates, MakeSet, SetPositions,
+    Step,
 };
-use crate::errors::{failed, lock, refused};
+use crate::candidate_set::CandidateSet;
+use crate::errors::{check_process, failed, lock, refused};
 use crate::filter::Wanted;
 use crate::mesh::Mesh;
 use crate::options;
@@ -13,7 +15,6 @@ use crate::report::{Columns, Hit, Report};
 use ccd::any::{self, Backend};
 use ccd::{BodyMotion, Coordinate};
 use numpy::PyArray2;
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::sync::Mutex;
@@ -219,6 +220,24 @@ impl Session {
         pair_array(py, self.with(py, [x, x], Intersect)?)
     }
 
+    /// Whether `intersections` would list any; the search ends with the first.
+    fn has_intersections(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<bool> {
+        self.with(py, [x, x], Intersects)
+    }
+
+    /// Candidates of the step as an object that serves all steps near it: of vertices that are at
+    /// most `inflation` outside of this one. Found and used on the CPU.
+    #[pyo3(signature = (x0, x1, inflation=0.0))]
+    fn candidate_set(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+        inflation: f64,
+    ) -> PyResult<CandidateSet> {
+        Ok(CandidateSet::new(self.with(py, [x0, x1], MakeSet(inflation))?))
+    }
+
     /// From now on steps of another mesh, with other bodies if some are given.
     #[pyo3(signature = (mesh, bodies=None))]
     fn set_mesh(
@@ -321,7 +340,7 @@ impl Session {
         if let Some(filter) = filter {
             let candidates = self.change(py, |session| {
                 session.remove_filter();
-                ListCandidates.call(session, x)
+                call.candidates(session, x)
             })?;
             let wanted = Wanted::new(py, &filter, candidates)?;
             self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
@@ -335,11 +354,7 @@ impl Session {
         py: Python<'_>,
         change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
     ) -> PyResult<R> {
-        if self.made_by != std::process::id() {
-            let why = "the session was made before a fork, and its threads are not in this \
-                       process: make a new one here, or start processes by \"spawn\"";
-            return Err(PyRuntimeError::new_err(why));
-        }
+        check_process(self.made_by, "the session")?;
         py.detach(|| change(&mut *lock(&self.inner)?).map_err(failed))
     }
 

@@ -28,8 +28,7 @@ fn has_all(set: &CandidateSet, pairs: &[Vec<Pair>; 4]) -> bool {
 /// set has their pairs and their times. Returns how many had contacts, and how many had not.
 fn check_steps<T: Coordinate>(step: &Step, options: &Options, inflation: f64) -> [u32; 2] {
     let narrow = |p: &[f64; 3]| p.map(T::from_f64);
-    let [x0, x1]: [Points<T>; 2] =
-        [&step.x0, &step.x1].map(|x| x.iter().map(narrow).collect());
+    let [x0, x1]: [Points<T>; 2] = [&step.x0, &step.x1].map(|x| x.iter().map(narrow).collect());
     let mut session = Session::new(step.mesh.clone(), options.clone()).expect("a session");
     let mut set = session.candidate_set(&x0, &x1, inflation).expect("a set");
     assert_eq!((set.inflation(), set.mesh().n_vertices()), (inflation, x0.len()));
@@ -75,8 +74,7 @@ fn sets_find_what_sessions_find() {
         (&soup, 0.0, 0.1),
     ] {
         for threads in [1, 2] {
-            let options =
-                Options::default().with_min_distance(distance).with_threads(threads);
+            let options = Options::default().with_min_distance(distance).with_threads(threads);
             let wide = check_steps::<f64>(step, &options, inflation);
             let narrow = check_steps::<f32>(step, &options, inflation);
             for k in 0..2 {

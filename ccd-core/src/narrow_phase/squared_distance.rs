@@ -98,7 +98,8 @@ impl SquaredDistance {
     pub fn hessian(&self) -> [[f64; 12]; 12] {
         let Self { weights, r, free, along, inverse: [aa, ab, bb], .. } = self;
         // Half of the mixed derivatives by coordinate and parameter.
-        let mixed = |k: usize, i: usize| free[k][i / 3] * r[i % 3] + weights[i / 3] * along[k][i % 3];
+        let mixed =
+            |k: usize, i: usize| free[k][i / 3] * r[i % 3] + weights[i / 3] * along[k][i % 3];
         let (a, b): ([f64; 12], [f64; 12]) =
             (core::array::from_fn(|i| mixed(0, i)), core::array::from_fn(|i| mixed(1, i)));
         let mut out = [[0.0; 12]; 12];

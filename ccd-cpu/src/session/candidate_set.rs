@@ -224,7 +224,9 @@ impl CandidateSet {
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
             decide(threads, &scene, prepared.feature_boxes(), (&parts, SAMPLE), workers);
             stop.check()?;
-            if parts.len() > 1 && let Some(bound) = least_toi(workers) {
+            if parts.len() > 1
+                && let Some(bound) = least_toi(workers)
+            {
                 (x.until, x.again) = (bound, true);
                 prepared.boxes(threads, mesh, options, &x)?;
             }
@@ -307,11 +309,7 @@ fn distance_for(min_distance: f64, reach: f64) -> f64 {
 }
 
 /// Checks that vertices are within `reach` of their boxes, rounded by at most half a unit.
-fn check_within<T: Real>(
-    boxes: &[Aabb<f64>],
-    reach: f64,
-    x: [&[[T; 3]]; 2],
-) -> Result<(), Error> {
+fn check_within<T: Real>(boxes: &[Aabb<f64>], reach: f64, x: [&[[T; 3]]; 2]) -> Result<(), Error> {
     for (time, x) in (0..).zip(x) {
         for (vertex, (p, Aabb { min, max })) in x.iter().zip(boxes).enumerate() {
             for k in 0..3 {

@@ -7,10 +7,13 @@ of impact is late, rounding included.
 - `Mesh`: faces and edges; `Session`: a mesh stepped frame by frame; `Report`: what a step found,
   with its `Geometry`; `Hit`: the first contact of a step.
 - `Bodies`: which vertices belong together, and which pairs of bodies are looked at.
+- `CandidateSet`: candidates for many steps, of a line search.
 - `BroadPhase`: boxes in, overlapping pairs out.
 - `vertex_face`, `edge_edge`, `vertex_edge`, `vertex_vertex`: queries, one or many; `distance`.
+- `squared_distance`, with `_gradient` and `_hessian`, and `distance_type`: what barriers are made
+  of.
 - `read_mesh`, `read_positions`: files.
-- `Kind`, `State`: what the numbers in the columns of a report mean.
+- `Kind`, `State`, `VertexFaceType`, `EdgeEdgeType`: what numbers in arrays mean.
 
 What is refused is a ValueError that says what, where and the value.
 """
@@ -20,6 +23,7 @@ import enum
 from ._native import (
     Bodies,
     BroadPhase,
+    CandidateSet,
     Geometry,
     Hit,
     Mesh,
@@ -27,9 +31,13 @@ from ._native import (
     Session,
     __version__,
     distance,
+    distance_type,
     edge_edge,
     read_mesh,
     read_positions,
+    squared_distance,
+    squared_distance_gradient,
+    squared_distance_hessian,
     vertex_edge,
     vertex_face,
     vertex_vertex,
@@ -38,6 +46,8 @@ from ._native import (
 __all__ = [
     "Bodies",
     "BroadPhase",
+    "CandidateSet",
+    "EdgeEdgeType",
     "Geometry",
     "Hit",
     "Kind",
@@ -45,11 +55,16 @@ __all__ = [
     "Report",
     "Session",
     "State",
+    "VertexFaceType",
     "__version__",
     "distance",
+    "distance_type",
     "edge_edge",
     "read_mesh",
     "read_positions",
+    "squared_distance",
+    "squared_distance_gradient",
+    "squared_distance_hessian",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -76,3 +91,34 @@ class State(enum.IntEnum):
     """Certainly a contact; its time of impact is at most 1e-6 of the step early."""
     UNDECIDED = 2
     """Neither is certain: to be treated as a contact. There is none before its time of impact."""
+
+
+class VertexFaceType(enum.IntEnum):
+    """Which part of a face is nearest to a vertex; the numbers are those of ipctk."""
+
+    F0 = 0
+    F1 = 1
+    F2 = 2
+    F0F1 = 3
+    """The inside of the side from f0 to f1."""
+    F1F2 = 4
+    F2F0 = 5
+    FACE = 6
+    """The inside of the face."""
+
+
+class EdgeEdgeType(enum.IntEnum):
+    """Which parts of two edges are nearest to each other; the numbers are those of ipctk."""
+
+    A0B0 = 0
+    """The first ends of both."""
+    A0B1 = 1
+    A1B0 = 2
+    A1B1 = 3
+    AB0 = 4
+    """The inside of the first edge, and the first end of the second."""
+    AB1 = 5
+    A0B = 6
+    A1B = 7
+    AB = 8
+    """The insides of both."""

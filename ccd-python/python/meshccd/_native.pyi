@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "Bodies",
     "BroadPhase",
+    "CandidateSet",
     "Geometry",
     "Hit",
     "Mesh",
@@ -15,9 +16,13 @@ __all__ = [
     "Session",
     "__version__",
     "distance",
+    "distance_type",
     "edge_edge",
     "read_mesh",
     "read_positions",
+    "squared_distance",
+    "squared_distance_gradient",
+    "squared_distance_hessian",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -74,6 +79,18 @@ class Bodies:
         excluded_edge_edge: ArrayLike | None = None,
         fixed_motion: bool = False,
     ) -> Bodies: ...
+    @staticmethod
+    def of_obstacles(is_static: Sequence[bool] | NDArray[np.bool_]) -> Bodies:
+        """Static vertices are body 1, which is fixed; all others are body 0."""
+    @staticmethod
+    def of_patches(patches: ArrayLike) -> Bodies:
+        """Each patch of vertices is a body, without self-contact."""
+    @staticmethod
+    def of_components(mesh: Mesh, self_contact: bool = True) -> Bodies:
+        """Each connected component of a mesh is a body."""
+    @property
+    def of_vertex(self) -> NDArray[np.uint32]:
+        """The body of each vertex, (n_vertices,)."""
     def __getnewargs_ex__(self) -> tuple[tuple[ArrayLike], dict[str, object]]: ...
 
 @final
@@ -140,6 +157,12 @@ class Session:
         """Pairs whose swept boxes overlap, an array (n, 2) for each Kind."""
     def intersections(self, x: ArrayLike) -> NDArray[np.uint32]:
         """Edges and faces that have a point in common at the positions x, (n, 2)."""
+    def has_intersections(self, x: ArrayLike) -> bool:
+        """Whether there are any at the positions x; the search ends with the first."""
+    def candidate_set(
+        self, x0: ArrayLike, x1: ArrayLike, inflation: float = 0.0
+    ) -> CandidateSet:
+        """Candidates for all steps of vertices at most inflation outside of this one."""
     def set_mesh(self, mesh: Mesh, bodies: Bodies | ArrayLike | None = None) -> None:
         """From now on steps of another mesh, with other bodies if some are given."""
     def set_bodies(self, bodies: Bodies | ArrayLike | None = None) -> None:
@@ -154,6 +177,32 @@ class Session:
         self, filter: Callable[[int, NDArray[np.uint32]], NDArray[np.bool_]] | None = None
     ) -> None:
         """From now on filter(kind, pairs) says which candidates count."""
+
+@final
+class CandidateSet:
+    """Candidates of a step, for all steps near it: those of a line search."""
+
+    @property
+    def vf(self) -> NDArray[np.uint32]:
+        """Vertex and face, (n, 2)."""
+    @property
+    def ee(self) -> NDArray[np.uint32]:
+        """Two edges, the lesser id first, (n, 2)."""
+    @property
+    def ve(self) -> NDArray[np.uint32]:
+        """Particle and rod, (n, 2)."""
+    @property
+    def vv(self) -> NDArray[np.uint32]:
+        """Two particles, the lesser id first, (n, 2)."""
+    @property
+    def inflation(self) -> float:
+        """How far vertices may be outside of the step that it was made for."""
+    def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
+        """The earliest time of impact; None if all of the step is free."""
+    def collision_free_stepsize(self, x0: ArrayLike, x1: ArrayLike) -> float:
+        """The part of the step that is free of contact, in [0, 1]."""
+    def is_step_collision_free(self, x0: ArrayLike, x1: ArrayLike) -> bool:
+        """Whether nothing touches during the step, both ends included."""
 
 @final
 class Report:
@@ -316,6 +365,24 @@ def vertex_vertex(
 
 def distance(kind: int, x: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Least and greatest distance of features at one moment, positions (..., n, 3)."""
+
+def distance_type(kind: int, x: ArrayLike) -> NDArray[np.uint8]:
+    """Which parts of features are nearest, positions (..., 4, 3)."""
+
+def squared_distance(
+    kind: int, x: ArrayLike, types: ArrayLike | None = None
+) -> NDArray[np.float64]:
+    """Squared distances at one moment, positions (..., 4, 3)."""
+
+def squared_distance_gradient(
+    kind: int, x: ArrayLike, types: ArrayLike | None = None
+) -> NDArray[np.float64]:
+    """Their gradients, (..., 12)."""
+
+def squared_distance_hessian(
+    kind: int, x: ArrayLike, types: ArrayLike | None = None
+) -> NDArray[np.float64]:
+    """Their Hessians, (..., 12, 12)."""
 
 def read_mesh(path: str | PathLike[str]) -> tuple[Mesh, NDArray[np.float64]]:
     """A mesh and its positions: OBJ, PLY, STL, OFF, glTF or GLB."""

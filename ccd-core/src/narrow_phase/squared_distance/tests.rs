@@ -74,10 +74,9 @@ fn types_are_those_of_the_nearest_points() {
         let (face, edges) = (VertexFaceType::of(&x), EdgeEdgeType::of(&x));
         seen[0][face as usize] += 1;
         seen[1][edges as usize] += 1;
-        for (d, bounds) in [
-            (face.at(&x), Distance::vertex_face(x)),
-            (edges.at(&x), Distance::edge_edge(x)),
-        ] {
+        for (d, bounds) in
+            [(face.at(&x), Distance::vertex_face(x)), (edges.at(&x), Distance::edge_edge(x))]
+        {
             // The root, by the greatest of the differences, of a square that may overflow.
             let distance = dot(d.r, d.r).sqrt() / d.unit;
             let slack = 1e-9 * bounds.greatest;
