@@ -113,8 +113,8 @@ impl Stop {
         true
     }
 
-    /// Has workers leave what they have not begun, because what they found is enough. Until the next
-    /// call begins, [`Stop::check`] takes it for a cancellation.
+    /// Has workers leave what they have not begun, because what they found is enough. Until the
+    /// next call begins, [`Stop::check`] takes it for a cancellation.
     pub fn enough(&self) {
         self.stopped.store(true, Relaxed);
     }

@@ -338,7 +338,7 @@ impl Session {
         let x = x.map(|x| x.as_chunks().0);
         let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
         if let Some(filter) = filter {
-            let candidates = self.change(py, |session| {
+            let candidates = self.change(py, move |session| {
                 session.remove_filter();
                 call.candidates(session, x)
             })?;
