@@ -41,9 +41,11 @@
 //! | another mesh, distance or options between steps | [`Session::set_mesh`], and its like |
 //! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
 //! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
-//! | where a mesh goes through itself at one moment | [`intersections`] |
+//! | its square with gradient and Hessian, for a barrier | [`squared_distance`] |
+//! | where a mesh goes through itself at one moment | [`intersections`], [`has_intersections`] |
 //! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
+//! | candidates for many steps, of a line search | [`CandidateSet`] |
 //! | every pair decided exactly | [`Mode::Exact`]; [`exact`] for one pair |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`method::BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
@@ -95,6 +97,13 @@ pub mod method {
     pub use ccd_core::model::tree_statistics::TreeStatistics;
 }
 
+/// Squared distances of two features with gradient and Hessian, by the type of what is nearest.
+pub mod squared_distance {
+    pub use ccd_core::narrow_phase::squared_distance::{
+        EdgeEdgeType, SquaredDistance, VertexFaceType,
+    };
+}
+
 /// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
 /// and where they are nearest.
 pub mod geometry {
@@ -125,6 +134,11 @@ struct Readme;
 #[doc = include_str!("../docs/solver.md")]
 struct SolverPage;
 
+/// And that of another.
+#[cfg(all(doctest, feature = "gpu"))]
+#[doc = include_str!("../docs/coming-from.md")]
+struct ComingFromPage;
+
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::cancel::CancelToken;
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
@@ -148,6 +162,6 @@ pub use ccd_core::{
     vertex_face,
 };
 pub use ccd_cpu::{
-    BroadPhase, BroadPhaseTimes, Candidates, Intersection, MAX_LOOSENESS, Pairs, Session,
-    earliest_toi, instruction_set, intersections, near_at_rest, step,
+    BroadPhase, BroadPhaseTimes, CandidateSet, Candidates, Intersection, MAX_LOOSENESS, Pairs,
+    Session, earliest_toi, has_intersections, instruction_set, intersections, near_at_rest, step,
 };

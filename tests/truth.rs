@@ -15,6 +15,8 @@ use first::{First, first_within, point_triangle, segment_segment};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::path::Path;
 
+#[path = "truth/candidate_sets.rs"]
+mod candidate_sets;
 #[path = "truth/exact.rs"]
 mod exact_answers;
 #[path = "../ccd-core/tests/bounds/common/distance.rs"]
@@ -34,12 +36,13 @@ fn main() {
         }));
     };
     type OfScene = (&'static str, fn(&Path, &Scene));
-    let of_scenes: [OfScene; 7] = [
+    let of_scenes: [OfScene; 8] = [
         ("sizes", check_sizes),
         ("broad_phase", check_broad_phase),
         ("step", check_step),
         ("step_exact", exact_answers::check_step),
         ("min_distance", check_min_distance),
+        ("candidate_set", candidate_sets::check),
         ("contacts_f64", check_contacts_f64),
         ("contacts_exact", exact_answers::check_contacts),
     ];

@@ -32,6 +32,8 @@ pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use ccd_core::model::session::Intersection;
 pub use exclusions::near_at_rest;
-pub use session::{Candidates, Engine, Session, earliest_toi, intersections, step};
+pub use session::{
+    CandidateSet, Candidates, Engine, Session, earliest_toi, has_intersections, intersections, step,
+};
 pub use simd::instruction_set;
 pub use step::prepare::MAX_LOOSENESS;

@@ -21,17 +21,20 @@ use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::decision::Decider;
+use ccd_core::model::options::Options;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Moved, State};
 use passes::{collect, detect, drop_repeated, least_toi, prepare};
 use std::sync::Arc;
 
+mod candidate_set;
 mod changes;
 mod intersections;
 mod memory;
 mod once;
 mod passes;
 
-pub use intersections::intersections;
+pub use candidate_set::CandidateSet;
+pub use intersections::{has_intersections, intersections};
 pub use once::{earliest_toi, step};
 
 /// Continuous collision detection of one mesh over many steps, on threads of this machine. All
@@ -158,14 +161,11 @@ impl session::Engine for Engine {
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
-        if let Err(why) = self.threads.stop.begin().and_then(|()| self.list(given)) {
+        if let Err(why) = self.threads.stop.begin().and_then(|()| self.list(given, None)) {
             self.clear();
             return Err(why);
         }
-        let lists = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        let codimensional = self.codimensional.as_ref();
-        let pairs = codimensional.map(|found| found.pairs.each_ref().map(Vec::as_slice));
-        Ok(Candidates::new(lists, pairs.unwrap_or_default()))
+        Ok(self.listed())
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
@@ -191,12 +191,20 @@ impl session::Engine for Engine {
 }
 
 impl Intersects for Engine {
-    fn intersections(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
-        self.find_intersections(given)
+    fn intersections(&mut self, given: Given, first: bool) -> Result<Vec<Intersection>, Error> {
+        self.find_intersections(given, first)
     }
 }
 
 impl Engine {
+    /// What was listed last.
+    fn listed(&self) -> Candidates<'_> {
+        let lists = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
+        let codimensional = self.codimensional.as_ref();
+        let pairs = codimensional.map(|found| found.pairs.each_ref().map(Vec::as_slice));
+        Candidates::new(lists, pairs.unwrap_or_default())
+    }
+
     /// Number of threads that steps use.
     pub fn threads(&self) -> usize {
         self.threads.count()
@@ -224,12 +232,14 @@ impl Engine {
         }
     }
 
+    /// Lists candidates; `wide`: by other options than the session's.
     #[inline(never)]
-    fn list(&mut self, given: Given) -> Result<(), Error> {
+    fn list(&mut self, given: Given, wide: Option<&Options>) -> Result<(), Error> {
         let x = Positions::new(given, WHOLE);
         let Self { state, threads, prepared, selection, method, listers, runs, .. } = self;
         let (State { mesh, options, .. }, codimensional) = (state, &mut self.codimensional);
-        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &*selection);
+        let options = wide.unwrap_or(options);
+        let (threads, mesh, selection) = (&*threads, &*mesh, &*selection);
         threads.enter(|| {
             let stop = &*threads.stop;
             prepared.boxes(threads, mesh, options, &x)?;

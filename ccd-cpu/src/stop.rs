@@ -113,6 +113,12 @@ impl Stop {
         true
     }
 
+    /// Has workers leave what they have not begun, because what they found is enough. Until the
+    /// next call begins, [`Stop::check`] takes it for a cancellation.
+    pub fn enough(&self) {
+        self.stopped.store(true, Relaxed);
+    }
+
     fn end(&self, why: Error) -> bool {
         self.why().get_or_insert(why);
         self.stopped.store(true, Relaxed);

@@ -18,7 +18,7 @@ const ALONE: bool = cfg!(all(target_family = "wasm", not(target_feature = "atomi
 /// A number of threads and the pool that has them.
 #[derive(Debug)]
 pub struct Threads {
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<Arc<rayon::ThreadPool>>,
     count: usize,
     /// What ends their work early.
     pub stop: Arc<Stop>,
@@ -41,9 +41,14 @@ impl Threads {
                     return Err(refused);
                 }
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
-                threads(Some(pool.map_err(|_| refused)?), count)
+                threads(Some(Arc::new(pool.map_err(|_| refused)?)), count)
             }
         }
+    }
+
+    /// The same threads, for work that something else ends.
+    pub fn shared(&self, stop: Arc<Stop>) -> Self {
+        Self { pool: self.pool.clone(), count: self.count, stop }
     }
 
     /// Number of threads.

@@ -4,6 +4,7 @@
 //! numbers lie in another sequence; so C order is asked for by name.
 
 use crate::errors::refused;
+use ccd::Kind;
 use numpy::{
     Element, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods,
     PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods, dtype,
@@ -172,4 +173,10 @@ fn wrong_shape(name: &str, first: &str, last: &[usize], found: &[usize]) -> PyEr
     let mut wanted = std::iter::once(first.to_owned()).chain(last.iter().map(usize::to_string));
     let (wanted, found) = (text(&mut wanted), text(&mut found.iter().map(usize::to_string)));
     refused(format!("{name} has the shape {found}; it must be {wanted}"))
+}
+
+/// The kind of a number.
+pub fn kind_of(kind: u8) -> PyResult<Kind> {
+    let of_number = Kind::ALL.get(usize::from(kind)).copied();
+    of_number.ok_or_else(|| refused(format!("kind is {kind}; it must be 0, 1, 2 or 3, see Kind")))
 }

@@ -1,11 +1,12 @@
 //! Bodies: which vertices belong together, and which pairs of them are looked at.
 
-use crate::arrays::{flat_ids, ids};
+use crate::arrays::{flat_ids, ids, kind_of};
 use crate::errors::refused;
+use crate::mesh::Mesh;
 use ccd::{Groups, Kind};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyType};
+use pyo3::types::{IntoPyDict, PyDict, PyType};
 
 /// Bodies of a mesh and the rules of their pairs. An array with an entry for each body has that of
 /// body i at place i; what is missing there is as by default.
@@ -62,6 +63,35 @@ impl Bodies {
         let rules = rules.map_or_else(|| Ok(PyDict::new(py)), |rules| rules.copy())?;
         let names = flat_ids("of_vertex", of_vertex)?;
         Ok(Self { inner: with_rules(ccd::Bodies::new(&names), &names, &rules)? })
+    }
+
+    /// Static obstacles: vertices whose entry of `is_static`, an array of bool, is true are body 1,
+    /// which is fixed; all others are body 0. Obstacles are tested against what moves alone.
+    #[staticmethod]
+    fn of_obstacles(py: Python<'_>, is_static: Vec<bool>) -> PyResult<Self> {
+        let of_vertex: Vec<u32> = is_static.into_iter().map(u32::from).collect();
+        let rules = [("fixed", vec![false, true])].into_py_dict(py)?;
+        Self::new(PyArray1::from_vec(py, of_vertex).as_any(), Some(&rules))
+    }
+
+    /// Patches of vertices: each is a body, without self-contact. `patches` has that of each
+    /// vertex.
+    #[staticmethod]
+    fn of_patches(patches: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::new(patches, Some(&[("self_contact", false)].into_py_dict(patches.py())?))
+    }
+
+    /// Connected components of a mesh: vertices that a path of edges joins are a body. They are
+    /// numbered from 0 in the order of their first vertices. `self_contact`: whether pairs within a
+    /// component are looked at.
+    #[staticmethod]
+    #[pyo3(signature = (mesh, self_contact=true))]
+    fn of_components(mesh: &Bound<'_, Mesh>, self_contact: bool) -> PyResult<Self> {
+        let (py, mesh) = (mesh.py(), &mesh.get().inner);
+        let bodies = py.detach(|| ccd::Bodies::of_components(mesh));
+        let of_vertex = PyArray1::from_slice(py, bodies.body_of_vertex());
+        let rules = [("self_contact", self_contact)].into_py_dict(py)?;
+        Self::new(of_vertex.as_any(), Some(&rules))
     }
 
     /// The body of each vertex: a new array of shape (n_vertices,), uint32.
@@ -130,12 +160,6 @@ impl Bodies {
         let n = self.inner.body_of_vertex().len();
         if (v as usize) < n { Ok(v) } else { Err(refused(format!("vertex {v} of {n}"))) }
     }
-}
-
-/// The kind of a number.
-pub fn kind_of(kind: u8) -> PyResult<Kind> {
-    let of_number = Kind::ALL.get(usize::from(kind)).copied();
-    of_number.ok_or_else(|| refused(format!("kind is {kind}; it must be 0, 1, 2 or 3, see Kind")))
 }
 
 fn with_rules(

@@ -2,12 +2,13 @@
 //! after the other.
 
 use crate::arrays::{Floats, numbers};
+use crate::candidate_set::flat;
 use crate::errors::{failed, lock};
 use crate::filter::Wanted;
 use crate::process::MadeBy;
 use crate::report::Columns;
 use ccd::any;
-use ccd::{BodyMotion, Coordinate};
+use ccd::{BodyMotion, Coordinate, Kind};
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
@@ -49,9 +50,9 @@ impl Shared {
         let x = x.map(|x| x.as_chunks().0);
         let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
         if let Some(filter) = filter {
-            let candidates = self.change(py, |session| {
+            let candidates = self.change(py, move |session| {
                 session.remove_filter();
-                ListCandidates.call(session, x)
+                call.candidates(session, x)
             })?;
             let wanted = Wanted::new(py, &filter, candidates)?;
             self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
@@ -119,6 +120,40 @@ pub trait Call: Send + Copy {
         session: &mut any::Session,
         x: [&[[T; 3]]; 2],
     ) -> Result<Self::Found, any::Error>;
+
+    /// The candidates that a filter is asked of before the call: those that the call may take.
+    fn candidates<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<[Vec<u32>; 4], any::Error> {
+        ListCandidates.call(session, x)
+    }
+}
+
+/// Candidates for steps up to this far from the one that they are found for.
+#[derive(Clone, Copy)]
+pub struct MakeSet(pub f64);
+
+impl Call for MakeSet {
+    type Found = ccd::CandidateSet;
+
+    fn call<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        [x0, x1]: [&[[T; 3]]; 2],
+    ) -> Result<ccd::CandidateSet, any::Error> {
+        Ok(session.candidate_set(x0, x1, self.0)?)
+    }
+
+    fn candidates<T: Coordinate>(
+        self,
+        session: &mut any::Session,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<[Vec<u32>; 4], any::Error> {
+        let set = self.call(session, x)?;
+        Ok(Kind::ALL.map(|kind| flat(&set, kind)))
+    }
 }
 
 macro_rules! calls {
@@ -159,4 +194,5 @@ calls! {
         let all = session.intersections(x0)?;
         Ok(all.iter().flat_map(|found| [found.edge, found.face]).collect())
     }
+    Intersects, |_, session, x0, _x1| -> bool { Ok(session.has_intersections(x0)?) }
 }

@@ -1,6 +1,6 @@
 //! Meshes and animations from files, by the readers of the command.
 
-use crate::bodies::kind_of;
+use crate::arrays::kind_of;
 use crate::errors::refused;
 use crate::mesh::Mesh;
 use ccd::Kind;

@@ -10,6 +10,7 @@
 //! | `options.rs`, `filter.rs` | how a session works; a callback that selects pairs |
 //! | `broad_phase.rs`, `queries.rs`, `exact.rs` | boxes alone; single queries |
 //! | `device.rs`, `process.rs` | GPUs by name; processes and their threads |
+//! | `candidate_set.rs`, `squared_distance.rs` | candidates for many steps; squared distances |
 //! | `errors.rs` | our messages as Python's exceptions |
 //!
 //! Work is done with the interpreter released. What a `Mutex` here guards is used by one thread of
@@ -19,6 +20,7 @@ mod arrays;
 mod bodies;
 mod broad_phase;
 mod calls;
+mod candidate_set;
 mod device;
 mod errors;
 mod exact;
@@ -32,6 +34,7 @@ mod process;
 mod queries;
 mod report;
 mod session;
+mod squared_distance;
 
 /// Continuous collision detection for triangle meshes.
 #[pyo3::pymodule]
@@ -40,6 +43,8 @@ mod _native {
     use crate::bodies::Bodies;
     #[pymodule_export]
     use crate::broad_phase::BroadPhase;
+    #[pymodule_export]
+    use crate::candidate_set::CandidateSet;
     #[pymodule_export]
     use crate::device::gpus;
     #[pymodule_export]
@@ -66,6 +71,10 @@ mod _native {
     #[pymodule_export]
     use crate::session::Session;
 
+    #[pymodule_export]
+    use crate::squared_distance::{
+        distance_type, squared_distance, squared_distance_gradient, squared_distance_hessian,
+    };
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "Python's name")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -1,7 +1,6 @@
 //! Topology: faces, and the edges in a canonical order.
 
-use crate::arrays::{Floats, ids, numbers, pair_array, rows};
-use crate::bodies::kind_of;
+use crate::arrays::{Floats, ids, kind_of, numbers, pair_array, rows};
 use crate::errors::{input, refused};
 use crate::process::threads_here;
 use ccd::{Coordinate, Exclusions, Kind, Pair, Real};

@@ -1,7 +1,6 @@
 //! Single queries, one or many at once.
 
-use crate::arrays::{Floats, numbers};
-use crate::bodies::kind_of;
+use crate::arrays::{Floats, kind_of, numbers};
 use crate::errors::{input, refused};
 use crate::hit::{MISS, state_number};
 use ccd::{Distance, EdgeEdge, Error, Kind, State, Verdict, VertexEdge, VertexFace, VertexVertex};

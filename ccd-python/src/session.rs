@@ -3,8 +3,10 @@
 use crate::arrays::pair_array;
 use crate::bodies::bodies;
 use crate::calls::{
-    EarliestToi, FirstContact, Intersect, ListCandidates, Motions, SetPositions, Shared, Step,
+    EarliestToi, FirstContact, Intersect, Intersects, ListCandidates, MakeSet, Motions,
+    SetPositions, Shared, Step,
 };
+use crate::candidate_set::CandidateSet;
 use crate::device;
 use crate::errors::{failed, lock};
 use crate::hit::Hit;
@@ -214,6 +216,24 @@ impl Session {
         x: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<u32>>> {
         pair_array(py, self.shared.with(py, [x, x], Intersect)?)
+    }
+
+    /// Whether `intersections` would list any; the search ends with the first.
+    fn has_intersections(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<bool> {
+        self.shared.with(py, [x, x], Intersects)
+    }
+
+    /// Candidates of the step as an object that serves all steps near it: of vertices that are at
+    /// most `inflation` outside of this one. Found and used on the CPU.
+    #[pyo3(signature = (x0, x1, inflation=0.0))]
+    fn candidate_set(
+        &self,
+        py: Python<'_>,
+        x0: &Bound<'_, PyAny>,
+        x1: &Bound<'_, PyAny>,
+        inflation: f64,
+    ) -> PyResult<CandidateSet> {
+        Ok(CandidateSet::new(self.shared.with(py, [x0, x1], MakeSet(inflation))?))
     }
 
     /// From now on steps of another mesh, with other bodies if some are given.

@@ -1,8 +1,8 @@
 //! A session on either backend.
 
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
-use crate::positions::Precision;
-use crate::{CancelToken, Intersection};
+use crate::method::BroadPhaseMethod;
+use crate::{AsPositions, CancelToken, CandidateSet, Intersection};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Change, Intersects, Moved, On, State};
 
@@ -113,14 +113,17 @@ impl session::Engine for Engine {
 }
 
 impl Intersects for Engine {
-    fn intersections(&mut self, given: Given) -> Result<Vec<Intersection>, crate::Error> {
-        let on = match &mut self.0 {
-            Either::Cpu(on) => return Intersects::intersections(&mut ***on, given),
-            Either::Gpu { on, .. } => on,
-        };
-        match given {
-            Precision::F32([x, _]) => crate::intersections(on.mesh(), x, on.options()),
-            Precision::F64([x, _]) => crate::intersections(on.mesh(), x, on.options()),
+    fn intersections(
+        &mut self,
+        given: Given,
+        first: bool,
+    ) -> Result<Vec<Intersection>, crate::Error> {
+        match &mut self.0 {
+            Either::Cpu(on) => Intersects::intersections(&mut ***on, given, first),
+            Either::Gpu { on, .. } => {
+                let mut on = beside(on)?;
+                Intersects::intersections(&mut *on, given, first)
+            }
         }
     }
 }
@@ -131,6 +134,27 @@ impl Engine {
         match &self.0 {
             Either::Cpu(on) => Place::Cpu { threads: on.threads() },
             Either::Gpu { on, .. } => Place::Gpu { adapter: gpu::name(on.device()).into() },
+        }
+    }
+
+    /// Candidates of a step that is near many others, found and used on the CPU wherever steps run:
+    /// see [`CandidateSet`].
+    ///
+    /// # Errors
+    /// Those of the [CPU's call](ccd_cpu::Engine::candidate_set).
+    pub fn candidate_set<A, B>(
+        &mut self,
+        x0: &A,
+        x1: &B,
+        inflation: f64,
+    ) -> Result<CandidateSet, crate::Error>
+    where
+        A: AsPositions + ?Sized,
+        B: AsPositions<Scalar = A::Scalar> + ?Sized,
+    {
+        match &mut self.0 {
+            Either::Cpu(on) => on.candidate_set(x0, x1, inflation),
+            Either::Gpu { on, .. } => beside(on)?.candidate_set(x0, x1, inflation),
         }
     }
 
@@ -155,6 +179,15 @@ impl Engine {
 /// The session on the CPU that takes over from a GPU.
 fn on_cpu(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
     let mut session = crate::Session::new(on.mesh().clone(), on.options().clone())?;
+    session.set_cancel_token(on.cancel_token().cloned());
+    Ok(session)
+}
+
+/// A session on the CPU for what a GPU does not do, by the default method.
+fn beside(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
+    let options = on.options().clone().with_broad_phase(BroadPhaseMethod::default());
+    let options = options.with_scheduling(Default::default()).with_pipeline(Default::default());
+    let mut session = crate::Session::new(on.mesh().clone(), options)?;
     session.set_cancel_token(on.cancel_token().cloned());
     Ok(session)
 }

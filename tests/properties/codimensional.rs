@@ -82,12 +82,20 @@ fn intersections_are_those_of_every_pair() {
         }
         let keys: Vec<_> = found.iter().map(|i| (i.edge, i.face)).collect();
         assert_eq!(keys, want, "seed {seed}");
+        assert!(ccd::has_intersections(mesh, x, &Options::default()).unwrap());
         assert!(found.iter().all(|i| i.state == State::Hit));
         total += found.len();
         // In another place of the same shape there are none of a body with itself.
         let body = vec![0; mesh.n_vertices()];
         let alone = Options::default().with_bodies(Bodies::new(&body).with_self_contacts(false));
         assert!(ccd::intersections(mesh, x, &alone).unwrap().is_empty());
+        assert!(!ccd::has_intersections(mesh, x, &alone).unwrap());
+        // A session that has found some goes on.
+        let mut session = Session::new(mesh.clone(), Options::default()).unwrap();
+        for _ in 0..2 {
+            assert!(session.has_intersections(x).unwrap());
+            assert_eq!(session.intersections(x).unwrap(), found);
+        }
     }
     assert!(total > 200, "{total}");
     let far =

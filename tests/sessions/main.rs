@@ -3,6 +3,7 @@
 //! threads.
 
 mod any_order;
+mod candidate_sets;
 mod data;
 mod ends_early;
 mod exact_mode;

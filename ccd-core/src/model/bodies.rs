@@ -377,5 +377,6 @@ impl Bodies {
     }
 }
 
+mod ready;
 #[cfg(test)]
 mod tests;

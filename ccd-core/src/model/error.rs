@@ -105,7 +105,7 @@ pub enum Error {
         /// How many there may be.
         limit: u64,
     },
-    /// A minimum distance that is negative, NaN or infinite.
+    /// A minimum distance, or an inflation of candidates, that is negative, NaN or infinite.
     MinDistance {
         /// The value given.
         value: f64,
@@ -228,6 +228,13 @@ pub enum Error {
         /// Bytes that it may hold.
         limit: u64,
     },
+    /// A vertex is farther from the step that candidates were found for than their inflation.
+    Beyond {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the vertex.
+        vertex: usize,
+    },
     /// Bodies were to move before anybody said where all vertices are.
     NoPositions,
     /// A body was to move by positions in `f64` where those of all vertices are in `f32`.
@@ -300,7 +307,7 @@ impl core::fmt::Display for Error {
                 write!(f, "{count} {element}: at most {limit} are possible")
             }
             Error::MinDistance { value } => {
-                write!(f, "minimum distance is {value}; it must be finite and not negative")
+                write!(f, "minimum distance or inflation is {value}; it must be finite and >= 0")
             }
             Error::ExactDistance { value } => {
                 write!(
@@ -373,6 +380,9 @@ impl core::fmt::Display for Error {
                     "{what} need {bytes} bytes besides the {held} that are held; the limit of \
                      memory is {limit}"
                 )
+            }
+            Error::Beyond { time, vertex } => {
+                write!(f, "vertex {vertex} at t{time} is beyond the candidates: find others")
             }
             Error::NoPositions => {
                 f.write_str("there are no positions yet: call `set_positions` before bodies move")

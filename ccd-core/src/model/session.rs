@@ -284,9 +284,29 @@ impl<E: Engine, P> Session<E, P> {
         A: AsPositions + ?Sized,
         E: Intersects,
     {
+        self.through(ends(x, x), false)
+    }
+
+    /// Whether an edge and a face without a common vertex have a point in common at positions `x`:
+    /// whether [`Session::intersections`] would list any. The search ends with the first.
+    ///
+    /// # Errors
+    /// Those of [`Session::step`].
+    pub fn has_intersections<A>(&mut self, x: &A) -> Result<bool, Error>
+    where
+        A: AsPositions + ?Sized,
+        E: Intersects,
+    {
+        Ok(!self.through(ends(x, x), true)?.is_empty())
+    }
+
+    fn through(&mut self, ends: Ends, first: bool) -> Result<Vec<Intersection>, Error>
+    where
+        E: Intersects,
+    {
         let Self { engine, gathered, .. } = self;
-        let given = given(&engine.state().mesh, gathered, ends(x, x))?;
-        engine.intersections(given)
+        let given = given(&engine.state().mesh, gathered, ends)?;
+        engine.intersections(given, first)
     }
 
     /// Asks something of a step.

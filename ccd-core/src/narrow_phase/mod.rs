@@ -23,4 +23,5 @@ pub mod query;
 pub mod relative_motion;
 pub mod search;
 pub mod separating_direction;
+pub mod squared_distance;
 pub mod touch_geometry;

@@ -54,31 +54,66 @@ pub fn intersections<A: AsPositions + ?Sized>(
     x: &A,
     options: &Options,
 ) -> Result<Vec<Intersection>, Error> {
+    session(mesh, options)?.intersections(x)
+}
+
+/// Whether [`intersections`] would list any: whether the mesh goes through itself, or touches
+/// itself, at positions `x`. The search ends with the first one that is found.
+///
+/// ```
+/// use ccd::{Mesh, Options, has_intersections};
+///
+/// // A face, and an edge above it, whose first end sinks into it.
+/// let mesh = Mesh::with_edges(5, &[[0, 1, 2]], &[[3, 4]])?;
+/// let at = |y: f64| {
+///     [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.25, y, 0.25], [0.25, 2.0, 0.25]]
+/// };
+/// let ask = |y: f64| has_intersections(&mesh, &at(y), &Options::default());
+/// assert_eq!((ask(1e-9)?, ask(-1e-9)?), (false, true));
+/// # Ok::<(), ccd::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`intersections`].
+pub fn has_intersections<A: AsPositions + ?Sized>(
+    mesh: &Mesh,
+    x: &A,
+    options: &Options,
+) -> Result<bool, Error> {
+    session(mesh, options)?.has_intersections(x)
+}
+
+/// A session that finds them by the default method.
+fn session(mesh: &Mesh, options: &Options) -> Result<Session, Error> {
     let options = options.clone().with_broad_phase(BroadPhaseMethod::default());
     let options = options.with_scheduling(Scheduling::default()).with_min_distance(0.0);
-    let options = options.with_pipeline(Pipeline::default());
-    Session::new(mesh, options)?.intersections(x)
+    Session::new(mesh, options.with_pipeline(Pipeline::default()))
 }
 
 impl Engine {
-    pub(super) fn find_intersections(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
+    pub(super) fn find_intersections(
+        &mut self,
+        given: Given,
+        first: bool,
+    ) -> Result<Vec<Intersection>, Error> {
         if !matches!(self.method, Method::Blocks(_)) || self.prepared.triangles.is_some() {
             let Stepped { mesh, options, .. } = &self.state;
-            return match given {
-                Precision::F32([x, _]) => intersections(mesh, x, options),
-                Precision::F64([x, _]) => intersections(mesh, x, options),
-            };
+            return session(mesh, options)?.find_intersections(given, first);
         }
         let stop = self.threads.stop.clone();
         stop.begin()?;
         let held = stop.held();
-        let found = self.intersections_given(given);
+        let found = self.intersections_given(given, first);
         // All lists of it are gone, or the caller's.
         stop.hold(held);
         found
     }
 
-    fn intersections_given(&mut self, given: Given) -> Result<Vec<Intersection>, Error> {
+    fn intersections_given(
+        &mut self,
+        given: Given,
+        first: bool,
+    ) -> Result<Vec<Intersection>, Error> {
         let x = Positions::new(given, WHOLE);
         let Self { state, threads, prepared, selection, method, .. } = self;
         let Stepped { mesh, options, .. } = state;
@@ -91,13 +126,16 @@ impl Engine {
             stop.check()?;
             let scene = &prepared.scene((mesh, options), selection, &x, WHOLE, true, stop);
             let (edges, faces) = (&prepared.edges.leaves, &prepared.faces.leaves);
-            let mut sink = Through { scene, edges, faces, slabs: Vec::new() };
+            let mut sink = Through { scene, edges, faces, slabs: Vec::new(), first };
             sink.fill(threads);
             stop.check()?;
             let mut workers = Vec::new();
             workers.resize_with(threads.count(), Own::default);
             let sides = (&edges.boxes, Some(&faces.boxes));
             method.find(threads, sides, 1, &sink, &mut workers);
+            if first && let Some(Own(found)) = workers.iter_mut().find(|own| !own.0.is_empty()) {
+                return Ok(std::mem::take(found));
+            }
             let mut all = Vec::new();
             for Own(found) in workers {
                 if stop.reserve(WHAT, &mut all, found.len()) {
@@ -121,6 +159,8 @@ struct Through<'a> {
     faces: &'a Leaves<3>,
     /// By block of faces: between which planes they lie.
     slabs: Vec<[Slab<F32x8>; 4]>,
+    /// Whether the first one that is found is enough.
+    first: bool,
 }
 
 impl Through<'_> {
@@ -182,6 +222,9 @@ impl PairSink for Through<'_> {
             {
                 let edge = self.edges.boxes.order()[a * WIDTH + lane];
                 found.push(Intersection::new(edge, self.faces.boxes.ids(b)[j], state));
+                if self.first {
+                    return self.scene.stop.enough();
+                }
             }
         }
     }

@@ -72,7 +72,8 @@ impl Worker {
         self.narrow += start.elapsed();
     }
 
-    fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+    /// Decides a pair at once.
+    pub fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
         let contact = match scene.given {
             Precision::F32(x) => scene.decider.contact(scene.mesh, kind, pair, x),
             Precision::F64(x) => scene.decider.contact(scene.mesh, kind, pair, x),

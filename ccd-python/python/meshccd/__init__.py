@@ -8,13 +8,16 @@ of impact is late, rounding included.
   with its `Geometry`; `Hit`: the first contact of a step.
 - `Options`: what a session looks for, and how; `methods`: the choices; `CancelToken` ends calls.
 - `Bodies`: which vertices belong together, and which pairs of bodies are looked at.
+- `CandidateSet`: candidates for many steps, of a line search.
 - `BroadPhase`: boxes in, overlapping pairs out.
 - `vertex_face`, `edge_edge`, `vertex_edge`, `vertex_vertex`: queries, one or many; `distance`;
   `exact` has the same queries, decided exactly.
+- `squared_distance`, with `_gradient` and `_hessian`, and `distance_type`: what barriers are made
+  of.
 - `read_mesh`, `read_positions`, `read_queries`: files.
 - `scaled_toi`, `toi_to_f32`: times as an application uses them, never later.
 - `gpus`, `instruction_set`: what this machine has.
-- `Kind`, `State`, `Approach`: what the numbers in the columns of a report mean.
+- `Kind`, `State`, `Approach`, `VertexFaceType`, `EdgeEdgeType`: what numbers in arrays mean.
 
 What is refused is a ValueError that says what, where and the value.
 """
@@ -26,6 +29,7 @@ from ._native import (
     Bodies,
     BroadPhase,
     CancelToken,
+    CandidateSet,
     Geometry,
     Hit,
     Mesh,
@@ -34,6 +38,7 @@ from ._native import (
     Session,
     __version__,
     distance,
+    distance_type,
     edge_edge,
     gpus,
     instruction_set,
@@ -43,6 +48,9 @@ from ._native import (
     read_queries,
     scaled_toi,
     toi_to_f32,
+    squared_distance,
+    squared_distance_gradient,
+    squared_distance_hessian,
     vertex_edge,
     vertex_face,
     vertex_vertex,
@@ -53,6 +61,8 @@ __all__ = [
     "Bodies",
     "BroadPhase",
     "CancelToken",
+    "CandidateSet",
+    "EdgeEdgeType",
     "Geometry",
     "Hit",
     "Kind",
@@ -61,8 +71,10 @@ __all__ = [
     "Report",
     "Session",
     "State",
+    "VertexFaceType",
     "__version__",
     "distance",
+    "distance_type",
     "edge_edge",
     "exact",
     "gpus",
@@ -73,6 +85,9 @@ __all__ = [
     "read_queries",
     "scaled_toi",
     "toi_to_f32",
+    "squared_distance",
+    "squared_distance_gradient",
+    "squared_distance_hessian",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -110,3 +125,34 @@ class Approach(enum.IntEnum):
     """Certainly nearer."""
     SEPARATING = 2
     """Certainly apart: a contact at the start whose distance grows from then on for a while."""
+
+
+class VertexFaceType(enum.IntEnum):
+    """Which part of a face is nearest to a vertex; the numbers are those of ipctk."""
+
+    F0 = 0
+    F1 = 1
+    F2 = 2
+    F0F1 = 3
+    """The inside of the side from f0 to f1."""
+    F1F2 = 4
+    F2F0 = 5
+    FACE = 6
+    """The inside of the face."""
+
+
+class EdgeEdgeType(enum.IntEnum):
+    """Which parts of two edges are nearest to each other; the numbers are those of ipctk."""
+
+    A0B0 = 0
+    """The first ends of both."""
+    A0B1 = 1
+    A1B0 = 2
+    A1B1 = 3
+    AB0 = 4
+    """The inside of the first edge, and the first end of the second."""
+    AB1 = 5
+    A0B = 6
+    A1B = 7
+    AB = 8
+    """The insides of both."""

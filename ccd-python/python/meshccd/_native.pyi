@@ -9,6 +9,7 @@ __all__ = [
     "Bodies",
     "BroadPhase",
     "CancelToken",
+    "CandidateSet",
     "Geometry",
     "Hit",
     "Mesh",
@@ -17,6 +18,7 @@ __all__ = [
     "Session",
     "__version__",
     "distance",
+    "distance_type",
     "edge_edge",
     "exact_edge_edge",
     "exact_vertex_edge",
@@ -30,6 +32,9 @@ __all__ = [
     "read_queries",
     "scaled_toi",
     "toi_to_f32",
+    "squared_distance",
+    "squared_distance_gradient",
+    "squared_distance_hessian",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",
@@ -100,6 +105,15 @@ class Bodies:
         excluded_edge_edge: _Array | None = None,
         fixed_motion: bool = False,
     ) -> Bodies: ...
+    @staticmethod
+    def of_obstacles(is_static: _Flags) -> Bodies:
+        """Static vertices are body 1, which is fixed; all others are body 0."""
+    @staticmethod
+    def of_patches(patches: _Array) -> Bodies:
+        """Each patch of vertices is a body, without self-contact."""
+    @staticmethod
+    def of_components(mesh: Mesh, self_contact: bool = True) -> Bodies:
+        """Each connected component of a mesh is a body."""
     @property
     def of_vertex(self) -> _Ids:
         """The body of each vertex, (n_vertices,)."""
@@ -268,6 +282,12 @@ class Session:
         """Pairs whose swept boxes overlap, an array (n, 2) for each Kind."""
     def intersections(self, x: _Array) -> _Ids:
         """Edges and faces that have a point in common at the positions x, (n, 2)."""
+    def has_intersections(self, x: _Array) -> bool:
+        """Whether there are any at the positions x; the search ends with the first."""
+    def candidate_set(
+        self, x0: _Array, x1: _Array, inflation: float = 0.0
+    ) -> CandidateSet:
+        """Candidates for all steps of vertices at most inflation outside of this one."""
     def set_mesh(self, mesh: Mesh, bodies: Bodies | _Array | None = None) -> None:
         """From now on steps of another mesh, with other bodies if some are given."""
     def set_bodies(self, bodies: Bodies | _Array | None = None) -> None:
@@ -308,6 +328,32 @@ class Session:
         self, filter: Callable[[int, _Ids], NDArray[np.bool_]] | None = None
     ) -> None:
         """From now on filter(kind, pairs) says which candidates count."""
+
+@final
+class CandidateSet:
+    """Candidates of a step, for all steps near it: those of a line search."""
+
+    @property
+    def vf(self) -> NDArray[np.uint32]:
+        """Vertex and face, (n, 2)."""
+    @property
+    def ee(self) -> NDArray[np.uint32]:
+        """Two edges, the lesser id first, (n, 2)."""
+    @property
+    def ve(self) -> NDArray[np.uint32]:
+        """Particle and rod, (n, 2)."""
+    @property
+    def vv(self) -> NDArray[np.uint32]:
+        """Two particles, the lesser id first, (n, 2)."""
+    @property
+    def inflation(self) -> float:
+        """How far vertices may be outside of the step that it was made for."""
+    def earliest_toi(self, x0: _Array, x1: _Array) -> float | None:
+        """The earliest time of impact; None if all of the step is free."""
+    def collision_free_stepsize(self, x0: _Array, x1: _Array) -> float:
+        """The part of the step that is free of contact, in [0, 1]."""
+    def is_step_collision_free(self, x0: _Array, x1: _Array) -> bool:
+        """Whether nothing touches during the step, both ends included."""
 
 @final
 class Report:
@@ -511,6 +557,24 @@ def exact_vertex_vertex(
     x0: _Array, x1: _Array, window: tuple[float, float] = (0.0, 1.0)
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """States and times (.., 2) of vertex-vertex queries decided exactly, positions (..., 2, 3)."""
+
+def distance_type(kind: int, x: _Array) -> NDArray[np.uint8]:
+    """Which parts of features are nearest, positions (..., 4, 3)."""
+
+def squared_distance(
+    kind: int, x: _Array, types: _Array | None = None
+) -> NDArray[np.float64]:
+    """Squared distances at one moment, positions (..., 4, 3)."""
+
+def squared_distance_gradient(
+    kind: int, x: _Array, types: _Array | None = None
+) -> NDArray[np.float64]:
+    """Their gradients, (..., 12)."""
+
+def squared_distance_hessian(
+    kind: int, x: _Array, types: _Array | None = None
+) -> NDArray[np.float64]:
+    """Their Hessians, (..., 12, 12)."""
 
 def scaled_toi(toi: float, factor: float) -> float:
     """A time of impact times a factor in [0, 1], rounded down."""

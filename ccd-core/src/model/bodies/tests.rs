@@ -30,3 +30,29 @@ fn rules_that_name_nothing_are_errors() {
     assert!(matches!(far, Err(Error::TooMany { element: "worlds", .. })), "{far:?}");
     assert_eq!(of().set_sleeping(3, true), Err(Error::NoBody { body: 3 }));
 }
+
+/// Components against a flood of labels until nothing changes.
+#[test]
+fn components_are_what_paths_join() {
+    let mut random = crate::random::Random::new(11);
+    let mut most = 0;
+    for n_edges in 0..60 {
+        let n = 40;
+        let mut vertex = || (random.unit() * n as f64) as u32;
+        let edges: Vec<[u32; 2]> = (0..n_edges).map(|_| [vertex(), vertex()]).collect();
+        let mesh = Mesh::with_edges(n, &[[0, 5, 9]], &edges).unwrap();
+        let mut first: Vec<u32> = (0..n as u32).collect();
+        for _ in 0..n {
+            for &[a, b] in mesh.edges() {
+                let least = first[a as usize].min(first[b as usize]);
+                (first[a as usize], first[b as usize]) = (least, least);
+            }
+        }
+        let firsts: Vec<u32> = (0..n as u32).filter(|&v| first[v as usize] == v).collect();
+        let want: Vec<u32> =
+            first.iter().map(|v| firsts.iter().position(|f| f == v).unwrap() as u32).collect();
+        assert_eq!(Bodies::of_components(&mesh).body_of_vertex(), want);
+        most = most.max(firsts.len());
+    }
+    assert!(most > 30, "{most}");
+}

@@ -64,11 +64,12 @@ pub trait Engine: Sized {
 
 /// An engine that finds where a mesh goes through itself.
 pub trait Intersects: Engine {
-    /// Intersections at the first positions of `given`, sorted.
+    /// Intersections at the first positions of `given`, sorted; `first`: some, if there are any,
+    /// found no later than the first one ends the search.
     ///
     /// # Errors
     /// Those of [`Session::step`](super::Session::step).
-    fn intersections(&mut self, given: Given) -> Result<Vec<Intersection>, Error>;
+    fn intersections(&mut self, given: Given, first: bool) -> Result<Vec<Intersection>, Error>;
 }
 
 /// What every engine has of its session.
