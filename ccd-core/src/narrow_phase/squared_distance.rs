@@ -283,13 +283,13 @@ impl EdgeEdgeType {
 /// first end, its second end, or its inside.
 fn beside<T>(p: [f64; 3], [e0, e1]: [[f64; 3]; 2], [first, second, inside]: [T; 3]) -> (f64, T) {
     let (e, w, back) = (sub(e1, e0), sub(p, e0), sub(p, e1));
-    let (along, ee) = (dot(w, e), dot(e, e));
-    if !(along > 0.0 && ee > 0.0) {
+    let along = dot(w, e);
+    if !(along > 0.0) {
         (dot(w, w), first)
     } else if !(dot(back, e) < 0.0) {
         (dot(back, back), second)
     } else {
-        let r = sub(w, scale(e, along / ee));
+        let r = sub(w, scale(e, along / dot(e, e)));
         (dot(r, r), inside)
     }
 }
