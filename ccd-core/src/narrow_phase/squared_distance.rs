@@ -35,11 +35,11 @@ type Points = [[f64; 3]; 4];
 /// ```
 /// use ccd::squared_distance::VertexFaceType;
 ///
-/// let x = [[0.2, 0.5, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+/// let x = [[0.25, 0.5, 0.25], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 /// let kind = VertexFaceType::of(&x);
 /// let d = kind.at(&x);
 /// assert_eq!((kind, d.value()), (VertexFaceType::Face, 0.25));
-/// assert_eq!(d.gradient()[..6], [0.0, 1.0, 0.0, 0.0, -0.6, 0.0]);
+/// assert_eq!(d.gradient()[..6], [0.0, 1.0, 0.0, 0.0, -0.5, 0.0]);
 /// assert_eq!(d.hessian()[1][1], 2.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
