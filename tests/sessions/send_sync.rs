@@ -13,6 +13,8 @@ macro_rules! are {
 are! {
     ccd::Aabb, ccd::Approach, ccd::Bodies, ccd::BodyMotion<'static>, ccd::BroadPhase,
     method::BroadPhaseMethod, ccd::BroadPhaseTimes, method::Builder, ccd::Candidates<'static>,
+    ccd::CandidateSet, ccd::squared_distance::SquaredDistance,
+    ccd::squared_distance::EdgeEdgeType, ccd::squared_distance::VertexFaceType,
     ccd::Contact, ccd::ContactGeometry, method::Descent, ccd::CancelToken, ccd::Digest,
     ccd::Distance, ccd::EdgeEdge<f64>, ccd::Error, ccd::Exclusions, method::Front,
     method::FrontCounts, method::FrontOptions, ccd::Groups, ccd::Hit, ccd::Intersection, ccd::Kind,

@@ -35,11 +35,11 @@ type Points = [[f64; 3]; 4];
 /// ```
 /// use ccd::squared_distance::VertexFaceType;
 ///
-/// let x = [[0.2, 0.5, 0.2], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+/// let x = [[0.25, 0.5, 0.25], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 /// let kind = VertexFaceType::of(&x);
 /// let d = kind.at(&x);
 /// assert_eq!((kind, d.value()), (VertexFaceType::Face, 0.25));
-/// assert_eq!(d.gradient()[..6], [0.0, 1.0, 0.0, 0.0, -0.6, 0.0]);
+/// assert_eq!(d.gradient()[..6], [0.0, 1.0, 0.0, 0.0, -0.5, 0.0]);
 /// assert_eq!(d.hessian()[1][1], 2.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -283,13 +283,13 @@ impl EdgeEdgeType {
 /// first end, its second end, or its inside.
 fn beside<T>(p: [f64; 3], [e0, e1]: [[f64; 3]; 2], [first, second, inside]: [T; 3]) -> (f64, T) {
     let (e, w, back) = (sub(e1, e0), sub(p, e0), sub(p, e1));
-    let (along, ee) = (dot(w, e), dot(e, e));
-    if !(along > 0.0 && ee > 0.0) {
+    let along = dot(w, e);
+    if !(along > 0.0) {
         (dot(w, w), first)
     } else if !(dot(back, e) < 0.0) {
         (dot(back, back), second)
     } else {
-        let r = sub(w, scale(e, along / ee));
+        let r = sub(w, scale(e, along / dot(e, e)));
         (dot(r, r), inside)
     }
 }
