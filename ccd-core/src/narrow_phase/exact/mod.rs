@@ -179,7 +179,7 @@ pub fn edge_edge(query: &EdgeEdge<f64>, window: [f64; 2]) -> Option<Exact> {
 /// The same of a vertex and an edge.
 pub fn vertex_edge(query: &VertexEdge<f64>, window: [f64; 2]) -> Option<Exact> {
     let VertexEdge { t0, t1 } = query;
-    let moderate = checked(t0.iter().chain(t1), window)?;
+    let moderate = checked([t0, t1], window)?;
     if moderate && search_vertex_edge(query, &searching(window)).verdict == Verdict::Miss {
         return Some(Exact::Miss);
     }
@@ -198,7 +198,7 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 /// Whether two features touch, `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step: as `f64`
 /// certifies it, else by integers.
 pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
-    let moderate = checked(x[0].iter().chain(x[1]), window)?;
+    let moderate = checked([x[0], x[1]], window)?;
     let [from, until] = window;
     let still = x[0] == x[1];
     let first = if from == 0.0 || still { Some(x[0]) } else { (from == 1.0).then_some(x[1]) };
@@ -211,7 +211,9 @@ pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -
         Some(Verdict::Miss) => return Some(Exact::Miss),
         Some(Verdict::Hit { toi }) => {
             let last = (toi + wanted.tolerance).min(until);
-            let vectors = differences(patch).map(|pair| pair.map(|i| x.map(|x| x[i])));
+            let [a, b, c] = differences(patch);
+            let ends = |[i, j]: [usize; 2]| [[x[0][i], x[1][i]], [x[0][j], x[1][j]]];
+            let vectors = [ends(a), ends(b), ends(c)];
             if let Some(time) = refine::rounded_down(vectors, [toi, last]) {
                 return Some(Exact::Contact([time, time.next_up()]));
             }
@@ -238,14 +240,20 @@ fn searching([from, until]: [f64; 2]) -> Search<f64> {
 
 /// Whether coordinates are such as `f64` computes with; `None` if some are not finite, or the
 /// window is not in `[0, 1]`.
-fn checked<'a>(
-    points: impl Iterator<Item = &'a [f64; 3]>,
-    [from, until]: [f64; 2],
-) -> Option<bool> {
-    let is_window = 0.0 <= from && from <= until && until <= 1.0;
-    let most =
-        points.flatten().try_fold(0.0, |most: f64, x| x.is_finite().then(|| most.max(x.abs())));
-    most.filter(|_| is_window).map(|most| most <= MAX_COORDINATE)
+fn checked(ends: [&[[f64; 3]]; 2], [from, until]: [f64; 2]) -> Option<bool> {
+    if !(0.0 <= from && from <= until && until <= 1.0) {
+        return None;
+    }
+    let mut most = 0.0f64;
+    for points in ends {
+        for &[x, y, z] in points {
+            if !(x.is_finite() && y.is_finite() && z.is_finite()) {
+                return None;
+            }
+            most = most.max(x.abs()).max(y.abs()).max(z.abs());
+        }
+    }
+    Some(most <= MAX_COORDINATE)
 }
 
 /// Within numbers of `N` words.

@@ -85,22 +85,27 @@ struct Path {
 
 impl Path {
     fn new(p: [[f64; 3]; 2], q: [[f64; 3]; 2]) -> Self {
-        let at =
-            |time: usize| [0, 1, 2].map(|k| Double::of(expansion::sum(p[time][k], -q[time][k])));
+        let at = |time: usize| three(|k| Double::of(expansion::sum(p[time][k], -q[time][k])));
         let (start, end) = (at(0), at(1));
-        let travel = [0, 1, 2].map(|k| end[k] - start[k]);
+        let travel = three(|k| end[k] - start[k]);
         let size = max_abs(high(start)).max(max_abs(high(end))) * (1.0 + 2.0 * f64::EPSILON);
         Self { start, travel, size }
     }
 
     fn at(&self, t: f64) -> Pair3 {
         let t = Double { high: t, low: 0.0 };
-        [0, 1, 2].map(|k| self.start[k] + self.travel[k] * t)
+        three(|k| self.start[k] + self.travel[k] * t)
     }
 }
 
 fn high(x: Pair3) -> [f64; 3] {
-    x.map(|x| x.high)
+    three(|k| x[k].high)
+}
+
+/// The same of `0`, `1` and `2`, written out: `map` of an array is not inlined everywhere.
+#[inline(always)]
+fn three<T>(of: impl Fn(usize) -> T) -> [T; 3] {
+    [of(0), of(1), of(2)]
 }
 
 fn triple(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
@@ -117,13 +122,13 @@ fn value([a, b, c]: &[Pair3; 3]) -> f64 {
 /// arithmetic does not tell. `vectors`: `p` and `q` at both ends of the step, whose differences are
 /// `a b c`.
 pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Option<f64> {
-    let paths = vectors.map(|[p, q]| Path::new(p, q));
+    let paths = three(|i| Path::new(vectors[i][0], vectors[i][1]));
     let all = paths[0].size * paths[1].size * paths[2].size;
     let fine = |x: f64| (1.0 / LARGE..=LARGE).contains(&x);
     if !paths.iter().all(|path| fine(path.size)) {
         return None;
     }
-    let travel = [0, 1, 2].map(|i| high(paths[i].travel));
+    let travel = three(|i| high(paths[i].travel));
     let slope = |[a, b, c]: [[f64; 3]; 3]| {
         let [da, db, dc] = travel;
         triple(da, b, c) + triple(a, db, c) + triple(a, b, dc)
@@ -133,15 +138,15 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     // Two Newton steps bring `t` so near the zero that an inexact slope hardly matters.
     let mut t = lo;
     for _ in 0..2 {
-        let x = [0, 1, 2].map(|i| add(high(paths[i].start), scale(travel[i], t)));
+        let x = three(|i| add(high(paths[i].start), scale(travel[i], t)));
         let next = t - triple(x[0], x[1], x[2]) / slope(x);
         if !(lo <= next && next <= hi) {
             break;
         }
         t = next;
     }
-    let x = [0, 1, 2].map(|i| paths[i].at(t));
-    let (f, slope) = (value(&x), slope(x.map(high)));
+    let x = three(|i| paths[i].at(t));
+    let (f, slope) = (value(&x), slope(three(|i| high(x[i]))));
     let f_error = all * (1024.0 * f64::UNIT * f64::UNIT);
     let least = slope.abs() - slope_error(hi - lo);
     if !(least > 0.0) {
