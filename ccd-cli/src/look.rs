@@ -22,14 +22,15 @@ pub enum Zoom {
 #[derive(Args, Clone, Copy)]
 pub struct Look {
     /// What the picture shows
-    #[arg(long, value_enum, default_value_t = Zoom::Auto, help_heading = OUTPUT)]
+    #[arg(long, value_enum, default_value_t = Zoom::Auto)]
+    #[arg(hide_short_help = true, help_heading = OUTPUT)]
     pub zoom: Zoom,
     /// Draw the picture as seen from this direction
     ///
     /// 0,0,1 looks from the front, 1,0,0 from the right, 0,1,0 from above. Without it a direction
     /// is chosen from which most contacts are to be seen.
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
-    #[arg(requires = "picture", help_heading = OUTPUT)]
+    #[arg(requires = "picture", hide_short_help = true, help_heading = OUTPUT)]
     pub view: Option<[f64; 3]>,
     /// Width and height of the picture in pixels, 640 to 4096
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x1020")]
