@@ -1,5 +1,10 @@
 //! The compiled shaders, one SPIR-V and one WGSL module a kernel; `cargo xtask shaders` writes
-//! them, and both of a kernel compressed, as they are embedded.
+//! them, and both of a kernel packed, as they are embedded.
+//!
+//! **Packed**, and then compressed: the number of SPIR-V's words, each word, the text of WGSL.
+//! Numbers are LEB128. A word from 256 to 65535 is mostly an id, and the next one is near it: it is
+//! the difference to the last such word, zigzag, with a low bit of 1; any other word stands for
+//! itself, with a low bit of 0. That takes 380 KB for 970 of deflate alone.
 
 use crate::adapter::Path;
 use crate::error::Error;
@@ -29,8 +34,7 @@ macro_rules! modules {
     ($($group:ident {
         $($(#[$doc:meta])* $id:ident = $name:ident $about:tt $buffers:tt)*
     })*) => {
-        /// Both modules of a kernel, compressed: the length of the first, then both. Empty for one
-        /// that is not compiled in.
+        /// Both modules of a kernel, packed; empty for one that is not compiled in.
         pub fn packed(id: Id) -> &'static [u8] {
             match id {
                 $($(Id::$id => embedded!($group, $name),)*)*
@@ -43,13 +47,43 @@ ccd_core::kernels!(modules);
 
 /// The module of a kernel for a path, SPIR-V or WGSL; nothing of one that is not compiled in.
 pub fn module(id: Id, path: Path) -> Vec<u8> {
-    let mut bytes = decompress_to_vec(packed(id)).unwrap_or_default();
-    let n = bytes.first_chunk().map_or(0, |n| u32::from_le_bytes(*n) as usize);
-    let wgsl = bytes.split_off((4 + n).min(bytes.len()));
+    let bytes = decompress_to_vec(packed(id)).unwrap_or_default();
+    let mut rest = bytes.as_slice();
+    let spirv = spirv(&mut rest);
     match path {
-        Path::Passthrough => bytes.split_off(4.min(bytes.len())),
-        Path::Wgsl => wgsl,
+        Path::Passthrough => spirv,
+        Path::Wgsl => rest.to_vec(),
     }
+}
+
+/// Takes the words of SPIR-V from the front of unpacked bytes.
+fn spirv(bytes: &mut &[u8]) -> Vec<u8> {
+    let n_words = varint(bytes) as usize;
+    let mut id = 0;
+    let mut word = || {
+        let value = varint(bytes);
+        if value & 1 == 0 {
+            return (value >> 1) as u32;
+        }
+        let zigzag = (value >> 1) as u32;
+        id = (zigzag >> 1 ^ 0u32.wrapping_sub(zigzag & 1)).wrapping_add(id);
+        id
+    };
+    (0..n_words).flat_map(|_| word().to_le_bytes()).collect()
+}
+
+/// Takes a number from the front of bytes; of bytes that end too early, what there is.
+fn varint(bytes: &mut &[u8]) -> u64 {
+    let mut value = 0;
+    for shift in (0..64).step_by(7) {
+        let Some((&byte, rest)) = bytes.split_first() else { break };
+        *bytes = rest;
+        value |= u64::from(byte & 127) << shift;
+        if byte < 128 {
+            break;
+        }
+    }
+    value
 }
 
 /// Refuses a kernel that is not compiled in.

@@ -21,6 +21,8 @@ mod markdown;
 #[cfg(feature = "report")]
 mod measure;
 mod mutants;
+#[cfg(feature = "shaders")]
+mod packed;
 #[cfg(feature = "report")]
 mod plot;
 mod programs;

@@ -206,7 +206,7 @@ mod build {
                 crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?
             };
             let wgsl = format!("{GENERATED}\n{wgsl}").into_bytes();
-            products.insert(format!("{name}.z"), packed(&spirv, &wgsl));
+            products.insert(format!("{name}.z"), crate::packed::packed(&words(&spirv), &wgsl));
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), wgsl);
         }
@@ -220,12 +220,6 @@ mod build {
         let text = serde_json::to_string_pretty(&manifest).map_err(|e| e.to_string())? + "\n";
         products.insert("manifest.json".into(), text.into_bytes());
         Ok(products)
-    }
-
-    /// Both modules of a kernel as they are embedded: the length of the first, then both.
-    fn packed(spirv: &[u8], wgsl: &[u8]) -> Vec<u8> {
-        let length = (spirv.len() as u32).to_le_bytes();
-        miniz_oxide::deflate::compress_to_vec(&[&length, spirv, wgsl].concat(), 10)
     }
 
     /// Text of a native kernel instead of WGSL.
