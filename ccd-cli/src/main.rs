@@ -49,7 +49,7 @@ use std::process::ExitCode;
 ///
 /// Finds every vertex-face and edge-edge contact while each vertex moves on a straight line from
 /// one frame to the next, with the time of impact in [0, 1]. No contact is missed and no time is
-/// late. Contacts that cannot be certified are reported with the state "undecided".
+/// late, and no contact is a false alarm; only with a minimum distance some may be "undecided".
 ///
 /// A contact is where features touch on their way. A first frame that already passes through
 /// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
@@ -161,12 +161,12 @@ impl Precision {
     }
 }
 
-/// How certain contacts are.
+/// How times of impact are found.
 #[derive(Clone, Copy, ValueEnum)]
 enum Mode {
-    /// No contact is missed; what cannot be certified is undecided
+    /// Never late, and early by the tolerance at most
     Conservative,
-    /// Every pair is decided as its coordinates are
+    /// The true ones, rounded down
     Exact,
 }
 
@@ -187,9 +187,9 @@ struct StepOptions {
     #[arg(short = 'd', long, value_name = "D", default_value_t = 0.0)]
     #[arg(allow_negative_numbers = true, help_heading = QUESTION)]
     min_distance: f64,
-    /// How certain contacts are
+    /// How times of impact are found
     ///
-    /// The exact one takes no --min-distance; its times of impact are the true ones, rounded down.
+    /// Contacts are the same in both. Exact ones take no --min-distance.
     #[arg(long, value_enum, default_value_t = Mode::Conservative, help_heading = QUESTION)]
     mode: Mode,
     /// Leave out contacts at the start whose features separate

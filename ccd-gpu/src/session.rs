@@ -251,6 +251,12 @@ impl Engine {
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
+        if options.mode == Mode::Conservative && options.min_distance == 0.0 {
+            match given {
+                Precision::F32(x) => cpu_fallback::settle(mesh, x, decider, contacts),
+                Precision::F64(x) => cpu_fallback::settle(mesh, x, decider, contacts),
+            }
+        }
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&open) {
             match given {
                 Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),

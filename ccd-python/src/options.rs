@@ -37,9 +37,8 @@ const OF_TREES: [&str; 3] = ["builder", "traversal", "volume"];
 ///     How early a certain time of impact may be, in units of the step; at least 1e-12. By default
 ///     1e-6.
 /// mode : str
-///     "conservative", the default: what cannot be certified is a contact that is undecided; or
-///     "exact": every pair is decided as its coordinates are, and times are the true ones, rounded
-///     down. Exact takes no minimum distance.
+///     "conservative", the default: times of impact are early by the tolerance at most; or "exact":
+///     they are the true ones, rounded down. Contacts are the same. Exact takes no minimum distance.
 /// leave_contact : bool
 ///     Whether features that are in contact at the start may separate: no contact, unless they
 ///     come nearer or touch again.

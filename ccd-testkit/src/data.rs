@@ -32,8 +32,6 @@ pub struct Scene {
     pub candidates: Option<[u64; 2]>,
     /// Number that the files of its published contacts begin with.
     pub truth: Option<&'static str>,
-    /// Contacts that may end undecided: what was seen when this was written, an upper limit.
-    pub undecided: u64,
 }
 
 /// All scenes of two frames.
@@ -45,7 +43,6 @@ pub const SCENES: [Scene; 7] = [
         size: [46_598, 138_825, 92_230],
         candidates: Some([1_655_541, 5_197_332]),
         truth: Some("92"),
-        undecided: 0,
     },
     Scene {
         name: "cloth-funnel",
@@ -54,7 +51,6 @@ pub const SCENES: [Scene; 7] = [
         size: [9_450, 27_930, 18_484],
         candidates: Some([7_319, 33_770]),
         truth: Some("227"),
-        undecided: 91,
     },
     Scene {
         name: "rod-twist",
@@ -63,7 +59,6 @@ pub const SCENES: [Scene; 7] = [
         size: [39_940, 119_796, 79_864],
         candidates: Some([448_270, 2_041_334]),
         truth: Some("3036"),
-        undecided: 0,
     },
     Scene {
         name: "rb-hashgrid",
@@ -72,7 +67,6 @@ pub const SCENES: [Scene; 7] = [
         size: [7_656, 19_601, 13_066],
         candidates: Some([7_629, 26_856]),
         truth: None,
-        undecided: 0,
     },
     Scene {
         name: "debris-wall",
@@ -81,7 +75,6 @@ pub const SCENES: [Scene; 7] = [
         size: [4_604, 9_249, 4_848],
         candidates: Some([48_008, 129_681]),
         truth: None,
-        undecided: 35_617,
     },
     Scene {
         name: "thick-cloth",
@@ -90,7 +83,6 @@ pub const SCENES: [Scene; 7] = [
         size: [233, 0, 404],
         candidates: None,
         truth: None,
-        undecided: 14,
     },
     Scene {
         name: "two-cubes",
@@ -99,7 +91,6 @@ pub const SCENES: [Scene; 7] = [
         size: [244, 0, 480],
         candidates: None,
         truth: None,
-        undecided: 0,
     },
 ];
 

@@ -20,8 +20,6 @@ pub struct Boxes {
 pub struct Motion {
     pub step: Step,
     pub want: Want,
-    /// Contacts may end undecided so often.
-    pub undecided: u64,
 }
 
 pub enum Want {
@@ -126,7 +124,7 @@ pub fn load_motion(source: Source) -> Motion {
             let dir = data::data_dir().expect("the row is ignored without the data");
             let truth = scene.truth.map(|_| ["vf", "ee"].map(|kind| scene.contacts(&dir, kind)));
             let want = Want::Recorded(recorded_step(scene.name), one.contacts, truth);
-            Motion { step, want, undecided: scene.undecided }
+            Motion { step, want }
         }
         Source::Step(make) => {
             let step = make();
@@ -140,7 +138,7 @@ pub fn load_motion(source: Source) -> Motion {
             let n = candidates.each_ref().map(|pairs| pairs.len() as u64);
             assert_eq!([report.candidates.vf, report.candidates.ee], n);
             let digests = candidates.map(|pairs| Digest::of(0, pairs.into_iter()));
-            Motion { step, want: Want::Reference(digests, report.contacts), undecided: 0 }
+            Motion { step, want: Want::Reference(digests, report.contacts) }
         }
         Source::Boxes(_) => panic!("boxes do not move"),
     }

@@ -3,9 +3,8 @@
 
 use ccd::gpu::{Device, Path as ShaderPath, Session};
 use ccd::method::BroadPhaseMethod;
-use ccd::{Contact, Kind, Options, Pair, Report, State};
-use ccd_testkit::{compare, generate, oracle};
-use std::collections::BTreeSet;
+use ccd::{Contact, EdgeEdge, Kind, Options, Pair, Report, State, Verdict, VertexFace};
+use ccd_testkit::{compare, generate};
 
 /// What is done on a device.
 pub type Test = Box<dyn FnOnce(&Device) + Send>;
@@ -81,8 +80,7 @@ pub fn on_cpu(options: &Options) -> Options {
 }
 
 /// Triangles with corners on a coarse grid: most pairs touch in corners, move in planes, or are
-/// parallel. What the CPU reports and the device does not must be free of contact in exact
-/// arithmetic.
+/// parallel, which rounded arithmetic leaves open. What the CPU reports the device does, too.
 fn check_degenerate(device: &Device) {
     let mut random = generate::Random::new(21);
     for unit in [0.25, 0.1] {
@@ -97,28 +95,24 @@ fn check_degenerate(device: &Device) {
         let mut session = Session::new(device, mesh.clone(), Options::default()).unwrap();
         let gpu = session.step(&x0, &x1).unwrap();
         assert_eq!(gpu.candidates, cpu.candidates);
-        let key = |c: &Contact| (c.kind, c.a, c.b);
-        let found: BTreeSet<_> = gpu.contacts.iter().map(key).collect();
-        let (mut n_missing, mut n_open) = (0, 0);
-        for c in cpu.contacts.iter().filter(|c| !found.contains(&key(c))) {
-            let ids = c.vertices(&mesh);
-            let (p, q) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
-            let answer = match c.kind {
-                Kind::VertexFace => oracle::vertex_face(&p, &q),
-                _ => oracle::edge_edge(&p, &q),
-            };
-            let missed = matches!(answer, oracle::Answer::Contact(..));
-            assert!(!missed, "missed {c:?}: {answer:?}, {p:?} {q:?}");
-            assert_eq!(c.state, State::Undecided);
-            n_missing += 1;
-            n_open += (answer == oracle::Answer::Degenerate) as usize;
-        }
-        println!(
-            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, \
-             {n_open} of them not decided exactly",
-            cpu.contacts.len()
+        let key = |c: &Contact| (c.kind, c.a, c.b, c.state);
+        let [of_gpu, of_cpu] = [&gpu.contacts, &cpu.contacts];
+        assert_eq!(
+            of_gpu.iter().map(key).collect::<Vec<_>>(),
+            of_cpu.iter().map(key).collect::<Vec<_>>()
         );
-        assert!(cpu.undecided > 100, "nothing degenerate");
+        let open = of_cpu.iter().filter(|c| {
+            let ids = c.vertices(&mesh);
+            let (t0, t1) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
+            let verdict = match c.kind {
+                Kind::VertexFace => ccd::vertex_face(&VertexFace { t0, t1 }, 0.0),
+                _ => ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0),
+            };
+            matches!(verdict, Verdict::Undecided { .. })
+        });
+        let n_open = open.count();
+        println!("degenerate, {unit}: {} contacts, {n_open} open in `f64`", of_cpu.len());
+        assert!(n_open > 100 && gpu.undecided == 0, "nothing degenerate");
     }
 }
 

@@ -3,8 +3,8 @@
 use ccd::exact::{self, Exact};
 use ccd::scenes::{Random, Step, particles_and_rods, triangle_soup};
 use ccd::{
-    Contact, EdgeEdge, Error, Kind, Mesh, Mode, Options, Pair, Session, State, VertexEdge,
-    VertexFace, VertexVertex,
+    Contact, EdgeEdge, Error, Kind, Mesh, Mode, Options, Pair, Session, State, TOI_TOLERANCE,
+    Verdict, VertexEdge, VertexFace, VertexVertex,
 };
 use ccd_testkit::brute::feature_pairs;
 
@@ -70,6 +70,17 @@ fn by_queries(mesh: &Mesh, x0: &Positions, x1: &Positions, window: [f64; 2]) -> 
     all
 }
 
+/// Whether `f64` leaves the pair of a contact open.
+fn is_open(mesh: &Mesh, x0: &Positions, x1: &Positions, contact: &Contact) -> bool {
+    let [t0, t1] = [x0, x1].map(|x| contact.vertices(mesh).map(|v| x[v as usize]));
+    let verdict = match contact.kind {
+        Kind::VertexFace => ccd::vertex_face(&VertexFace { t0, t1 }, 0.0),
+        Kind::EdgeEdge => ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0),
+        _ => return false,
+    };
+    matches!(verdict, Verdict::Undecided { .. })
+}
+
 fn times(contacts: &[Contact]) -> Vec<(Kind, u32, u32, State, u64)> {
     contacts.iter().map(|c| (c.kind, c.a, c.b, c.state, c.toi.to_bits())).collect()
 }
@@ -82,7 +93,7 @@ fn steps_are_what_every_pair_says() {
         on_a_lattice(particles_and_rods(40, 5), 8),
         on_a_lattice(triangle_soup(100, 0.6, 6), 12),
     ];
-    let (mut n, mut undecided) = (0, 0);
+    let (mut n, mut n_open) = (0, 0);
     for Step { mesh, x0, x1 } in &scenes {
         let mut session = Session::new(mesh.clone(), exactly()).unwrap();
         for window in WINDOWS {
@@ -95,11 +106,19 @@ fn steps_are_what_every_pair_says() {
         let want = by_queries(mesh, x0, x1, WINDOWS[0]).iter().map(|c| c.toi).reduce(f64::min);
         assert_eq!(session.earliest_toi(x0, x1).unwrap(), want);
         session.set_options(exactly().with_mode(Mode::Conservative)).unwrap();
-        undecided += session.step(x0, x1).unwrap().undecided;
+        let conservative = session.step(x0, x1).unwrap();
+        let want = by_queries(mesh, x0, x1, WINDOWS[0]);
+        assert_eq!((conservative.undecided, conservative.contacts.len()), (0, want.len()));
+        for (early, exact) in conservative.contacts.iter().zip(&want) {
+            assert_eq!((early.kind, early.a, early.b), (exact.kind, exact.a, exact.b));
+            let by = exact.toi - early.toi;
+            assert!((0.0..=TOI_TOLERANCE).contains(&by), "{early:?} {exact:?}");
+            n_open += is_open(mesh, x0, x1, exact) as usize;
+        }
         session.set_options(exactly()).unwrap();
         assert_eq!(session.step(x0, x1).unwrap().undecided, 0);
     }
-    assert!(n > 1000 && undecided > 100, "{n} contacts, {undecided} were undecided");
+    assert!(n > 1000 && n_open > 100, "{n} contacts, {n_open} are open in `f64`");
 }
 
 #[test]

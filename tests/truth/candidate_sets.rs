@@ -30,10 +30,7 @@ pub fn check(data: &Path, scene: &Scene) {
         let start = Instant::now();
         let found = set.earliest_toi(x0, &end).unwrap();
         times[1] += start.elapsed().as_secs_f64();
-        assert_eq!(found.is_some(), want.is_some(), "{s}");
-        if scene.undecided == 0 {
-            assert_eq!(found, want, "{s}");
-        }
+        assert_eq!(found, want, "{s}");
     }
     let [of_session, of_set] = times;
     println!("{}: eight steps, session {of_session:.3} s, set {of_set:.3} s", scene.name);

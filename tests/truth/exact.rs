@@ -6,6 +6,7 @@ use ccd::{Contact, EdgeEdge, Kind, Mode, Options, State, TOI_TOLERANCE, VertexFa
 use ccd_testkit::data::{self, Scene};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// Every published pair, decided exactly: near misses are none.
 pub fn check_contacts(data: &Path, scene: &Scene) {
@@ -75,26 +76,41 @@ pub fn check_step(data: &Path, scene: &Scene) {
     println!("{}: {} exact contacts", scene.name, found.len());
 }
 
-/// Every published query, decided exactly.
+/// Every published query, decided exactly, and none takes long.
 pub fn check_queries(data: &Path) {
-    let mut n = 0;
+    let (mut n, mut worst) = (0, Duration::ZERO);
     for (path, name) in data::query_files(data) {
         let Queries { queries, .. } = read_queries(&path).unwrap();
         let times = data::read_times(&data.join("toi").join(&name));
         for (i, (query, time)) in queries.iter().zip(&times).enumerate() {
             check_exact(query, time.hit, time.toi, &format!("{name} query {i}"));
+            // The least of a few, because something else may have its turn in between.
+            let took = (0..5).map(|_| took(query)).min().unwrap_or_default();
+            worst = worst.max(took);
             n += 1;
         }
     }
+    println!("{n} exact queries, of which the longest took {worst:?}");
     assert_eq!(n, 7279);
+    assert!(cfg!(debug_assertions) || worst <= Duration::from_millis(1), "{worst:?}");
+}
+
+fn took(query: &Query) -> Duration {
+    let start = Instant::now();
+    std::hint::black_box(decide(std::hint::black_box(query)));
+    start.elapsed()
+}
+
+fn decide(query: &Query) -> Option<Exact> {
+    match query {
+        Query::VertexFace(q) => exact::vertex_face(q, [0.0, 1.0]),
+        Query::EdgeEdge(q) => exact::edge_edge(q, [0.0, 1.0]),
+    }
 }
 
 /// The published time is the lower end of an enclosure of two neighbouring numbers.
 fn check_exact(query: &Query, hit: bool, toi: Option<f64>, what: &str) {
-    let found = match query {
-        Query::VertexFace(q) => exact::vertex_face(q, [0.0, 1.0]),
-        Query::EdgeEdge(q) => exact::edge_edge(q, [0.0, 1.0]),
-    };
+    let found = decide(query);
     let want = if hit { Some(toi.expect("a time")) } else { None };
     match (found, want) {
         (Some(Exact::Miss), None) => (),

@@ -93,6 +93,10 @@ impl Scan {
     /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the
     /// middle of their bounds, and in another unit where theirs is one in which products of `f32`
     /// would overflow or vanish, or differences be flushed.
+    ///
+    /// Without `keep`, places between exact positions are rounded, in the unit of the positions and
+    /// from their origin if that is near them: what stands still then has its places of the whole
+    /// step.
     pub fn table(&self, keep: bool) -> Table {
         let empty = self.bounds.min[0] > self.bounds.max[0];
         let greatest = self.greatest();
@@ -107,7 +111,10 @@ impl Scan {
             let far = Num::max(self.bounds.max[k] - origin[k], origin[k] - self.bounds.min[k]);
             reach = Num::max(reach, far);
         }
-        let scale = scale_of(reach);
+        let mut scale = scale_of(reach);
+        if self.exact && fine && greatest <= NEAR_ORIGIN * reach {
+            (origin, scale, reach) = ([0.0; 3], 1.0, greatest);
+        }
         // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than
         // the coordinates, and operands and a difference that a device may flush.
         let before = greatest * (16.0 * f64::UNIT) + 8.0 * f64::MIN_NORMAL;
@@ -117,6 +124,10 @@ impl Scan {
         Table { origin, scale, error: error.round_up() }
     }
 }
+
+/// The origin is near positions whose coordinates are at most so many times half of their extent:
+/// two bits of a place are lost at most.
+const NEAR_ORIGIN: f64 = 4.0;
 
 /// Coordinates in `f32` up to this, 2^28, are taken as they are: the fourth powers of their
 /// differences, which filters form, are finite.
@@ -256,6 +267,30 @@ mod tests {
         }
         check_table(1e100, 0.0);
         check_table(0.0, 0.0);
+    }
+
+    #[test]
+    fn places_between_exact_positions_are_near_and_what_is_exact_stays() {
+        let table = |low: f32, high: f32| {
+            let mut scan = Scan::NONE;
+            [low, high].into_iter().for_each(|x| scan.take([x; 3]));
+            scan.table(false)
+        };
+        for (low, high) in [(-1.0, 3.0), (1.5, 3.0), (1e-9, 2e-9), (-1e8, 1e8)] {
+            let table = table(low, high);
+            assert_eq!(table.place([low.into(), high.into(), 0.0]), [low, high, 0.0]);
+            let greatest = f64::from(high.max(-low));
+            for i in 0..1000 {
+                let x = f64::from(low) + f64::from(high - low) * f64::from(i) / 1000.0;
+                let off = f64::from(table.place([x; 3])[0]) - x;
+                assert!(off.abs() <= table.error.into(), "{off:e} at {x:e}: {table:?}");
+            }
+            assert!(f64::from(table.error) < 1.1 * f64::from(f32::UNIT) * greatest);
+        }
+        // Far from the origin places are finer around the middle.
+        let far = table(1000.0, 1001.0);
+        assert_eq!((far.origin, far.scale), ([1000.5; 3], 1.0));
+        assert!(f64::from(far.error) < 0.6 * f64::from(f32::UNIT));
     }
 
     #[test]

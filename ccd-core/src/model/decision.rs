@@ -10,8 +10,10 @@ use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
-use crate::narrow_phase::decide::{self, gather};
+use crate::narrow_phase::decide::gather;
 use crate::narrow_phase::exact::{self, Exact};
+use crate::narrow_phase::query::search;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search, Verdict};
 
 /// What decides pairs of a step.
@@ -52,43 +54,92 @@ impl Decider {
         x: [&[[T; 3]]; 2],
     ) -> Option<Contact> {
         let ids = mesh.vertices_of(kind, pair);
-        let decided = match self.mode {
-            Mode::Conservative => None,
-            Mode::Exact => self.exact(kind, ids, x),
+        let answer = match kind {
+            Kind::VertexFace | Kind::EdgeEdge => {
+                let [x0, x1] = x.map(|x| gather(ids, x));
+                self.of_patch(kind.patch(), [&x0, &x1])
+            }
+            Kind::VertexEdge => {
+                let query = vertex_edge(ids, x);
+                self.stated(
+                    |search| search_vertex_edge(&query, search),
+                    |window| exact::vertex_edge(&query, window),
+                )
+            }
+            Kind::VertexVertex => {
+                let query = vertex_vertex(ids, x);
+                self.stated(
+                    |search| search_vertex_vertex(&query, search),
+                    |window| exact::vertex_vertex(&query, window),
+                )
+            }
         };
-        Contact::of(kind, pair, decided.unwrap_or_else(|| self.certified(kind, ids, x)))
+        Contact::of(kind, pair, answer)
     }
 
-    /// The conservative answer.
-    #[inline]
-    fn certified<T: Real>(&self, kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2]) -> Answer<f64> {
-        match kind {
-            Kind::VertexFace | Kind::EdgeEdge => decide::pair(kind, ids, x, &self.search),
-            Kind::VertexEdge => search_vertex_edge(&vertex_edge(ids, x), &self.search),
-            Kind::VertexVertex => search_vertex_vertex(&vertex_vertex(ids, x), &self.search),
+    /// The answer for `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step.
+    fn of_patch(&self, patch: Patch, x: [&[[f64; 3]; 4]; 2]) -> Answer<f64> {
+        let (window, certified) =
+            (self.window(), || search(&Motion::new(patch, x[0], x[1], 0.0), patch, &self.search));
+        if self.search.min_distance > 0.0 {
+            return certified();
+        }
+        if self.mode == Mode::Exact {
+            let found = exact::of_patch(patch, x, window);
+            return found.map_or_else(certified, |found| self.exact(found));
+        }
+        if exact::begin_at_a_point(patch, x, window) {
+            return self.exact(Exact::Contact([window[0]; 2]));
+        }
+        let answer = certified();
+        let found = answer.is_open().then(|| exact::left_open(patch, x, window)).flatten();
+        found.map_or(answer, |found| self.settled(answer, found))
+    }
+
+    /// The exact answer if the mode wants it or the search leaves the pair open, and integers hold
+    /// it; else that of the search.
+    fn stated(
+        &self,
+        certified: impl Fn(&Search<f64>) -> Answer<f64>,
+        exact: impl Fn([f64; 2]) -> Option<Exact>,
+    ) -> Answer<f64> {
+        let wanted = |wanted: bool| {
+            let found = (wanted && self.search.min_distance == 0.0).then(|| exact(self.window()));
+            found.flatten()
+        };
+        if let Some(found) = wanted(self.mode == Mode::Exact) {
+            return self.exact(found);
+        }
+        let answer = certified(&self.search);
+        wanted(answer.is_open()).map_or(answer, |found| self.settled(answer, found))
+    }
+
+    /// What the search left open, decided: a contact keeps its time if that is early by the
+    /// tolerance at most, because the features are then mostly still apart.
+    fn settled(&self, answer: Answer<f64>, found: Exact) -> Answer<f64> {
+        match (answer.verdict.toi(), found) {
+            (Some(toi), Exact::Contact([exact, _])) if exact - toi <= self.search.tolerance => {
+                Answer { verdict: Verdict::Hit { toi }, ..answer }
+            }
+            _ => self.exact(found),
         }
     }
 
-    /// The exact answer; `None` if its integers do not hold it.
-    fn exact<T: Real>(&self, kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2]) -> Option<Answer<f64>> {
-        let Search { from, until, .. } = self.search;
-        let window = [from, until];
-        let found = match kind {
-            Kind::VertexFace | Kind::EdgeEdge => {
-                let [x0, x1] = x.map(|x| gather(ids, x));
-                exact::of_patch(kind.patch(), [&x0, &x1], window)
-            }
-            Kind::VertexEdge => exact::vertex_edge(&vertex_edge(ids, x), window),
-            Kind::VertexVertex => exact::vertex_vertex(&vertex_vertex(ids, x), window),
-        };
-        Some(match found? {
+    fn window(&self) -> [f64; 2] {
+        [self.search.from, self.search.until]
+    }
+
+    /// An exact answer; early by nothing.
+    fn exact(&self, found: Exact) -> Answer<f64> {
+        match found {
             Exact::Miss => Answer::from(Verdict::Miss),
             Exact::Contact([toi, _]) => {
                 // No contact from the start of the window to `toi`, so they approach there.
-                let approach = if toi > from { Approach::Approaching } else { Approach::Unknown };
+                let approach =
+                    if toi > self.search.from { Approach::Approaching } else { Approach::Unknown };
                 Answer { verdict: Verdict::Hit { toi }, approach }
             }
-        })
+        }
     }
 }
 

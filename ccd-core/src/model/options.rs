@@ -9,7 +9,7 @@ use super::scheduling::Scheduling;
 use crate::narrow_phase::query::{LEAST_TOLERANCE, TOI_TOLERANCE};
 use crate::narrow_phase::search::Search;
 
-/// How certain contacts are.
+/// How times of impact are found. Which pairs touch is decided exactly in both modes.
 ///
 /// ```
 /// use ccd::Mode;
@@ -22,12 +22,15 @@ use crate::narrow_phase::search::Search;
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Mode {
-    /// No contact is missed and no time late; what cannot be certified is a contact of state
-    /// [`State::Undecided`](super::contact::State::Undecided).
+    /// A time of impact is never late, and early by the tolerance at most.
+    ///
+    /// A pair that `f64` certifies neither as a contact nor as none is decided exactly, on the CPU,
+    /// and a contact of it has its exact time. With a minimum distance, and where integers do not
+    /// hold the pair, it is a contact of state
+    /// [`State::Undecided`](super::contact::State::Undecided) instead.
     #[default]
     Conservative,
-    /// Every pair is decided as its coordinates are, by integers where `f64` does not tell, and its
-    /// time of impact is the true one rounded down: see
+    /// Every time of impact is the true one rounded down, of the coordinates as they are: see
     /// [`narrow_phase::exact`](crate::narrow_phase::exact). Of a GPU, the filters run on the device
     /// and the decisions on the CPU.
     ///
@@ -92,10 +95,10 @@ pub struct Options {
     /// it. A session of a backend that does not have it is refused.
     pub scheduling: Scheduling,
     /// How early a certain time of impact may be, in units of the step, from
-    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified as exactly is undecided. Nothing
-    /// to [`Mode::Exact`].
+    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified within it is as what cannot be
+    /// certified at all, see [`Mode::Conservative`]. Nothing to [`Mode::Exact`].
     pub tolerance: f64,
-    /// How certain contacts are.
+    /// How times of impact are found.
     pub mode: Mode,
     /// Whether two features that are in contact at the start of a step may leave it: where they
     /// certainly separate, that contact is none, and what counts is the next one of the same two

@@ -55,6 +55,12 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
     }
 }
 
+/// Whether a host decides exactly what stays undecided in `f64`: if there is no minimum distance.
+#[inline(always)]
+pub fn is_decided_again(frame: &Frame) -> bool {
+    frame.distance_bits[0] | frame.distance_bits[1] == 0
+}
+
 /// Rounds that workgroup `group` of `groups` needs for its share of `n` items.
 #[inline(always)]
 pub fn rounds(n: u32, group: u32, groups: u32, threads: u32) -> u32 {

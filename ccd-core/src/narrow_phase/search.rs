@@ -107,6 +107,14 @@ pub struct Answer<R> {
     pub approach: Approach,
 }
 
+impl<R> Answer<R> {
+    /// Whether neither contact nor none was certified.
+    #[inline]
+    pub fn is_open(&self) -> bool {
+        matches!(self.verdict, Verdict::Undecided { .. })
+    }
+}
+
 /// A miss, or a verdict of which nothing more is known.
 impl<R> From<Verdict<R>> for Answer<R> {
     #[inline(always)]

@@ -24,8 +24,8 @@ pub struct Still {
     /// Where they were; NaN after they moved.
     at: Vec<[f64; 3]>,
     may_move: bool,
-    /// By set: whether all of so many elements stand still.
-    parts: [Vec<bool>; 3],
+    /// By set: runs of elements that may move, in whole parts.
+    moving: [Vec<Range<usize>>; 3],
     /// What boxes depend on besides positions: size of the input's numbers, bits of the distance.
     made: Option<(u32, u64)>,
     table: Option<Table>,
@@ -41,15 +41,23 @@ impl Still {
         self.vertices = rules.still().to_vec();
         self.at = vec![[f64::NAN; 3]; self.vertices.len()];
         self.may_move = rules.may_move();
-        let parts = |n: usize, first: &dyn Fn(usize) -> u32| {
-            let part = |k: usize| k * PART..((k + 1) * PART).min(n);
-            let is_still = |k| part(k).all(|i| rules.is_still(first(i)));
-            (0..n.div_ceil(PART)).map(is_still).collect()
+        let moving = |n: usize, first: &dyn Fn(usize) -> u32| {
+            let mut runs: Vec<Range<usize>> = Vec::new();
+            for part in (0..n).step_by(PART).map(|from| from..(from + PART).min(n)) {
+                if part.clone().all(|i| rules.is_still(first(i))) {
+                    continue;
+                }
+                match runs.last_mut() {
+                    Some(run) if run.end == part.start => run.end = part.end,
+                    _ => runs.push(part),
+                }
+            }
+            runs
         };
-        self.parts = [
-            parts(mesh.n_vertices(), &|i| i as u32),
-            parts(mesh.edges().len(), &|i| mesh.edges()[i][0]),
-            parts(mesh.faces().len(), &|i| mesh.faces()[i][0]),
+        self.moving = [
+            moving(mesh.n_vertices(), &|i| i as u32),
+            moving(mesh.edges().len(), &|i| mesh.edges()[i][0]),
+            moving(mesh.faces().len(), &|i| mesh.faces()[i][0]),
         ];
     }
 
@@ -117,9 +125,11 @@ impl Still {
         Ok(())
     }
 
-    /// Looks at the table of this step.
+    /// Looks at the table of this step; how far places between exact ones are off says nothing of
+    /// what stands still.
     pub fn look_at_table(&mut self, table: Table) {
-        let same = self.table.replace(table) == Some(table);
+        let places = Table { error: 0.0, ..table };
+        let same = self.table.replace(places) == Some(places);
         self.holds_table = self.holds && same;
     }
 
@@ -136,7 +146,7 @@ impl Still {
         boxes: &mut [B],
         f: impl Fn(usize) -> B + Sync,
     ) {
-        fill(threads, self.holds.then_some(&self.parts[set]), boxes, f);
+        fill(threads, self.holds.then_some(&self.moving[set]), boxes, f);
     }
 
     /// The table, but for what holds of it.
@@ -146,23 +156,27 @@ impl Still {
         table: &mut [B],
         f: impl Fn(usize) -> B + Sync,
     ) {
-        fill(threads, self.holds_table.then_some(&self.parts[0]), table, f);
+        fill(threads, self.holds_table.then_some(&self.moving[0]), table, f);
     }
 }
 
-/// Fills what is not in parts that hold.
+/// Fills `out`, or the runs of it that do not hold: at the cost of what lies between the first and
+/// the last of them.
 fn fill<B: Send>(
     threads: &Threads,
-    holds: Option<&Vec<bool>>,
+    runs: Option<&Vec<Range<usize>>>,
     out: &mut [B],
     f: impl Fn(usize) -> B + Sync,
 ) {
-    let Some(holds) = holds else { return threads.fill(out, f) };
-    threads.chunks(out, &|first, chunk| {
-        for (k, part) in chunk.chunks_mut(PART).enumerate() {
-            let from = first + k * PART;
-            if !holds[from / PART] {
-                part.iter_mut().enumerate().for_each(|(i, slot)| *slot = f(from + i));
+    let Some(runs) = runs else { return threads.fill(out, f) };
+    let (Some(first), Some(last)) = (runs.first(), runs.last()) else { return };
+    let start = first.start;
+    threads.chunks(&mut out[start..last.end], &|first, chunk| {
+        let chunk_of = start + first..start + first + chunk.len();
+        let from = runs.partition_point(|run| run.end <= chunk_of.start);
+        for run in runs[from..].iter().take_while(|run| run.start < chunk_of.end) {
+            for i in run.start.max(chunk_of.start)..run.end.min(chunk_of.end) {
+                chunk[i - chunk_of.start] = f(i);
             }
         }
     });

@@ -24,8 +24,7 @@ pub fn decide<T: Real>(
         out.extend(pairs.iter().filter_map(one));
         return;
     }
-    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let share = pairs.len().div_ceil(cores).max(MIN_SHARE);
+    let share = pairs.len().div_ceil(cores()).max(MIN_SHARE);
     std::thread::scope(|scope| {
         let threads: Vec<_> = pairs
             .chunks(share)
@@ -38,6 +37,44 @@ pub fn decide<T: Real>(
             }
         }
     });
+}
+
+/// Decides again, in place, what a device left undecided, and drops what is no contact.
+pub fn settle<T: Real>(
+    mesh: &Mesh,
+    x: [&[[T; 3]]; 2],
+    decider: &Decider,
+    contacts: &mut Vec<Contact>,
+) {
+    let is_open = |contact: &Contact| contact.state == State::Undecided;
+    let n_open = contacts.iter().filter(|contact| is_open(contact)).count();
+    if n_open == 0 {
+        return;
+    }
+    // NaN: none; no contact has such a time.
+    let settle = |part: &mut [Contact]| {
+        for contact in part.iter_mut().filter(|contact| is_open(contact)) {
+            let pair = Pair { a: contact.a, b: contact.b };
+            match decider.contact(mesh, contact.kind, pair, x) {
+                Some(decided) => *contact = decided,
+                None => contact.toi = f64::NAN,
+            }
+        }
+    };
+    let share = contacts.len().div_ceil(n_open.div_ceil(MIN_SHARE).min(cores()));
+    std::thread::scope(|scope| {
+        let mut parts = contacts.chunks_mut(share);
+        let own = parts.next();
+        for part in parts {
+            scope.spawn(move || settle(part));
+        }
+        own.map(settle)
+    });
+    contacts.retain(|contact| !contact.toi.is_nan());
+}
+
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
 /// Appends the contacts of a list as a device wrote them, without its header.

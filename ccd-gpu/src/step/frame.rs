@@ -325,7 +325,7 @@ impl Frames {
         }
         let n_contacts = headers.contacts.wanted;
         let n_open = headers.undecided.map(|header| header.wanted);
-        let beyond = goal == Goal::Contacts && n_contacts > guess;
+        let beyond = n_contacts > guess;
         if goal == Goal::Contacts {
             self.expected = n_contacts;
         }

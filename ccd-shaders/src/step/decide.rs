@@ -48,33 +48,35 @@ fn write_touch(list: &mut [u32], capacity: u32, i: u32, touch: &Touch) {
 
 kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
-    /// or of edges, as the kind has them.
+    /// or of edges, as the kind has them. Without `FLAG_KEEP` contacts are those that the host
+    /// decides again.
     decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], positions: [[f64; 3]],
         elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
         let len = part(input, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (kind, mut found) = (params.args.kind, false);
+            let (kind, keep) = (params.args.kind, params.frame.has(Frame::FLAG_KEEP));
+            let mut listed = false;
             let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
             if i < len {
                 let pair = read_pair(input, params.dispatch.first + i);
                 let Verdicts { touches, undecided, approach, toi } =
                     decide::wide(kind, pair, &params.frame, paths, positions, elements);
-                found = touches;
+                // What the host decides again has no time before.
+                let open = undecided != 0 && decide::is_decided_again(&params.frame);
+                listed = touches && (keep || open);
                 touch.a = pair.a;
                 touch.b = pair.b;
                 touch.state = undecided;
                 touch.toi = toi;
                 touch.approach = approach;
-                if found {
+                if touches && !open {
                     lower(earliest, 0, decide::earliest_key(toi));
                 }
             }
-            if params.frame.has(Frame::FLAG_KEEP) {
-                let to = place(t.lane, found, counters, contacts);
-                if found {
-                    write_touch(contacts, params.dispatch.capacity_out, to, &touch);
-                }
+            let to = place(t.lane, listed, counters, contacts);
+            if listed {
+                write_touch(contacts, params.dispatch.capacity_out, to, &touch);
             }
         }
     }

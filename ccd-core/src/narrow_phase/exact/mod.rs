@@ -200,9 +200,7 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
     let moderate = checked([x[0], x[1]], window)?;
     let [from, until] = window;
-    let still = x[0] == x[1];
-    let first = if from == 0.0 || still { Some(x[0]) } else { (from == 1.0).then_some(x[1]) };
-    if first.is_some_and(|x| moment::shares_a_point(patch, x)) {
+    if begin_at_a_point(patch, x, window) {
         return Some(Exact::Contact([from; 2]));
     }
     let wanted = searching(window);
@@ -220,14 +218,34 @@ pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -
         }
         _ => (),
     }
-    match first.map(|x| moment::touch(patch, x)) {
+    left_open(patch, x, window)
+}
+
+/// The same of finite coordinates and a window in `[0, 1]`, of which `f64` has certified nothing.
+pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
+    let [from, until] = window;
+    match at_begin_of(x, window).map(|x| moment::touch(patch, x)) {
         Some(Some(true)) => return Some(Exact::Contact([from; 2])),
-        Some(Some(false)) if still || from == until => return Some(Exact::Miss),
+        Some(Some(false)) if x[0] == x[1] || from == until => return Some(Exact::Miss),
         _ => (),
     }
     by_integers::<8>(patch, x, window)
         .or_else(|| by_integers::<24>(patch, x, window))
         .or_else(|| by_integers::<96>(patch, x, window))
+}
+
+/// Whether the features have a vertex each at one place when the window begins, if positions of
+/// then are given.
+pub(crate) fn begin_at_a_point(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> bool {
+    at_begin_of(x, window).is_some_and(|x| moment::shares_a_point(patch, x))
+}
+
+/// Positions at the beginning of a window, if they are among those given.
+fn at_begin_of<'a>(
+    [x0, x1]: [&'a [[f64; 3]; 4]; 2],
+    [from, _]: [f64; 2],
+) -> Option<&'a [[f64; 3]; 4]> {
+    if from == 0.0 || x0 == x1 { Some(x0) } else { (from == 1.0).then_some(x1) }
 }
 
 /// The greatest coordinate of which the bounds of the conservative search hold.
