@@ -257,33 +257,33 @@ fn function_1(param_1: f64) -> array<u32, 2> {
 }
 
 fn function_2(param_2: array<f64, 3>, param_3: array<f64, 3>) -> array<f64, 3> {
-    var phi_16544_: array<f64, 3>;
+    var phi_16571_: array<f64, 3>;
 
     if ((((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])) < (((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2]))) {
-        phi_16544_ = param_3;
+        phi_16571_ = param_3;
     } else {
-        phi_16544_ = param_2;
+        phi_16571_ = param_2;
     }
-    let _e26 = phi_16544_;
+    let _e26 = phi_16571_;
     return _e26;
 }
 
 fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64, 3>, param_7: u32) -> array<f64, 3> {
-    var phi_16396_: f64;
-    var phi_16398_: f64;
-    var phi_16440_: f64;
-    var phi_16442_: f64;
-    var phi_16490_: f64;
-    var phi_16492_: f64;
-    var phi_16201_: f64;
-    var phi_16203_: f64;
-    var phi_16251_: f64;
-    var phi_16253_: f64;
-    var phi_16298_: f64;
-    var phi_16300_: f64;
-    var phi_16351_: f64;
-    var phi_16353_: f64;
-    var phi_16507_: array<array<f64, 3>, 4>;
+    var phi_16423_: f64;
+    var phi_16425_: f64;
+    var phi_16467_: f64;
+    var phi_16469_: f64;
+    var phi_16517_: f64;
+    var phi_16519_: f64;
+    var phi_16228_: f64;
+    var phi_16230_: f64;
+    var phi_16278_: f64;
+    var phi_16280_: f64;
+    var phi_16325_: f64;
+    var phi_16327_: f64;
+    var phi_16378_: f64;
+    var phi_16380_: f64;
+    var phi_16534_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_4[0] - param_5[0]);
     let _e12 = (param_4[1] - param_5[1]);
@@ -292,59 +292,59 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e169 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e169 > f64(0f)) {
             if (_e169 < f64(1f)) {
-                phi_16201_ = _e169;
+                phi_16228_ = _e169;
             } else {
-                phi_16201_ = f64(1f);
+                phi_16228_ = f64(1f);
             }
-            let _e177 = phi_16201_;
-            phi_16203_ = _e177;
+            let _e177 = phi_16228_;
+            phi_16230_ = _e177;
         } else {
-            phi_16203_ = f64(0f);
+            phi_16230_ = f64(0f);
         }
-        let _e179 = phi_16203_;
+        let _e179 = phi_16230_;
         let _e215 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e215 > f64(0f)) {
             if (_e215 < f64(1f)) {
-                phi_16251_ = _e215;
+                phi_16278_ = _e215;
             } else {
-                phi_16251_ = f64(1f);
+                phi_16278_ = f64(1f);
             }
-            let _e223 = phi_16251_;
-            phi_16253_ = _e223;
+            let _e223 = phi_16278_;
+            phi_16280_ = _e223;
         } else {
-            phi_16253_ = f64(0f);
+            phi_16280_ = f64(0f);
         }
-        let _e225 = phi_16253_;
+        let _e225 = phi_16280_;
         let _e258 = ((((_e9 * param_6[0]) + (_e12 * param_6[1])) + (_e15 * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e258 > f64(0f)) {
             if (_e258 < f64(1f)) {
-                phi_16298_ = _e258;
+                phi_16325_ = _e258;
             } else {
-                phi_16298_ = f64(1f);
+                phi_16325_ = f64(1f);
             }
-            let _e266 = phi_16298_;
-            phi_16300_ = _e266;
+            let _e266 = phi_16325_;
+            phi_16327_ = _e266;
         } else {
-            phi_16300_ = f64(0f);
+            phi_16327_ = f64(0f);
         }
-        let _e268 = phi_16300_;
+        let _e268 = phi_16327_;
         let _e281 = (param_4[0] - param_6[0]);
         let _e284 = (param_4[1] - param_6[1]);
         let _e287 = (param_4[2] - param_6[2]);
         let _e307 = ((((_e281 * param_5[0]) + (_e284 * param_5[1])) + (_e287 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e307 > f64(0f)) {
             if (_e307 < f64(1f)) {
-                phi_16351_ = _e307;
+                phi_16378_ = _e307;
             } else {
-                phi_16351_ = f64(1f);
+                phi_16378_ = f64(1f);
             }
-            let _e315 = phi_16351_;
-            phi_16353_ = _e315;
+            let _e315 = phi_16378_;
+            phi_16380_ = _e315;
         } else {
-            phi_16353_ = f64(0f);
+            phi_16380_ = f64(0f);
         }
-        let _e317 = phi_16353_;
-        phi_16507_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
+        let _e317 = phi_16380_;
+        phi_16534_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e179)), (param_4[1] - (param_5[1] * _e179)), (param_4[2] - (param_5[2] * _e179))), array<f64, 3>((param_4[0] - (param_6[0] * _e225)), (param_4[1] - (param_6[1] * _e225)), (param_4[2] - (param_6[2] * _e225))), array<f64, 3>((_e9 - (param_6[0] * _e268)), (_e12 - (param_6[1] * _e268)), (_e15 - (param_6[2] * _e268))), array<f64, 3>((_e281 - (param_5[0] * _e317)), (_e284 - (param_5[1] * _e317)), (_e287 - (param_5[2] * _e317))));
     } else {
         let _e19 = (param_6[0] - param_5[0]);
         let _e22 = (param_6[1] - param_5[1]);
@@ -352,46 +352,46 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         if (_e36 > f64(0f)) {
             if (_e36 < f64(1f)) {
-                phi_16396_ = _e36;
+                phi_16423_ = _e36;
             } else {
-                phi_16396_ = f64(1f);
+                phi_16423_ = f64(1f);
             }
-            let _e44 = phi_16396_;
-            phi_16398_ = _e44;
+            let _e44 = phi_16423_;
+            phi_16425_ = _e44;
         } else {
-            phi_16398_ = f64(0f);
+            phi_16425_ = f64(0f);
         }
-        let _e46 = phi_16398_;
+        let _e46 = phi_16425_;
         let _e53 = array<f64, 3>((_e9 - (_e19 * _e46)), (_e12 - (_e22 * _e46)), (_e15 - (_e25 * _e46)));
         let _e76 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         if (_e76 > f64(0f)) {
             if (_e76 < f64(1f)) {
-                phi_16440_ = _e76;
+                phi_16467_ = _e76;
             } else {
-                phi_16440_ = f64(1f);
+                phi_16467_ = f64(1f);
             }
-            let _e84 = phi_16440_;
-            phi_16442_ = _e84;
+            let _e84 = phi_16467_;
+            phi_16469_ = _e84;
         } else {
-            phi_16442_ = f64(0f);
+            phi_16469_ = f64(0f);
         }
-        let _e86 = phi_16442_;
+        let _e86 = phi_16469_;
         let _e122 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e122 > f64(0f)) {
             if (_e122 < f64(1f)) {
-                phi_16490_ = _e122;
+                phi_16517_ = _e122;
             } else {
-                phi_16490_ = f64(1f);
+                phi_16517_ = f64(1f);
             }
-            let _e130 = phi_16490_;
-            phi_16492_ = _e130;
+            let _e130 = phi_16517_;
+            phi_16519_ = _e130;
         } else {
-            phi_16492_ = f64(0f);
+            phi_16519_ = f64(0f);
         }
-        let _e132 = phi_16492_;
-        phi_16507_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
+        let _e132 = phi_16519_;
+        phi_16534_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e86)), (param_4[1] - (param_5[1] * _e86)), (param_4[2] - (param_5[2] * _e86))), array<f64, 3>((param_4[0] - (param_6[0] * _e132)), (param_4[1] - (param_6[1] * _e132)), (param_4[2] - (param_6[2] * _e132))), _e53, _e53);
     }
-    let _e330 = phi_16507_;
+    let _e330 = phi_16534_;
     let _e333 = function_2(_e330[0], _e330[1]);
     let _e335 = function_2(_e333, _e330[2]);
     let _e337 = function_2(_e335, _e330[3]);
@@ -399,24 +399,24 @@ fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64
 }
 
 fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f64, 3>, param_11: u32) -> array<f64, 3> {
-    var phi_16098_: bool;
-    var phi_16099_: bool;
-    var phi_16100_: bool;
-    var phi_16101_: bool;
+    var phi_16125_: bool;
+    var phi_16126_: bool;
+    var phi_16127_: bool;
+    var phi_16128_: bool;
+    var phi_16132_: bool;
     var phi_16105_: bool;
-    var phi_16078_: bool;
-    var phi_16079_: bool;
-    var phi_16080_: bool;
-    var phi_16081_: bool;
-    var phi_16082_: bool;
-    var phi_16083_: bool;
-    var phi_16087_: bool;
     var phi_16106_: bool;
-    var phi_16140_: array<f64, 3>;
-    var phi_16141_: bool;
-    var phi_16142_: array<f64, 3>;
-    var phi_16143_: bool;
-    var phi_16148_: array<f64, 3>;
+    var phi_16107_: bool;
+    var phi_16108_: bool;
+    var phi_16109_: bool;
+    var phi_16110_: bool;
+    var phi_16114_: bool;
+    var phi_16133_: bool;
+    var phi_16167_: array<f64, 3>;
+    var phi_16168_: bool;
+    var phi_16169_: array<f64, 3>;
+    var phi_16170_: bool;
+    var phi_16175_: array<f64, 3>;
 
     let _e23 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
     let _e34 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
@@ -432,90 +432,90 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
         if (_e76 >= _e71) {
             if (_e80 >= _e71) {
                 if (_e76 <= _e72) {
-                    phi_16078_ = (_e80 <= _e72);
-                    phi_16079_ = false;
+                    phi_16105_ = (_e80 <= _e72);
+                    phi_16106_ = false;
                 } else {
-                    phi_16078_ = bool();
-                    phi_16079_ = true;
+                    phi_16105_ = bool();
+                    phi_16106_ = true;
                 }
-                let _e101 = phi_16078_;
-                let _e103 = phi_16079_;
-                phi_16080_ = _e101;
-                phi_16081_ = _e103;
+                let _e101 = phi_16105_;
+                let _e103 = phi_16106_;
+                phi_16107_ = _e101;
+                phi_16108_ = _e103;
             } else {
-                phi_16080_ = bool();
-                phi_16081_ = true;
+                phi_16107_ = bool();
+                phi_16108_ = true;
             }
-            let _e105 = phi_16080_;
-            let _e107 = phi_16081_;
-            phi_16082_ = _e105;
-            phi_16083_ = _e107;
+            let _e105 = phi_16107_;
+            let _e107 = phi_16108_;
+            phi_16109_ = _e105;
+            phi_16110_ = _e107;
         } else {
-            phi_16082_ = bool();
-            phi_16083_ = true;
+            phi_16109_ = bool();
+            phi_16110_ = true;
         }
-        let _e109 = phi_16082_;
-        let _e111 = phi_16083_;
+        let _e109 = phi_16109_;
+        let _e111 = phi_16110_;
         if _e111 {
-            phi_16087_ = false;
+            phi_16114_ = false;
         } else {
-            phi_16087_ = _e109;
+            phi_16114_ = _e109;
         }
-        let _e113 = phi_16087_;
-        phi_16106_ = _e113;
+        let _e113 = phi_16114_;
+        phi_16133_ = _e113;
     } else {
         if (_e76 >= _e71) {
             if (_e80 >= _e71) {
-                phi_16098_ = ((_e76 + _e80) <= _e72);
-                phi_16099_ = false;
+                phi_16125_ = ((_e76 + _e80) <= _e72);
+                phi_16126_ = false;
             } else {
-                phi_16098_ = bool();
-                phi_16099_ = true;
+                phi_16125_ = bool();
+                phi_16126_ = true;
             }
-            let _e87 = phi_16098_;
-            let _e89 = phi_16099_;
-            phi_16100_ = _e87;
-            phi_16101_ = _e89;
+            let _e87 = phi_16125_;
+            let _e89 = phi_16126_;
+            phi_16127_ = _e87;
+            phi_16128_ = _e89;
         } else {
-            phi_16100_ = bool();
-            phi_16101_ = true;
+            phi_16127_ = bool();
+            phi_16128_ = true;
         }
-        let _e91 = phi_16100_;
-        let _e93 = phi_16101_;
+        let _e91 = phi_16127_;
+        let _e93 = phi_16128_;
         if _e93 {
-            phi_16105_ = false;
+            phi_16132_ = false;
         } else {
-            phi_16105_ = _e91;
+            phi_16132_ = _e91;
         }
-        let _e95 = phi_16105_;
-        phi_16106_ = _e95;
+        let _e95 = phi_16132_;
+        phi_16133_ = _e95;
     }
-    let _e115 = phi_16106_;
+    let _e115 = phi_16133_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e115 {
-            phi_16140_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
-            phi_16141_ = false;
+            phi_16167_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
+            phi_16168_ = false;
         } else {
-            phi_16140_ = array<f64, 3>();
-            phi_16141_ = true;
+            phi_16167_ = array<f64, 3>();
+            phi_16168_ = true;
         }
-        let _e144 = phi_16140_;
-        let _e146 = phi_16141_;
-        phi_16142_ = _e144;
-        phi_16143_ = _e146;
+        let _e144 = phi_16167_;
+        let _e146 = phi_16168_;
+        phi_16169_ = _e144;
+        phi_16170_ = _e146;
     } else {
-        phi_16142_ = array<f64, 3>();
-        phi_16143_ = true;
+        phi_16169_ = array<f64, 3>();
+        phi_16170_ = true;
     }
-    let _e148 = phi_16142_;
-    let _e150 = phi_16143_;
+    let _e148 = phi_16169_;
+    let _e150 = phi_16170_;
     if _e150 {
         let _e151 = function_3(param_8, param_9, param_10, param_11);
-        phi_16148_ = _e151;
+        phi_16175_ = _e151;
     } else {
-        phi_16148_ = _e148;
+        phi_16175_ = _e148;
     }
-    let _e153 = phi_16148_;
+    let _e153 = phi_16175_;
     return _e153;
 }
 
@@ -2214,6 +2214,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_15919_: type_24;
     var phi_15920_: bool;
     var phi_15931_: u32;
+    var phi_15991_: bool;
+    var phi_15992_: bool;
     var local_64: u32;
     var local_65: f64;
     var local_66: f64;
@@ -2333,6 +2335,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e202 = (((_e135 + (_e194.member_1 * _e138)) * 64u) + _e123);
             let _e205 = params.member.member_2.member;
             let _e208 = params.member.member.member_1;
+            let _e210 = ((_e208 & 16u) != 0u);
             if (_e202 < _e159) {
                 let _e215 = params.member.member_1.member_1;
                 let _e217 = (2u * (_e215 + _e202));
@@ -4977,16 +4980,16 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5261_ = false;
                                         phi_5262_ = false;
                                     } else {
-                                        let _e12226 = local_81;
-                                        phi_5258_ = _e12226;
-                                        let _e12229 = local_82;
-                                        phi_5259_ = _e12229;
-                                        let _e12232 = local_83;
-                                        phi_5260_ = _e12232;
-                                        let _e12235 = local_84;
-                                        phi_5261_ = _e12235;
-                                        let _e12238 = local_85;
-                                        phi_5262_ = _e12238;
+                                        let _e12241 = local_81;
+                                        phi_5258_ = _e12241;
+                                        let _e12244 = local_82;
+                                        phi_5259_ = _e12244;
+                                        let _e12247 = local_83;
+                                        phi_5260_ = _e12247;
+                                        let _e12250 = local_84;
+                                        phi_5261_ = _e12250;
+                                        let _e12253 = local_85;
+                                        phi_5262_ = _e12253;
                                     }
                                     let _e8716 = phi_5258_;
                                     let _e8718 = phi_5259_;
@@ -5005,8 +5008,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5267_ = type_43();
                                         phi_5268_ = _e8718;
                                         phi_5269_ = _e8720;
-                                        let _e12245 = local_86;
-                                        phi_5270_ = _e12245;
+                                        let _e12260 = local_86;
+                                        phi_5270_ = _e12260;
                                         phi_5271_ = _e8722;
                                         phi_5272_ = _e8724;
                                     }
@@ -5038,15 +5041,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e8751 = phi_5281_;
                                     let _e8753 = phi_5282_;
                                     if _e8745 {
-                                        let _e12256 = local_87;
-                                        phi_5286_ = _e12256;
+                                        let _e12271 = local_87;
+                                        phi_5286_ = _e12271;
                                         phi_5287_ = true;
                                         phi_5288_ = false;
                                         phi_5289_ = false;
                                         phi_5290_ = false;
                                     } else {
-                                        let _e12258 = local_88;
-                                        phi_5286_ = _e12258;
+                                        let _e12273 = local_88;
+                                        phi_5286_ = _e12273;
                                         phi_5287_ = _e8747;
                                         phi_5288_ = _e8749;
                                         phi_5289_ = _e8751;
@@ -5063,8 +5066,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_5296_ = false;
                                         phi_5297_ = false;
                                     } else {
-                                        let _e12265 = local_89;
-                                        phi_5294_ = _e12265;
+                                        let _e12280 = local_89;
+                                        phi_5294_ = _e12280;
                                         phi_5295_ = _e8759;
                                         phi_5296_ = _e8761;
                                         phi_5297_ = _e8763;
@@ -6134,8 +6137,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e9990 = f64(2f);
                                                     let _e9992 = local_51;
                                                     if (_e9992 < _e9990) {
-                                                        let _e12438 = local_90;
-                                                        phi_7125_ = _e12438;
+                                                        let _e12453 = local_90;
+                                                        phi_7125_ = _e12453;
                                                     } else {
                                                         phi_7125_ = _e9990;
                                                     }
@@ -6151,8 +6154,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         }
                                                         let _e10005 = phi_7136_;
                                                         phi_7137_ = _e10005;
-                                                        let _e12445 = local_91;
-                                                        phi_7138_ = _e12445;
+                                                        let _e12460 = local_91;
+                                                        phi_7138_ = _e12460;
                                                     } else {
                                                         phi_7137_ = type_45();
                                                         phi_7138_ = true;
@@ -6585,14 +6588,14 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_7565_ = false;
                             phi_7566_ = false;
                         } else {
-                            let _e12546 = local_92;
-                            phi_7563_ = _e12546;
-                            let _e12549 = local_93;
-                            phi_7564_ = _e12549;
-                            let _e12552 = local_94;
-                            phi_7565_ = _e12552;
-                            let _e12555 = local_95;
-                            phi_7566_ = _e12555;
+                            let _e12561 = local_92;
+                            phi_7563_ = _e12561;
+                            let _e12564 = local_93;
+                            phi_7564_ = _e12564;
+                            let _e12567 = local_94;
+                            phi_7565_ = _e12567;
+                            let _e12570 = local_95;
+                            phi_7566_ = _e12570;
                         }
                         let _e10350 = phi_7563_;
                         let _e10352 = phi_7564_;
@@ -6607,8 +6610,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if (_e10362.member > _e548) {
                                     phi_7583_ = 0u;
                                 } else {
-                                    let _e12560 = local_96;
-                                    phi_7583_ = _e12560;
+                                    let _e12575 = local_96;
+                                    phi_7583_ = _e12575;
                                 }
                                 let _e10366 = phi_7583_;
                                 let _e10368 = local_61;
@@ -6623,8 +6626,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         } else {
                             phi_7589_ = type_44();
                             phi_7590_ = _e10352;
-                            let _e12567 = local_97;
-                            phi_7591_ = _e12567;
+                            let _e12582 = local_97;
+                            phi_7591_ = _e12582;
                             phi_7592_ = _e10354;
                             phi_7593_ = _e10356;
                         }
@@ -6634,19 +6637,19 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e10383 = phi_7592_;
                         let _e10385 = phi_7593_;
                         if _e10379 {
-                            let _e12572 = local_98;
-                            phi_7597_ = _e12572;
-                            let _e12577 = local_100;
-                            phi_7598_ = _e12577;
+                            let _e12587 = local_98;
+                            phi_7597_ = _e12587;
+                            let _e12592 = local_100;
+                            phi_7598_ = _e12592;
                             phi_7599_ = true;
                             phi_7600_ = false;
                             phi_7601_ = false;
                             phi_7602_ = false;
                         } else {
-                            let _e12574 = local_99;
-                            phi_7597_ = _e12574;
-                            let _e12579 = local_101;
-                            phi_7598_ = _e12579;
+                            let _e12589 = local_99;
+                            phi_7597_ = _e12589;
+                            let _e12594 = local_101;
+                            phi_7598_ = _e12594;
                             phi_7599_ = _e10381;
                             phi_7600_ = _e10383;
                             phi_7601_ = _e10385;
@@ -6665,10 +6668,10 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_7609_ = false;
                             phi_7610_ = false;
                         } else {
-                            let _e12586 = local_102;
-                            phi_7606_ = _e12586;
-                            let _e12589 = local_103;
-                            phi_7607_ = _e12589;
+                            let _e12601 = local_102;
+                            phi_7606_ = _e12601;
+                            let _e12604 = local_103;
+                            phi_7607_ = _e12604;
                             phi_7608_ = _e10393;
                             phi_7609_ = _e10395;
                             phi_7610_ = _e10397;
@@ -8796,8 +8799,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         break if !(_e3060);
                                     }
                                 }
-                                let _e11231 = local_64;
-                                phi_11467_ = _e11231;
+                                let _e11246 = local_64;
+                                phi_11467_ = _e11246;
                             } else {
                                 phi_11467_ = 1u;
                             }
@@ -9024,11 +9027,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 }
                                                 let _e3299 = local_24;
                                                 if _e3299 {
-                                                    let _e11275 = local_65;
-                                                    phi_11772_ = _e11275;
+                                                    let _e11290 = local_65;
+                                                    phi_11772_ = _e11290;
                                                 } else {
-                                                    let _e11277 = local_66;
-                                                    phi_11772_ = _e11277;
+                                                    let _e11292 = local_66;
+                                                    phi_11772_ = _e11292;
                                                 }
                                                 let _e3301 = phi_11772_;
                                                 phi_11773_ = _e3301;
@@ -9121,10 +9124,10 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_11858_ = false;
                                                     phi_11859_ = false;
                                                 } else {
-                                                    let _e11299 = local_67;
-                                                    phi_11858_ = _e11299;
-                                                    let _e11302 = local_68;
-                                                    phi_11859_ = _e11302;
+                                                    let _e11314 = local_67;
+                                                    phi_11858_ = _e11314;
+                                                    let _e11317 = local_68;
+                                                    phi_11859_ = _e11317;
                                                 }
                                                 let _e3377 = phi_11858_;
                                                 let _e3379 = phi_11859_;
@@ -9137,8 +9140,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 if _e3381 {
                                                     phi_11867_ = _e3113;
                                                 } else {
-                                                    let _e11306 = local_69;
-                                                    phi_11867_ = _e11306;
+                                                    let _e11321 = local_69;
+                                                    phi_11867_ = _e11321;
                                                 }
                                                 let _e3383 = phi_11867_;
                                                 phi_11868_ = _e3383;
@@ -11468,16 +11471,16 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_15666_ = false;
                                                         phi_15667_ = false;
                                                     } else {
-                                                        let _e11702 = local_70;
-                                                        phi_15663_ = _e11702;
-                                                        let _e11705 = local_71;
-                                                        phi_15664_ = _e11705;
-                                                        let _e11708 = local_72;
-                                                        phi_15665_ = _e11708;
-                                                        let _e11711 = local_73;
-                                                        phi_15666_ = _e11711;
-                                                        let _e11714 = local_74;
-                                                        phi_15667_ = _e11714;
+                                                        let _e11717 = local_70;
+                                                        phi_15663_ = _e11717;
+                                                        let _e11720 = local_71;
+                                                        phi_15664_ = _e11720;
+                                                        let _e11723 = local_72;
+                                                        phi_15665_ = _e11723;
+                                                        let _e11726 = local_73;
+                                                        phi_15666_ = _e11726;
+                                                        let _e11729 = local_74;
+                                                        phi_15667_ = _e11729;
                                                     }
                                                     let _e5912 = phi_15663_;
                                                     let _e5914 = phi_15664_;
@@ -11496,8 +11499,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_15672_ = type_43();
                                                         phi_15673_ = _e5914;
                                                         phi_15674_ = _e5916;
-                                                        let _e11721 = local_75;
-                                                        phi_15675_ = _e11721;
+                                                        let _e11736 = local_75;
+                                                        phi_15675_ = _e11736;
                                                         phi_15676_ = _e5918;
                                                         phi_15677_ = _e5920;
                                                     }
@@ -11529,15 +11532,15 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e5947 = phi_15686_;
                                                     let _e5949 = phi_15687_;
                                                     if _e5941 {
-                                                        let _e11732 = local_76;
-                                                        phi_15691_ = _e11732;
+                                                        let _e11747 = local_76;
+                                                        phi_15691_ = _e11747;
                                                         phi_15692_ = true;
                                                         phi_15693_ = false;
                                                         phi_15694_ = false;
                                                         phi_15695_ = false;
                                                     } else {
-                                                        let _e11734 = local_77;
-                                                        phi_15691_ = _e11734;
+                                                        let _e11749 = local_77;
+                                                        phi_15691_ = _e11749;
                                                         phi_15692_ = _e5943;
                                                         phi_15693_ = _e5945;
                                                         phi_15694_ = _e5947;
@@ -11554,8 +11557,8 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         phi_15701_ = false;
                                                         phi_15702_ = false;
                                                     } else {
-                                                        let _e11741 = local_78;
-                                                        phi_15699_ = _e11741;
+                                                        let _e11756 = local_78;
+                                                        phi_15699_ = _e11756;
                                                         phi_15700_ = _e5955;
                                                         phi_15701_ = _e5957;
                                                         phi_15702_ = _e5959;
@@ -11745,10 +11748,10 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_15780_ = false;
                             } else {
                                 phi_15778_ = type_43();
-                                let _e11797 = local_79;
-                                phi_15779_ = _e11797;
-                                let _e11800 = local_80;
-                                phi_15780_ = _e11800;
+                                let _e11812 = local_79;
+                                phi_15779_ = _e11812;
+                                let _e11815 = local_80;
+                                phi_15780_ = _e11815;
                             }
                             let _e6076 = phi_15778_;
                             let _e6078 = phi_15779_;
@@ -11883,7 +11886,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e10838 = phi_15884_;
                 if _e10822.member_3 {
-                    if ((_e208 & 16u) != 0u) {
+                    if _e210 {
                         phi_15891_ = true;
                     } else {
                         phi_15891_ = _e10838;
@@ -11938,16 +11941,36 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e10882 = atomicLoad((&counters[1u]));
             let _e10883 = (_e10882 + _e10873);
             if _e10867 {
-                let _e10886 = params.member.member_1.member_3;
-                if (_e10883 < _e10886) {
-                    let _e10888 = (7u * _e10883);
-                    atomicStore((&contacts.member[(4u + _e10888)]), _e10865.member);
-                    atomicStore((&contacts.member[(_e10888 + 5u)]), _e10865.member_1);
-                    atomicStore((&contacts.member[(_e10888 + 6u)]), _e10865.member_2);
-                    atomicStore((&contacts.member[(_e10888 + 7u)]), _e10865.member_3);
-                    atomicStore((&contacts.member[(_e10888 + 8u)]), _e10865.member_4[0]);
-                    atomicStore((&contacts.member[(_e10888 + 9u)]), _e10865.member_4[1]);
-                    atomicStore((&contacts.member[(_e10888 + 10u)]), _e10865.member_5);
+                if _e210 {
+                    let _e10886 = params.member.member_1.member_3;
+                    if (_e10883 < _e10886) {
+                        let _e10888 = (7u * _e10883);
+                        atomicStore((&contacts.member[(4u + _e10888)]), _e10865.member);
+                        atomicStore((&contacts.member[(_e10888 + 5u)]), _e10865.member_1);
+                        atomicStore((&contacts.member[(_e10888 + 6u)]), _e10865.member_2);
+                        atomicStore((&contacts.member[(_e10888 + 7u)]), _e10865.member_3);
+                        atomicStore((&contacts.member[(_e10888 + 8u)]), _e10865.member_4[0]);
+                        atomicStore((&contacts.member[(_e10888 + 9u)]), _e10865.member_4[1]);
+                        atomicStore((&contacts.member[(_e10888 + 10u)]), _e10865.member_5);
+                    }
+                    phi_15991_ = false;
+                } else {
+                    phi_15991_ = true;
+                }
+                let _e10913 = phi_15991_;
+                phi_15992_ = _e10913;
+            } else {
+                phi_15992_ = true;
+            }
+            let _e10915 = phi_15992_;
+            if _e10915 {
+                if _e10867 {
+                    let _e10920 = params.member.member_2.member_1;
+                    if (_e10883 < _e10920) {
+                        let _e10922 = (2u * _e10883);
+                        atomicStore((&contacts.member[(4u + _e10922)]), _e10865.member_2);
+                        atomicStore((&contacts.member[(_e10922 + 5u)]), _e10865.member_3);
+                    }
                 }
             }
         }

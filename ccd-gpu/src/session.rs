@@ -251,7 +251,9 @@ impl Engine {
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
-        if options.mode == Mode::Conservative && options.min_distance == 0.0 {
+        (report.toi, report.undecided) = cpu_fallback::summary(contacts);
+        let settles = report.undecided > 0 && options.min_distance == 0.0;
+        if settles {
             match given {
                 Precision::F32(x) => cpu_fallback::settle(mesh, x, decider, contacts),
                 Precision::F64(x) => cpu_fallback::settle(mesh, x, decider, contacts),
@@ -263,7 +265,9 @@ impl Engine {
                 Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),
             }
         }
-        (report.toi, report.undecided) = cpu_fallback::summary(contacts);
+        if settles || self.left_open.total() > 0 {
+            (report.toi, report.undecided) = cpu_fallback::summary(contacts);
+        }
         if goal.is_earliest() && options.mode == Mode::Conservative {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device =

@@ -79,20 +79,19 @@ impl Decider {
 
     /// The answer for `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step.
     fn of_patch(&self, patch: Patch, x: [&[[f64; 3]; 4]; 2]) -> Answer<f64> {
-        let (window, certified) =
-            (self.window(), || search(&Motion::new(patch, x[0], x[1], 0.0), patch, &self.search));
-        if self.search.min_distance > 0.0 {
-            return certified();
-        }
-        if self.mode == Mode::Exact {
-            let found = exact::of_patch(patch, x, window);
-            return found.map_or_else(certified, |found| self.exact(found));
-        }
-        if exact::begin_at_a_point(patch, x, window) {
+        let (window, exactly) = (self.window(), self.search.min_distance == 0.0);
+        if exactly && self.mode == Mode::Exact {
+            if let Some(found) = exact::of_patch(patch, x, window) {
+                return self.exact(found);
+            }
+        } else if exactly && exact::begin_at_a_point(patch, x, window) {
             return self.exact(Exact::Contact([window[0]; 2]));
         }
-        let answer = certified();
-        let found = answer.is_open().then(|| exact::left_open(patch, x, window)).flatten();
+        let answer = search(&Motion::new(patch, x[0], x[1], 0.0), patch, &self.search);
+        if !exactly || !answer.is_open() {
+            return answer;
+        }
+        let found = exact::left_open(patch, x, window);
         found.map_or(answer, |found| self.settled(answer, found))
     }
 

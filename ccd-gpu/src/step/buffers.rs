@@ -174,16 +174,16 @@ impl Buffers {
         }
     }
 
-    /// Which lists a frame uses. `wide`: the device decides in `f64`, and what that leaves undecided
-    /// is among the contacts. What is not used is neither cleared nor read: each costs as much as a
-    /// small kernel.
+    /// Which lists a frame uses. `wide`: the device decides in `f64`; what that leaves undecided is
+    /// among the contacts, if they are listed. What is not used is neither cleared nor read: each
+    /// costs as much as a small kernel.
     pub fn used(&self, goal: Goal, wide: bool) -> Lists<bool> {
         let filters = goal != Goal::Candidates;
         Lists {
             candidates: [!filters; 2],
             survivors: [filters; 2],
-            undecided: [filters && !wide; 2],
-            contacts: goal == Goal::Contacts || filters && wide,
+            undecided: [filters && !wide || goal.is_earliest(); 2],
+            contacts: goal == Goal::Contacts,
             source: vec![true; self.source.lists().len()],
         }
     }

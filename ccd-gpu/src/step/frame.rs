@@ -330,7 +330,7 @@ impl Frames {
             self.expected = n_contacts;
         }
         found.in_order = !beyond && buffers.to_order > 0;
-        if beyond || !wide && n_open != [0, 0] {
+        if beyond || n_open != [0, 0] {
             let n_contacts = if beyond { n_contacts } else { 0 };
             found.open = self.read_rest(device, n_contacts, n_open, contacts)?;
         }

@@ -142,10 +142,11 @@ impl Buffers {
         recorder.stage(DECIDE[kind]);
         let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
-        // Where contacts are not kept, a list that stays as it is and that the other kind does not
-        // have, so that a device works on both at once.
+        // Where contacts are not kept, a list that the other kind does not have, so that a device
+        // works on both at once: of pairs in `f64`, else one that stays as it is.
+        let kept = if wide { open } else { &self.candidates[kind] };
         let keep = frame.has(Frame::FLAG_KEEP);
-        let contacts = if keep { &self.contacts } else { &self.candidates[kind] }.buffer();
+        let contacts = if keep { &self.contacts } else { kept }.buffer();
         let Positions { paths, wide: positions, .. } = &self.positions;
         let (elements, args) =
             (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });

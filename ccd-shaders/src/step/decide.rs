@@ -48,8 +48,8 @@ fn write_touch(list: &mut [u32], capacity: u32, i: u32, touch: &Touch) {
 
 kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
-    /// or of edges, as the kind has them. Without `FLAG_KEEP` contacts are those that the host
-    /// decides again.
+    /// or of edges, as the kind has them. Without `FLAG_KEEP` the list of contacts is one of
+    /// pairs, those that the host decides again.
     decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], positions: [[f64; 3]],
         elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
         let len = part(input, &params.dispatch);
@@ -75,8 +75,11 @@ kernel! {
                 }
             }
             let to = place(t.lane, listed, counters, contacts);
-            if listed {
+            if listed && keep {
                 write_touch(contacts, params.dispatch.capacity_out, to, &touch);
+            } else if listed {
+                let pair = Pair { a: touch.a, b: touch.b };
+                write_pair(contacts, params.args.capacity_open, to, pair);
             }
         }
     }
