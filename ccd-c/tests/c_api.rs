@@ -13,6 +13,8 @@ use meshccd::status::*;
 use std::ffi::CStr;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::time::{Duration, Instant};
 
 /// A square of two triangles, and a triangle that falls onto it with one corner first.
 const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
@@ -294,6 +296,38 @@ fn a_cancelled_session_resumes() {
         assert_eq!(ccd_session_resume(scene.session), OK);
     }
     assert_eq!(step(), want);
+}
+
+#[test]
+fn two_calls_at_a_time_are_refused() {
+    let scene = Scene::new(null(), |_| {});
+    let end = after();
+    let (x0, x1) = (positions(&BEFORE), positions(&end));
+    // As another thread of C has it.
+    let session = scene.session as usize;
+    let begun = Instant::now();
+    let seen = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            let mut place = null();
+            while !seen.load(Relaxed) && begun.elapsed() < Duration::from_secs(60) {
+                // SAFETY: the session lives until the scope ends; nothing is read by `place`.
+                let status = unsafe { ccd_session_place(session as *mut CcdSession, &mut place) };
+                if status == CcdStatus::Busy {
+                    assert_eq!(message(), "another call uses this session at the moment");
+                    seen.store(true, Relaxed);
+                }
+            }
+        });
+        while !seen.load(Relaxed) && begun.elapsed() < Duration::from_secs(60) {
+            // SAFETY: positions are arrays of this function.
+            let status = unsafe { ccd_session_step(scene.session, x0, x1, null_mut()) };
+            if status == CcdStatus::Busy {
+                seen.store(true, Relaxed);
+            }
+        }
+    });
+    assert!(seen.into_inner(), "a minute of calls, none at the same time");
 }
 
 #[test]

@@ -1,6 +1,8 @@
-//! The committed header is what cbindgen writes from the sources. `CCD_WRITE_HEADER=1 cargo test
+//! The committed header is what cbindgen writes from the sources, and docs/c.md names its functions
+//! and has the text of an example that CMake compiles. `CCD_WRITE_HEADER=1 cargo test
 //! --release --workspace --test header` writes it anew.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 const HEADER: &str = "include/ccd.h";
@@ -27,6 +29,32 @@ fn the_header_is_that_of_the_sources() {
     }
     let long = want.lines().find(|line| line.chars().count() > 100);
     assert_eq!(long, None, "a line of more than 100 columns");
+}
+
+#[test]
+fn the_page_has_every_function() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |name: &str| std::fs::read_to_string(root.join(name)).expect(name);
+    let (header, page) = (read(HEADER), read("../docs/c.md"));
+    let declared = functions(&header, |after| after.starts_with('('));
+    assert!(declared.len() > 40, "{declared:?}");
+    let (_, table) = page.split_once("## Functions").expect("a table");
+    let (table, _) = table.split_once("\n## ").expect("what follows the table");
+    assert_eq!(functions(table, |_| true), declared);
+    let example = read("examples/first_steps.cpp").replace("\r\n", "\n");
+    assert!(page.replace("\r\n", "\n").contains(&format!("```cpp\n{example}```")));
+}
+
+/// Names that begin with `ccd_` and are followed by what is wanted; the parentheses of comments are
+/// those of functions too.
+fn functions(text: &str, wanted: impl Fn(&str) -> bool) -> BTreeSet<&str> {
+    let begins = text.match_indices("ccd_").map(|(at, _)| at);
+    let names = begins.filter_map(|at| {
+        let rest = &text[at..];
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_')?;
+        wanted(&rest[end..]).then_some(&rest[..end])
+    });
+    names.collect()
 }
 
 /// The first line that differs.

@@ -3,7 +3,7 @@
 //! answer, which must fail.
 //!
 //! The tests of the workspace have compiled the libraries already (`ccd-c/tests/c_api.rs`).
-//! `--cargo` has CMake build them by cargo instead, as a subproject, which compiles everything anew.
+//! `--cargo` has CMake build them by cargo instead, which compiles everything anew.
 
 use crate::programs::{command, output, skipped, target_folder};
 use std::path::Path;
