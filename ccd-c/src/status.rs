@@ -76,7 +76,6 @@ impl From<any::Error> for Failure {
             any::Error::Unavailable { .. } => CcdStatus::NoGpu,
             #[cfg(feature = "gpu")]
             any::Error::TooLarge { .. } | any::Error::OutOfMemory { .. } => CcdStatus::OutOfMemory,
-            #[allow(unreachable_patterns, reason = "without GPU there are no others")]
             _ => CcdStatus::DeviceFailed,
         };
         Self::new(status, why.to_string())

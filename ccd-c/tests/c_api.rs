@@ -234,6 +234,12 @@ fn options_of_other_sizes() {
         let status = ccd_session_create(scene.mesh, null(), options, &mut session);
         check_refused(status, CcdStatus::InvalidArgument, "backend is 9; it must be a CcdBackend");
         (*options).backend = 0;
+        (*options).adapter = c"no such adapter".as_ptr();
+        let status = ccd_session_create(scene.mesh, null(), options, &mut session);
+        let want = if cfg!(feature = "gpu") { CcdStatus::NoGpu } else { OK };
+        assert_eq!((status, session.is_null()), (want, cfg!(feature = "gpu")), "{}", message());
+        ccd_session_destroy((!session.is_null()).then(|| Box::from_raw(session)));
+        (*options).adapter = null();
         (*options).tolerance = f64::NAN;
         let status = ccd_session_create(scene.mesh, null(), options, &mut session);
         check_refused(
