@@ -47,6 +47,7 @@ fn gate(root: &Path) -> Result<(), String> {
     // After the tests, which compile what they need.
     crate::wasm::run(root)?;
     crate::python::run(root, false)?;
+    crate::c_api::run(root, false)?;
     // With examples the dependencies have the features of tests, and clippy has checked those. Not
     // the command, whose pages would lie over those of the library of the same name.
     let doc = ["cargo", "doc", "--release", "--workspace", "--no-deps", "--features", &features];
@@ -59,7 +60,10 @@ fn long(root: &Path) -> Result<(), String> {
     // A test of the gate compares hashes of sources and kernels; here the kernels are compiled.
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     crate::python::run(root, true)?;
+    crate::c_api::run(root, true)?;
     let no_gpu = ["--release", "-p", "meshccd-python", "--no-default-features", "--lib"];
+    command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
+    let no_gpu = ["--release", "-p", "meshccd-c", "--no-default-features", "--lib"];
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     for backend in ["cpu", "gpu"] {
         for kind in ["boxes", "queries", "sessions"] {

@@ -7,7 +7,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Folders of crates.
-const CRATES: [&str; 9] = [
+const CRATES: [&str; 10] = [
+    "ccd-c/src/",
     "ccd-cli/src/",
     "ccd-core/src/",
     "ccd-cpu/src/",

@@ -3,6 +3,7 @@
 
 #[cfg(feature = "report")]
 mod algorithms;
+mod c_api;
 #[cfg(any(feature = "report", test))]
 mod cells;
 mod checked;
@@ -98,6 +99,12 @@ enum Task {
     Tint,
     /// Build for WebAssembly and compare answers under Node with those of this machine
     Wasm,
+    /// Build the examples of the C API with CMake, against an installed package, and run them
+    CApi {
+        /// Have CMake build the libraries by cargo, from nothing
+        #[arg(long)]
+        cargo: bool,
+    },
     /// Test the Python module against ipctk, in an environment below target
     Python {
         /// Build a wheel with maturin and test that
@@ -252,6 +259,7 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         Task::Shaders { check, .. } => shaders::run(root, check),
         Task::Tint => tint::run(root),
         Task::Wasm => wasm::run(root),
+        Task::CApi { cargo } => c_api::run(root, cargo),
         Task::Python { wheel } => python::run(root, wheel),
         #[cfg(feature = "report")]
         Task::Report { algorithms: true, cells, minutes, .. } => {

@@ -14,8 +14,17 @@ pub const MAX_COLUMNS_MARKDOWN: usize = 100;
 const REFERENCES: &str = "docs/REFERENCES.md";
 /// The only files with `unsafe`: plain-data records, indices without a check in shaders,
 /// instruction sets, compiled shaders and the features that take them, atomics and workgroup
-/// memory, allocators, a variable of the environment, names that a WebAssembly module exports.
-const UNSAFE_FILES: [&str; 18] = [
+/// memory, allocators, a variable of the environment, names that a WebAssembly module exports, the
+/// C API.
+const UNSAFE_FILES: [&str; 26] = [
+    "ccd-c/src/bodies.rs",
+    "ccd-c/src/memory.rs",
+    "ccd-c/src/mesh.rs",
+    "ccd-c/src/moving.rs",
+    "ccd-c/src/options.rs",
+    "ccd-c/src/session.rs",
+    "ccd-c/src/status.rs",
+    "ccd-c/tests/c_api.rs",
     "ccd-cli/src/environment.rs",
     "ccd-core/src/math/aabb.rs",
     "ccd-core/src/backend/kernel/memory.rs",
