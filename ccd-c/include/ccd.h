@@ -104,8 +104,8 @@ enum CcdState
  {
   /// Certainly a contact; its time of impact is at most the tolerance early.
   CCD_STATE_HIT = 0,
-  /// Neither certainly a contact nor certainly none: treat it as a contact. There is certainly
-  /// none before its time of impact.
+  /// Neither certainly a contact nor certainly none, with a minimum distance: treat it as a
+  /// contact. There is certainly none before its time of impact.
   CCD_STATE_UNDECIDED = 1,
 };
 #ifndef __cplusplus
@@ -159,17 +159,15 @@ typedef uint32_t CcdBackend;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/// How certain contacts are.
+/// How times of impact are found. Which pairs touch is decided exactly in both modes.
 enum CcdMode
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  /// No contact is missed and no time is late; what cannot be certified is a contact of
-  /// CCD_STATE_UNDECIDED.
+  /// Never late, and early by the tolerance at most.
   CCD_MODE_CONSERVATIVE = 0,
-  /// Every pair is decided as its coordinates are, with the true time of impact rounded down.
-  /// Takes no minimum distance.
+  /// The true ones, rounded down. Takes no minimum distance.
   CCD_MODE_EXACT = 1,
 };
 #ifndef __cplusplus

@@ -21,15 +21,13 @@ pub enum CcdBackend {
     Gpu = 2,
 }
 
-/// How certain contacts are.
+/// How times of impact are found. Which pairs touch is decided exactly in both modes.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CcdMode {
-    /// No contact is missed and no time is late; what cannot be certified is a contact of
-    /// CCD_STATE_UNDECIDED.
+    /// Never late, and early by the tolerance at most.
     Conservative = 0,
-    /// Every pair is decided as its coordinates are, with the true time of impact rounded down.
-    /// Takes no minimum distance.
+    /// The true ones, rounded down. Takes no minimum distance.
     Exact = 1,
 }
 

@@ -24,8 +24,8 @@ pub enum CcdKind {
 pub enum CcdState {
     /// Certainly a contact; its time of impact is at most the tolerance early.
     Hit = 0,
-    /// Neither certainly a contact nor certainly none: treat it as a contact. There is certainly
-    /// none before its time of impact.
+    /// Neither certainly a contact nor certainly none, with a minimum distance: treat it as a
+    /// contact. There is certainly none before its time of impact.
     Undecided = 1,
 }
 
