@@ -8,8 +8,12 @@
 use super::query_families::{Batch, Form, Known, Query};
 use super::{Counts, Place, fewest};
 use ccd::any::Session;
+use ccd::exact::{Exact, edge_edge, vertex_face};
 use ccd::geometry::Motion;
-use ccd::{Bodies, Contact, Kind, Mesh, Options, Pair, Real, State, TOI_TOLERANCE, Verdict};
+use ccd::{
+    Bodies, Contact, EdgeEdge, Kind, Mesh, Options, Pair, Real, State, TOI_TOLERANCE, Verdict,
+    VertexFace,
+};
 use ccd_core::narrow_phase::query::search;
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::grazing::exact::{self, contact};
@@ -59,6 +63,7 @@ impl super::Case for Case {
             let exactly = exactly || *all_exactly;
             judge(batch, query, verdict)
                 .and_then(|()| if exactly { judge_exactly(batch, query, verdict) } else { Ok(()) })
+                .and_then(|()| judge_decision(batch, query, verdict, exactly))
                 .map_err(|what| failed(format!("{what}, known is {:?}", query.known)))?;
             counts.add("exact", exactly as u64);
             let word = match verdict {
@@ -258,6 +263,58 @@ fn judge_exactly(batch: &Batch, query: &Query, verdict: Verdict<f64>) -> Result<
         return Err(format!("never as near within the tolerance of {verdict:?}"));
     }
     Ok(())
+}
+
+/// Compares the decision by integers, of a query without a distance, with a verdict, with what is
+/// known and with exact arithmetic.
+fn judge_decision(
+    batch: &Batch,
+    query: &Query,
+    verdict: Verdict<f64>,
+    exactly: bool,
+) -> Result<(), String> {
+    if distance(batch) > 0.0 {
+        return Ok(());
+    }
+    let [t0, t1] = if batch.wide {
+        ends::<f64>(batch, query)
+    } else {
+        ends::<f32>(batch, query).map(|x| x.map(|p| p.map(f64::from)))
+    };
+    let found = match query.kind {
+        Kind::VertexFace => vertex_face(&VertexFace { t0, t1 }, batch.window),
+        _ => edge_edge(&EdgeEdge { t0, t1 }, batch.window),
+    };
+    // Integers hold most, but not all, and nothing is said of the rest.
+    let Some(found) = found else { return Ok(()) };
+    let differs = |what: &str| Err(format!("{found:?} is {what}, {verdict:?}"));
+    let decided = match (found, verdict) {
+        (Exact::Miss, Verdict::Hit { .. }) => return differs("no certain contact"),
+        (Exact::Contact(_), Verdict::Miss) => return differs("no miss"),
+        (Exact::Contact([_, hi]), verdict) if verdict.toi() > Some(hi) => {
+            return differs("before a time");
+        }
+        (Exact::Contact([lo, _]), Verdict::Hit { toi }) if lo - toi > 1.001 * TOI_TOLERANCE => {
+            return differs("long after a time");
+        }
+        (Exact::Contact([lo, hi]), _) if hi > lo.next_up().next_up() => return differs("wide"),
+        (Exact::Contact([toi, _]), _) => Verdict::Hit { toi },
+        (Exact::Miss, _) => Verdict::Miss,
+    };
+    judge(batch, query, decided)?;
+    if !exactly || batch.window != [0.0, 1.0] {
+        return Ok(());
+    }
+    match (contact(query.kind.patch(), &t0, &t1), found) {
+        (exact::Contact::At(..), Exact::Miss) => Err("a contact, decided as none".into()),
+        (exact::Contact::Free, Exact::Contact(_)) => Err(format!("no contact, but {found:?}")),
+        (exact::Contact::At([from, until], first), Exact::Contact([lo, hi]))
+            if lo > until || first && hi < from =>
+        {
+            Err(format!("{found:?}, but a contact at {from:?} to {until:?}"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The same contact with lesser motions, or nearer to the origin.
