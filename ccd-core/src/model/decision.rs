@@ -10,10 +10,9 @@ use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
-use crate::narrow_phase::decide::gather;
-use crate::narrow_phase::exact::{self, Exact};
-use crate::narrow_phase::query::search;
-use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::decide::{self, gather};
+use crate::narrow_phase::exact::{self, Exact, shares_a_point};
+use crate::narrow_phase::relative_motion::Patch;
 use crate::narrow_phase::search::{Answer, Search, Verdict};
 
 /// What decides pairs of a step.
@@ -55,10 +54,7 @@ impl Decider {
     ) -> Option<Contact> {
         let ids = mesh.vertices_of(kind, pair);
         let answer = match kind {
-            Kind::VertexFace | Kind::EdgeEdge => {
-                let [x0, x1] = x.map(|x| gather(ids, x));
-                self.of_patch(kind.patch(), [&x0, &x1])
-            }
+            Kind::VertexFace | Kind::EdgeEdge => self.of_patch(kind, ids, x),
             Kind::VertexEdge => {
                 let query = vertex_edge(ids, x);
                 self.stated(
@@ -77,21 +73,36 @@ impl Decider {
         Contact::of(kind, pair, answer)
     }
 
-    /// The answer for `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step.
-    fn of_patch(&self, patch: Patch, x: [&[[f64; 3]; 4]; 2]) -> Answer<f64> {
-        let (window, exactly) = (self.window(), self.search.min_distance == 0.0);
+    /// The answer for a vertex and a face, or two edges.
+    #[inline]
+    fn of_patch<T: Real>(&self, kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2]) -> Answer<f64> {
+        let exactly = self.search.min_distance == 0.0;
+        let patch = kind.patch();
         if exactly && self.mode == Mode::Exact {
-            if let Some(found) = exact::of_patch(patch, x, window) {
+            let [x0, x1] = x.map(|x| gather(ids, x));
+            if let Some(found) = exact::of_patch(patch, [&x0, &x1], self.window()) {
                 return self.exact(found);
             }
-        } else if exactly && exact::begin_at_a_point(patch, x, window) {
-            return self.exact(Exact::Contact([window[0]; 2]));
+        } else if exactly && self.search.from == 0.0 {
+            if shares_a_point(patch, ids.map(|v| &x[0][v as usize])) {
+                return self.exact(Exact::Contact([0.0; 2]));
+            }
         }
-        let answer = search(&Motion::new(patch, x[0], x[1], 0.0), patch, &self.search);
-        if !exactly || !answer.is_open() {
-            return answer;
-        }
-        let found = exact::left_open(patch, x, window);
+        let answer = decide::pair(kind, ids, x, &self.search);
+        if exactly && answer.is_open() { self.of_open(patch, ids, x, answer) } else { answer }
+    }
+
+    /// What the search left open, decided if integers hold it.
+    #[cold]
+    fn of_open<T: Real>(
+        &self,
+        patch: Patch,
+        ids: [u32; 4],
+        x: [&[[T; 3]]; 2],
+        answer: Answer<f64>,
+    ) -> Answer<f64> {
+        let [x0, x1] = x.map(|x| gather(ids, x));
+        let found = exact::left_open(patch, [&x0, &x1], self.window());
         found.map_or(answer, |found| self.settled(answer, found))
     }
 

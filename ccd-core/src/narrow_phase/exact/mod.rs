@@ -38,6 +38,7 @@ use crate::narrow_phase::search::{Search, Verdict};
 use features::{Features, OnEdge, differences};
 use form::Form;
 use integer::{Fixed, parts};
+pub(crate) use moment::shares_a_point;
 use vector::{Vector, minus};
 use zeros::{Time, Window, zeros};
 
@@ -200,7 +201,7 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
     let moderate = checked([x[0], x[1]], window)?;
     let [from, until] = window;
-    if begin_at_a_point(patch, x, window) {
+    if at_begin_of(x, window).is_some_and(|x| shares_a_point(patch, x.each_ref())) {
         return Some(Exact::Contact([from; 2]));
     }
     let wanted = searching(window);
@@ -232,12 +233,6 @@ pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) 
     by_integers::<8>(patch, x, window)
         .or_else(|| by_integers::<24>(patch, x, window))
         .or_else(|| by_integers::<96>(patch, x, window))
-}
-
-/// Whether the features have a vertex each at one place when the window begins, if positions of
-/// then are given.
-pub(crate) fn begin_at_a_point(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> bool {
-    at_begin_of(x, window).is_some_and(|x| moment::shares_a_point(patch, x))
 }
 
 /// Positions at the beginning of a window, if they are among those given.

@@ -22,7 +22,8 @@ pub fn touch(patch: Patch, x: &[[f64; 3]; 4]) -> Option<bool> {
 
 /// Whether a vertex is at a corner of the face, or an end of an edge at one of the other: meshes
 /// that were cut apart, or placed corner to corner, have equal vertices.
-pub fn shares_a_point(patch: Patch, [p, q, r, s]: &[[f64; 3]; 4]) -> bool {
+#[inline]
+pub fn shares_a_point<P: PartialEq>(patch: Patch, [p, q, r, s]: [&P; 4]) -> bool {
     match patch {
         Patch::Triangle => p == q || p == r || p == s,
         Patch::Parallelogram => p == r || p == s || q == r || q == s,
