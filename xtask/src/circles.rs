@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Folders of crates.
-const CRATES: [&str; 9] = [
+const CRATES: [&str; 10] = [
     "ccd-cli/src/",
     "ccd-core/src/",
     "ccd-cpu/src/",
@@ -15,6 +15,7 @@ const CRATES: [&str; 9] = [
     "ccd-python/src/",
     "ccd-shaders/src/",
     "ccd-testkit/src/",
+    "ccd-web/src/",
     "src/",
     "xtask/src/",
 ];

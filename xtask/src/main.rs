@@ -38,6 +38,8 @@ mod stages;
 mod tidy;
 mod tint;
 mod wasm;
+#[cfg(feature = "web")]
+mod web;
 #[cfg(feature = "shaders")]
 mod wgsl;
 
@@ -96,6 +98,12 @@ enum Task {
     Tint,
     /// Build for WebAssembly and compare answers under Node with those of this machine
     Wasm,
+    /// Build the npm package into ccd-web/pkg and test it under Node
+    Web {
+        /// Test its page too, in Chromium and Firefox
+        #[arg(long)]
+        page: bool,
+    },
     /// Test the Python module against ipctk, in an environment below target
     Python {
         /// Build a wheel with maturin and test that
@@ -215,6 +223,7 @@ fn feature_of(task: &Task) -> Option<(&'static str, bool)> {
         Task::Shaders { checked: false, .. } => ("shaders", cfg!(feature = "shaders")),
         Task::Report { .. } => ("report", cfg!(feature = "report")),
         Task::Soak { .. } => ("soak", cfg!(feature = "soak")),
+        Task::Web { .. } => ("web", cfg!(feature = "web")),
         _ => return None,
     })
 }
@@ -249,7 +258,9 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "shaders")]
         Task::Shaders { check, .. } => shaders::run(root, check),
         Task::Tint => tint::run(root),
-        Task::Wasm => wasm::run(root),
+        Task::Wasm => wasm::run(root, &[]),
+        #[cfg(feature = "web")]
+        Task::Web { page } => web::run(root, page),
         Task::Python { wheel } => python::run(root, wheel),
         #[cfg(feature = "report")]
         Task::Report { algorithms: true, cells, minutes, .. } => {
