@@ -35,7 +35,7 @@ vec3 ramp(float t) {
 }
 void main() {
   bool reached = time <= now;
-  tint = vec4(ramp(time), reached ? 1.0 : 0.25);
+  tint = vec4(ramp(time), reached ? 1.0 : 0.6);
   gl_Position = view * vec4(position, 1.0);
   gl_Position.z -= 0.02;
   gl_PointSize = reached ? size : 0.6 * size;
@@ -63,7 +63,7 @@ class Picture {
     this.dots = program(gl, POINTS);
     this.buffers = ["x", "part", "faces", "points", "times"]
       .reduce((all, name) => ({ ...all, [name]: gl.createBuffer() }), {});
-    this.camera = { turn: 0.6, tilt: 0.35, zoom: 1 };
+    this.camera = { turn: 0.6, tilt: 0.45, zoom: 1 };
     this.box = { middle: [0, 0, 0], size: 1 };
     this.now = 1;
     this.nFaces = 0;

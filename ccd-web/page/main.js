@@ -7,6 +7,7 @@ const $ = (id) => document.getElementById(id);
 const view = picture($("canvas"));
 $("no-webgl").hidden = view !== null;
 $("canvas").hidden = view === null;
+$("legend").hidden = view === null;
 $("webgpu").textContent = navigator.gpu
   ? "This browser has WebGPU; it is not used."
   : "This browser has no WebGPU; nothing here needs it.";
@@ -114,8 +115,9 @@ async function step() {
   const free = frame.free < 1 ? `${(100 * frame.free).toFixed(1)} % of the step` : "all of the step";
   table("cloth-numbers", [
     ["time", `${frame.seconds.toFixed(2)} s`],
-    ["contacts", `${count(contacts.vf)} vertex-face, ${count(contacts.ee)} edge-edge`],
-    ["candidates", `${count(candidates.vf)} and ${count(candidates.ee)}`],
+    ["vertex-face contacts", count(contacts.vf)],
+    ["edge-edge contacts", count(contacts.ee)],
+    ["candidates of both", count(candidates.vf + candidates.ee)],
     ["free", free],
     ["one frame", ms(frame.total)],
     ["of it detection, 3 calls", ms(frame.detection)],
@@ -152,6 +154,7 @@ let result = null;
 async function take(list) {
   $("error").textContent = "";
   const all = [...list];
+  $("pick").value = "";
   if (all.length !== 2) {
     $("error").textContent = `Two files are needed, both at once; ${all.length} came.`;
     return;
@@ -192,13 +195,15 @@ function tellResult() {
     : `From ${from} to ${to}: first contact after ${(100 * toi).toPrecision(3)} % of the step.`;
   $("jump").disabled = toi === null;
   $("time").value = toi ?? 1;
-  const rows = [["particle-rod", contacts.ve], ["particle-particle", contacts.vv]];
+  const rows = [["particle-rod contacts", contacts.ve], ["particle contacts", contacts.vv]];
   table("files-numbers", [
-    ["mesh", `${count(x0.length / 3)} vertices, ${count(faces.length / 3)} faces`],
-    ["contacts", `${count(contacts.vf)} vertex-face, ${count(contacts.ee)} edge-edge`],
+    ["vertices", count(x0.length / 3)],
+    ["faces", count(faces.length / 3)],
+    ["vertex-face contacts", count(contacts.vf)],
+    ["edge-edge contacts", count(contacts.ee)],
     ...rows.filter(([, n]) => n > 0).map(([name, n]) => [name, count(n)]),
-    ["undecided, of these", count(undecided)],
-    ["candidates", `${count(candidates.vf)} and ${count(candidates.ee)}`],
+    ["of these undecided", count(undecided)],
+    ["candidates of both", count(candidates.vf + candidates.ee)],
     ["earliest time", toi === null ? "none" : String(toi)],
     ["loading", ms(loading)],
     ["detection", ms(t.total)],
