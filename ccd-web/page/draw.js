@@ -26,6 +26,7 @@ const POINTS = [`#version 300 es
 uniform mat4 view;
 uniform float size;
 uniform float now;
+uniform float opacity;
 in vec3 position;
 in float time;
 out vec4 tint;
@@ -35,7 +36,7 @@ vec3 ramp(float t) {
 }
 void main() {
   bool reached = time <= now;
-  tint = vec4(ramp(time), reached ? 1.0 : 0.6);
+  tint = vec4(ramp(time), opacity * (reached ? 1.0 : 0.6));
   gl_Position = view * vec4(position, 1.0);
   gl_Position.z -= 0.02;
   gl_PointSize = reached ? size : 0.6 * size;
@@ -119,6 +120,7 @@ class Picture {
     gl.clearColor(0.09, 0.1, 0.13, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LESS);
     const view = this.view(width / height);
     if (this.nFaces) {
       gl.useProgram(this.mesh);
@@ -130,6 +132,7 @@ class Picture {
     }
     if (this.nPoints) {
       gl.enable(gl.BLEND);
+      gl.depthMask(false);
       gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
       gl.useProgram(this.dots);
       gl.uniformMatrix4fv(gl.getUniformLocation(this.dots, "view"), false, view);
@@ -137,7 +140,13 @@ class Picture {
       gl.uniform1f(gl.getUniformLocation(this.dots, "now"), this.now);
       this.attribute(this.dots, "position", "points", 3);
       this.attribute(this.dots, "time", "times", 1);
-      gl.drawArrays(gl.POINTS, 0, this.nPoints);
+      // What the mesh hides shines through.
+      for (const [opacity, hides] of [[0.45, gl.ALWAYS], [1, gl.LESS]]) {
+        gl.uniform1f(gl.getUniformLocation(this.dots, "opacity"), opacity);
+        gl.depthFunc(hides);
+        gl.drawArrays(gl.POINTS, 0, this.nPoints);
+      }
+      gl.depthMask(true);
       gl.disable(gl.BLEND);
     }
   }

@@ -2,6 +2,7 @@
 //! `--page` its page too, in browsers.
 
 use crate::programs::{command, command_with, has_target, output, skipped, target_folder};
+use crate::wasm::SIMD;
 use std::path::Path;
 use std::process::Command;
 
@@ -39,6 +40,9 @@ pub fn run(root: &Path, page: bool) -> Result<(), String> {
     }
     command(&folder, &["npm", "run", "--silent", "test:types"])?;
     if page {
+        // The crate is empty on the target for which clippy checks the workspace.
+        let clippy = ["cargo", "clippy", "--profile", "web", "-p", CRATE, "--target", TARGET];
+        command_with(root, &[&clippy[..], &["--", "-D", "warnings"]].concat(), &SIMD)?;
         command(&folder, &["npm", "run", "--silent", "test:page"])?;
     }
     Ok(())
@@ -47,7 +51,7 @@ pub fn run(root: &Path, page: bool) -> Result<(), String> {
 /// The module and its bindings, and what is written by hand, into one folder.
 fn build(root: &Path) -> Result<(), String> {
     let build = ["cargo", "build", "--profile", "web", "-p", CRATE, "--lib", "--target", TARGET];
-    command_with(root, &build, &crate::wasm::SIMD)?;
+    command_with(root, &build, &SIMD)?;
     let module = target_folder(root).join(TARGET).join("web").join(CRATE.replace('-', "_"));
     let package = root.join(FOLDER).join("pkg");
     let failed = |what: &Path, e: std::io::Error| format!("{}: {e}", what.display());
