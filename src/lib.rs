@@ -65,7 +65,9 @@
 //!
 //! # WebAssembly
 //! On `wasm32-unknown-unknown` the CPU's path runs as everywhere, in the calling thread:
-//! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0.
+//! [`Options::threads`] is 0 or 1, more is refused. There is no clock, so all [`Times`] are 0,
+//! unless `set_clock` gives one, which exists there alone. The npm package is described in
+//! `docs/browser.md`.
 #![deny(unsafe_code)]
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
@@ -161,6 +163,8 @@ pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+pub use ccd_cpu::set_clock;
 pub use ccd_cpu::{
     BroadPhase, BroadPhaseTimes, CandidateSet, Candidates, Intersection, MAX_LOOSENESS, Pairs,
     Session, earliest_toi, has_intersections, instruction_set, intersections, near_at_rest, step,

@@ -7,7 +7,7 @@ use std::path::Path;
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
 /// Features of this crate, off by default and one a task: clippy checks all of them.
-const XTASK_FEATURES: [&str; 3] = ["report", "shaders", "soak"];
+const XTASK_FEATURES: [&str; 4] = ["report", "shaders", "soak", "web"];
 
 /// Runs the gate, or `whole`: that with nothing left out, and the searches that take long.
 /// Prints at the end how long each command took.
@@ -45,7 +45,8 @@ fn gate(root: &Path) -> Result<(), String> {
         command(root, &["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend])?;
     }
     // After the tests, which compile what they need.
-    crate::wasm::run(root)?;
+    crate::wasm::run(root, &[])?;
+    command(root, &["cargo", "xtask", "web"])?;
     crate::python::run(root, false)?;
     crate::c_api::run(root, false)?;
     // With examples the dependencies have the features of tests, and clippy has checked those. Not
@@ -59,6 +60,9 @@ fn gate(root: &Path) -> Result<(), String> {
 fn long(root: &Path) -> Result<(), String> {
     // A test of the gate compares hashes of sources and kernels; here the kernels are compiled.
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
+    // The vectors that the npm package has, by every method.
+    crate::wasm::run(root, &crate::wasm::SIMD)?;
+    command(root, &["cargo", "xtask", "web", "--page"])?;
     crate::python::run(root, true)?;
     crate::c_api::run(root, true)?;
     let no_gpu = ["--release", "-p", "meshccd-python", "--no-default-features", "--lib"];

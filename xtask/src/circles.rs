@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Folders of crates.
-const CRATES: [&str; 10] = [
+const CRATES: [&str; 11] = [
     "ccd-c/src/",
     "ccd-cli/src/",
     "ccd-core/src/",
@@ -16,6 +16,7 @@ const CRATES: [&str; 10] = [
     "ccd-python/src/",
     "ccd-shaders/src/",
     "ccd-testkit/src/",
+    "ccd-web/src/",
     "src/",
     "xtask/src/",
 ];

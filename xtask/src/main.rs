@@ -41,6 +41,8 @@ mod stages;
 mod tidy;
 mod tint;
 mod wasm;
+#[cfg(feature = "web")]
+mod web;
 #[cfg(feature = "shaders")]
 mod wgsl;
 
@@ -104,6 +106,12 @@ enum Task {
         /// Have CMake build the libraries by cargo, from nothing
         #[arg(long)]
         cargo: bool,
+    },
+    /// Build the npm package into ccd-web/pkg and test it under Node
+    Web {
+        /// Test its page too, in Chromium and Firefox
+        #[arg(long)]
+        page: bool,
     },
     /// Test the Python module against ipctk, in an environment below target
     Python {
@@ -224,6 +232,7 @@ fn feature_of(task: &Task) -> Option<(&'static str, bool)> {
         Task::Shaders { checked: false, .. } => ("shaders", cfg!(feature = "shaders")),
         Task::Report { .. } => ("report", cfg!(feature = "report")),
         Task::Soak { .. } => ("soak", cfg!(feature = "soak")),
+        Task::Web { .. } => ("web", cfg!(feature = "web")),
         _ => return None,
     })
 }
@@ -258,8 +267,10 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "shaders")]
         Task::Shaders { check, .. } => shaders::run(root, check),
         Task::Tint => tint::run(root),
-        Task::Wasm => wasm::run(root),
         Task::CApi { cargo } => c_api::run(root, cargo),
+        Task::Wasm => wasm::run(root, &[]),
+        #[cfg(feature = "web")]
+        Task::Web { page } => web::run(root, page),
         Task::Python { wheel } => python::run(root, wheel),
         #[cfg(feature = "report")]
         Task::Report { algorithms: true, cells, minutes, .. } => {

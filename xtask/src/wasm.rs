@@ -1,20 +1,25 @@
 //! `cargo xtask wasm`: the CPU's path built for WebAssembly, where there is no clock and no second
 //! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm).
 
-use crate::programs::{command, has_target, output, skipped, target_folder, test};
+use crate::programs::{command_with, has_target, output, skipped, target_folder, test};
 use std::path::Path;
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const PACKAGE: &str = "ccd-wasm-test";
 
-pub fn run(root: &Path) -> Result<(), String> {
+/// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last).
+pub const SIMD: [(&str, &str); 1] =
+    [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128")];
+
+/// Compares answers; `env` is for the build.
+pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
     if !has_target(TARGET) {
         skipped(&format!("nothing was built for WebAssembly: no target {TARGET} here"));
         return Ok(());
     }
     let build = ["cargo", "build", "--release", "-p", PACKAGE];
-    command(root, &[&build[..], &["--lib", "--target", TARGET]].concat())?;
+    command_with(root, &[&build[..], &["--lib", "--target", TARGET]].concat(), env)?;
     if let Err(why) = output(Command::new("node").arg("--version")) {
         skipped(&format!("what was built for WebAssembly was not run: {why}"));
         return Ok(());

@@ -7,6 +7,7 @@
 //! | AVX2 (x86-64) | 8 in one register | 8 in one register |
 //! | AVX-512 (x86-64) | those of AVX2 | 16 in one register |
 //! | NEON (AArch64) | 8 in two registers | 8 in two registers |
+//! | `simd128` (WebAssembly, where a module is built with it) | 8 in two vectors | the same |
 //!
 //! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
 //! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does.
@@ -18,6 +19,8 @@ mod avx512;
 #[cfg(target_arch = "aarch64")]
 mod neon;
 mod portable;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod simd128;
 #[cfg(test)]
 mod tests;
 
@@ -28,6 +31,8 @@ pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
 pub use portable::{F32x8, Portable};
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+pub use simd128::Simd128;
 
 use ccd_core::backend::broad_phase::candidate::overlap_surely;
 use ccd_core::backend::layout::Pair;
@@ -131,7 +136,15 @@ macro_rules! run_rows {
         {
             $crate::simd::Simd::run($crate::simd::Neon::new(), $work)
         }
-        #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+        #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+        {
+            $crate::simd::Simd::run($crate::simd::Simd128, $work)
+        }
+        #[cfg(not(any(
+            target_arch = "x86_64",
+            target_arch = "aarch64",
+            all(target_arch = "wasm32", target_feature = "simd128")
+        )))]
         {
             $crate::simd::Simd::run($crate::simd::Portable, $work)
         }
@@ -158,8 +171,8 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// The widest instruction set of this processor that the filters use: `AVX-512`, `AVX2`, `NEON` or
-/// `portable`.
+/// The widest instruction set of this processor that the filters use: `AVX-512`, `AVX2`, `NEON`,
+/// `simd128` or `portable`.
 ///
 /// ```
 /// assert!(["AVX-512", "AVX2", "NEON", "portable"].contains(&ccd::instruction_set()));
@@ -178,7 +191,11 @@ pub fn instruction_set() -> &'static str {
 
 /// `Num` for a vector type from functions of its instruction set: the two that take one vector,
 /// those that take two, the comparison, and all lanes alike.
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
 macro_rules! num {
     (
         $lanes:ident($width:expr), $mask:ty,
@@ -247,5 +264,9 @@ macro_rules! num {
         }
     };
 }
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
 pub(crate) use num;

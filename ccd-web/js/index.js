@@ -1,0 +1,301 @@
+// Continuous collision detection of triangle meshes: classes and typed arrays over the bindings.
+// Types and documentation: index.d.ts.
+
+import load, { initSync as loadSync, RawMesh, RawOptions, RawSession, version as rawVersion }
+  from "./meshccd.js";
+
+/** Where the WebAssembly module is. */
+export const wasmUrl = new URL("./meshccd_bg.wasm", import.meta.url);
+
+/** Names of the kinds of contacts, by their numbers. */
+export const KINDS = Object.freeze(["vf", "ee", "ve", "vv"]);
+
+/** Names of the states of contacts, by their numbers. */
+export const STATES = Object.freeze(["hit", "undecided"]);
+
+/** Exports of the module, once it is loaded. */
+let wasm = null;
+let loading = null;
+
+export async function init(source) {
+  loading ??= (async () => {
+    wasm = await load({ module_or_path: await sourceOf(source) });
+  })();
+  try {
+    await loading;
+  } catch (why) {
+    loading = null;
+    throw why;
+  }
+}
+
+export function initSync(source) {
+  wasm ??= loadSync({ module: source });
+}
+
+export function version() {
+  loaded();
+  return rawVersion();
+}
+
+/** What the bindings load: by default the module beside this file, which Node does not fetch. */
+async function sourceOf(source) {
+  const from = source ?? wasmUrl;
+  const isFile = (from instanceof URL || typeof from === "string")
+    && String(from).startsWith("file:");
+  if (!isFile) return from;
+  const { readFile } = await import("node:fs/promises");
+  return readFile(new URL(from));
+}
+
+function loaded() {
+  if (!wasm) throw new Error("the module is not loaded: call `await init()` first");
+}
+
+/** Views of lists in the module's memory, from their addresses and lengths. */
+function views(places, types) {
+  const all = places.all();
+  places.free();
+  return types.map((Type, i) => new Type(wasm.memory.buffer, all[2 * i], all[2 * i + 1]));
+}
+
+/** Ids as the bindings take them. */
+function ids(list, what) {
+  if (list == null) return new Uint32Array();
+  if (list instanceof Uint32Array) return list;
+  const all = Array.isArray(list) ? list.flat() : Array.from(list);
+  const wrong = all.findIndex((id) => !Number.isInteger(id) || id < 0 || id > 0xffffffff);
+  if (wrong >= 0) {
+    throw new Error(`${what}: entry ${wrong} is ${all[wrong]}; ids are whole numbers from 0 on`);
+  }
+  return Uint32Array.from(all);
+}
+
+export class Mesh {
+  /** @internal */
+  raw;
+  nVertices;
+
+  constructor(nVertices, edges, faces) {
+    loaded();
+    if (!Number.isInteger(nVertices) || nVertices < 0 || nVertices > 0x7fffffff) {
+      throw new Error(`nVertices is ${nVertices}; it must be a whole number from 0 on`);
+    }
+    this.raw = new RawMesh(nVertices, ids(edges, "edges"), ids(faces, "faces"));
+    this.nVertices = nVertices;
+  }
+
+  get edges() {
+    return this.raw.edges();
+  }
+
+  get faces() {
+    return this.raw.faces();
+  }
+
+  free() {
+    this.raw.free();
+  }
+}
+
+/** Options, each with how it is set. */
+const SETTERS = {
+  minDistance: (raw, value) => raw.set_min_distance(number(value, "minDistance")),
+  tolerance: (raw, value) => raw.set_tolerance(number(value, "tolerance")),
+  leaveContact: (raw, value) => raw.set_leave_contact(Boolean(value)),
+  maxMemory: (raw, value) => raw.set_max_memory(number(value, "maxMemory")),
+  mode: (raw, value) => raw.set_mode(String(value)),
+  bodies: (raw, { ofVertex, fixed, noSelfContact, excluded }) => raw.set_bodies(
+    ids(ofVertex, "bodies.ofVertex"), ids(fixed, "bodies.fixed"),
+    ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded"),
+  ),
+};
+
+function number(value, what) {
+  if (typeof value !== "number") throw new Error(`${what} is ${value}; it must be a number`);
+  return value;
+}
+
+function rawOptions(options) {
+  const raw = new RawOptions();
+  for (const [name, value] of Object.entries(options ?? {})) {
+    if (value == null) continue;
+    if (!Object.hasOwn(SETTERS, name)) {
+      const names = Object.keys(SETTERS).join(", ");
+      throw new Error(`there is no option ${name}; options are ${names}`);
+    }
+    SETTERS[name](raw, value);
+  }
+  return raw;
+}
+
+/** Types of the columns of contacts, in the order in which the bindings have them. */
+const COLUMNS = {
+  kind: Uint8Array,
+  state: Uint8Array,
+  ids: Uint32Array,
+  toi: Float64Array,
+  vertices: Uint32Array,
+  point: Float64Array,
+  normal: Float64Array,
+  weights: Float64Array,
+};
+const GEOMETRY = ["vertices", "point", "normal", "weights"];
+
+export class Session {
+  /** @internal */
+  raw;
+  mesh;
+  backend = "cpu";
+
+  constructor(mesh, options) {
+    loaded();
+    const raw = rawOptions(options);
+    try {
+      this.raw = new RawSession(mesh.raw, raw);
+    } finally {
+      raw.free();
+    }
+    this.mesh = mesh;
+  }
+
+  positions(Type) {
+    if (Type !== Float32Array && Type !== Float64Array) {
+      throw new Error("positions are in a Float32Array or a Float64Array");
+    }
+    const [x0, x1] = views(this.raw.positions(Type === Float64Array), [Type, Type]);
+    return { x0, x1 };
+  }
+
+  step(x0, x1, { window = [0, 1], geometry = false, views: borrow = false } = {}) {
+    const begun = performance.now();
+    const wide = this.#place(x0, x1);
+    const placed = performance.now();
+    this.raw.step(wide, window[0], window[1], geometry);
+    const numbers = this.raw.numbers();
+    const found = performance.now();
+    const contacts = {};
+    const lists = views(this.raw.columns(), Object.values(COLUMNS));
+    Object.keys(COLUMNS).forEach((name, i) => {
+      if (geometry || !GEOMETRY.includes(name)) {
+        contacts[name] = borrow ? lists[i] : lists[i].slice();
+      }
+    });
+    contacts.length = contacts.kind.length;
+    const copy = placed - begun + performance.now() - found;
+    return report(contacts, numbers, copy);
+  }
+
+  earliestToi(x0, x1) {
+    return this.raw.earliest_toi(this.#place(x0, x1)) ?? null;
+  }
+
+  collisionFreeStepsize(x0, x1) {
+    return this.earliestToi(x0, x1) ?? 1;
+  }
+
+  isStepCollisionFree(x0, x1) {
+    return this.earliestToi(x0, x1) === null;
+  }
+
+  firstContact(x0, x1) {
+    const all = this.raw.first_contact(this.#place(x0, x1));
+    if (!all) return null;
+    const [toi, kind, state, a, b] = all;
+    const list = (from, n) => Array.from(all.subarray(from, from + n));
+    return {
+      toi,
+      kind: KINDS[kind],
+      state: STATES[state],
+      features: [a, b],
+      bodies: list(5, 2),
+      vertices: list(7, 4),
+      point: list(11, 3),
+      normal: list(14, 3),
+      weights: list(17, 4),
+      distance: all[21],
+    };
+  }
+
+  candidates(x0, x1, { views: borrow = false } = {}) {
+    const places = this.raw.candidates(this.#place(x0, x1));
+    const lists = views(places, KINDS.map(() => Uint32Array));
+    return Object.fromEntries(KINDS.map((kind, i) => [kind, borrow ? lists[i] : lists[i].slice()]));
+  }
+
+  intersections(x) {
+    const all = this.raw.intersections(this.#place(x, x));
+    const n = all.length / 3;
+    return Array.from({ length: n }, (_, i) => (
+      { edge: all[3 * i], face: all[3 * i + 1], state: STATES[all[3 * i + 2]] }
+    ));
+  }
+
+  hasIntersections(x) {
+    return this.raw.has_intersections(this.#place(x, x));
+  }
+
+  setMinDistance(distance) {
+    this.raw.set_min_distance(number(distance, "minDistance"));
+  }
+
+  setFixed(body, fixed) {
+    this.raw.set_fixed(body, fixed);
+  }
+
+  setSleeping(body, sleeping) {
+    this.raw.set_sleeping(body, sleeping);
+  }
+
+  free() {
+    this.raw.free();
+  }
+
+  /** Puts positions into the session's buffers; whether they are taken as `f64`. */
+  #place(x0, x1) {
+    const given = [x0, x1];
+    const length = 3 * this.mesh.nVertices;
+    given.forEach((x, i) => {
+      if (!(x instanceof Float32Array) && !(x instanceof Float64Array)) {
+        throw new Error(`x${i} is neither a Float32Array nor a Float64Array`);
+      }
+      if (x.length !== length) {
+        throw new Error(`x${i} has ${x.length} numbers; the mesh has ${this.mesh.nVertices} `
+          + `vertices, of 3 numbers each (and a view of the module's memory that is older than `
+          + `its last growth has none)`);
+      }
+    });
+    const wide = given.some((x) => x instanceof Float64Array);
+    // Before the next call, after which the module's memory may have grown.
+    const places = given.map((x) => (x.buffer === wasm.memory.buffer ? x.byteOffset : -1));
+    const to = this.positions(wide ? Float64Array : Float32Array);
+    [to.x0, to.x1].forEach((buffer, i) => {
+      if (places[i] === buffer.byteOffset) return;
+      if (given[i].length !== length) {
+        throw new Error(`x${i} is a view of the module's memory, which has grown: copy it first`);
+      }
+      buffer.set(given[i]);
+    });
+    return wide;
+  }
+}
+
+if (Symbol.dispose) {
+  for (const Type of [Mesh, Session]) Type.prototype[Symbol.dispose] = Type.prototype.free;
+}
+
+/** A report of a step: columns, and numbers in the order in which the bindings have them. */
+function report(contacts, numbers, copy) {
+  const [toi, undecided, rebuilt] = numbers;
+  const perKind = (from) => Object.fromEntries(KINDS.map((kind, i) => [kind, numbers[from + i]]));
+  const [boxes, build, traverse, narrow, total] = numbers.subarray(15);
+  return {
+    contacts,
+    toi: Number.isNaN(toi) ? null : toi,
+    undecided,
+    rebuilt: rebuilt === 1,
+    counts: { contacts: perKind(3), candidates: perKind(7), filtered: perKind(11) },
+    ms: { boxes, build, traverse, narrow, copy, total: total + copy },
+    backend: "cpu",
+  };
+}

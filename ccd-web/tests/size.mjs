@@ -1,0 +1,15 @@
+// Sizes of the package, compressed: an error above the bar.
+
+import { readFileSync } from "node:fs";
+import { brotliCompressSync, gzipSync } from "node:zlib";
+
+/** Bytes that module and bindings may have together, by gzip, which every server has. */
+const BAR = 400_000;
+
+const files = ["meshccd_bg.wasm", "meshccd.js", "index.js"]
+  .map((name) => readFileSync(new URL(`../pkg/${name}`, import.meta.url)));
+const sum = (of) => files.reduce((all, bytes) => all + of(bytes).length, 0);
+const gzip = sum((bytes) => gzipSync(bytes, { level: 9 }));
+const [raw, brotli] = [sum((bytes) => bytes), sum((bytes) => brotliCompressSync(bytes))];
+console.log(`npm package: ${raw} bytes, ${gzip} by gzip, ${brotli} by brotli; bar ${BAR} by gzip`);
+if (gzip > BAR) process.exitCode = 1;
