@@ -45,22 +45,32 @@ struct type_18 {
 }
 
 struct type_21 {
+    member: type_16,
+    member_1: array<f32, 3>,
+}
+
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_22 {
+struct type_23 {
     member: type_7,
     member_1: type_8,
-    member_2: type_21,
+    member_2: type_22,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_24 {
+    member: type_23,
 }
 
-struct type_27 {
+struct type_25 {
+    member: type_21,
+    member_1: u32,
+}
+
+struct type_29 {
     member: array<atomic<u32>>,
 }
 
@@ -70,9 +80,9 @@ var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(6) 
-var<storage, read_write> pairs: type_27;
+var<storage, read_write> pairs: type_29;
 @group(0) @binding(0) 
-var<storage> params: type_23;
+var<storage> params: type_24;
 @group(0) @binding(1) 
 var<storage> sorted: type_18;
 @group(0) @binding(3) 
@@ -84,87 +94,148 @@ var<storage> work: type_11;
 var<workgroup> boxes: array<type_16, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_154_: u32;
-    var phi_164_: u32;
-    var phi_171_: u32;
-    var phi_190_: u32;
-    var phi_211_: u32;
-    var phi_212_: u32;
-    var phi_215_: type_9;
-    var phi_216_: type_9;
-    var phi_239_: type_9;
-    var phi_295_: array<u32, 2>;
-    var phi_307_: array<u32, 2>;
-    var phi_308_: bool;
-    var phi_309_: array<u32, 2>;
-    var phi_310_: bool;
-    var phi_315_: array<u32, 2>;
-    var phi_353_: array<u32, 2>;
-    var phi_365_: array<u32, 2>;
-    var phi_366_: bool;
-    var phi_367_: array<u32, 2>;
-    var phi_368_: bool;
-    var phi_373_: array<u32, 2>;
+    var local: array<u32, 3>;
+    var local_1: type_16;
+    var local_2: type_21;
+    var local_3: array<f32, 3>;
+    var local_4: type_16;
+    var local_5: type_16;
+    var local_6: type_21;
+    var local_7: type_16;
+    var phi_196_: u32;
+    var phi_206_: u32;
+    var phi_213_: u32;
+    var phi_232_: u32;
+    var phi_253_: u32;
+    var phi_254_: u32;
+    var phi_257_: type_9;
+    var phi_258_: type_9;
+    var phi_281_: type_9;
+    var phi_337_: array<u32, 2>;
+    var phi_344_: u32;
+    var phi_349_: u32;
+    var phi_357_: array<u32, 2>;
+    var phi_395_: array<u32, 2>;
+    var phi_402_: u32;
+    var phi_407_: u32;
+    var phi_415_: array<u32, 2>;
     var phi_460_: u32;
-    var phi_496_: bool;
-    var phi_497_: bool;
-    var phi_502_: u32;
-    var phi_503_: bool;
-    var phi_504_: u32;
-    var phi_505_: bool;
-    var phi_509_: u32;
-    var phi_516_: u32;
-    var phi_530_: array<u32, 2>;
-    var phi_531_: array<u32, 2>;
-    var phi_532_: bool;
-    var phi_533_: array<u32, 2>;
-    var phi_534_: bool;
-    var phi_535_: array<u32, 2>;
-    var phi_536_: bool;
-    var phi_541_: array<u32, 2>;
-    var phi_548_: array<u32, 2>;
-    var phi_430_: f32;
-    var phi_431_: f32;
-    var phi_437_: u32;
-    var phi_447_: u32;
-    var phi_549_: array<u32, 2>;
-    var phi_557_: u32;
-    var phi_560_: array<u32, 3>;
-    var phi_577_: type_16;
-    var phi_580_: type_9;
-    var phi_581_: type_9;
-    var phi_604_: type_9;
-    var phi_639_: type_16;
+    var phi_469_: u32;
+    var phi_474_: u32;
+    var phi_477_: bool;
+    var phi_492_: u32;
+    var phi_493_: u32;
+    var phi_494_: u32;
+    var phi_495_: bool;
+    var phi_499_: u32;
+    var phi_521_: u32;
+    var phi_540_: u32;
+    var phi_559_: u32;
+    var phi_564_: type_9;
+    var phi_565_: type_9;
+    var phi_588_: type_9;
+    var phi_614_: u32;
     var phi_640_: u32;
-    var phi_661_: type_9;
-    var phi_662_: type_9;
-    var phi_685_: type_9;
-    var phi_818_: type_9;
-    var phi_819_: bool;
-    var phi_820_: type_9;
-    var phi_821_: bool;
-    var phi_830_: type_9;
-    var phi_798_: type_9;
-    var phi_831_: type_9;
-    var phi_866_: u32;
-    var phi_892_: type_9;
-    var phi_893_: type_9;
-    var phi_916_: type_9;
-    var phi_947_: array<u32, 2>;
-    var phi_959_: array<u32, 2>;
-    var phi_960_: bool;
-    var phi_961_: array<u32, 2>;
-    var phi_962_: bool;
-    var phi_967_: array<u32, 2>;
-    var phi_1050_: type_9;
-    var phi_1051_: bool;
-    var phi_1052_: type_9;
-    var phi_1053_: bool;
-    var phi_1062_: type_9;
-    var phi_1030_: type_9;
-    var phi_1063_: type_9;
-    var phi_1081_: bool;
-    var phi_1082_: bool;
+    var phi_773_: type_9;
+    var phi_776_: type_25;
+    var phi_774_: type_9;
+    var phi_799_: type_9;
+    var phi_809_: type_9;
+    var phi_812_: bool;
+    var phi_810_: type_9;
+    var phi_835_: type_9;
+    var phi_857_: f32;
+    var phi_874_: bool;
+    var phi_813_: bool;
+    var local_8: bool;
+    var phi_880_: type_25;
+    var phi_881_: bool;
+    var phi_777_: type_25;
+    var phi_882_: bool;
+    var phi_890_: u32;
+    var local_9: type_25;
+    var local_10: type_25;
+    var local_11: type_25;
+    var phi_900_: u32;
+    var local_12: type_25;
+    var phi_907_: u32;
+    var local_13: type_25;
+    var local_14: type_25;
+    var local_15: type_25;
+    var phi_939_: type_9;
+    var phi_940_: type_9;
+    var phi_963_: type_9;
+    var phi_1014_: f32;
+    var phi_1019_: f32;
+    var phi_1060_: type_9;
+    var phi_1061_: type_9;
+    var phi_1084_: type_9;
+    var phi_1144_: u32;
+    var phi_1145_: u32;
+    var phi_1157_: array<u32, 3>;
+    var phi_1158_: array<u32, 3>;
+    var phi_1225_: bool;
+    var phi_1237_: bool;
+    var phi_1238_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1288_: u32;
+    var phi_1289_: bool;
+    var phi_1290_: u32;
+    var phi_1291_: bool;
+    var phi_1296_: u32;
+    var phi_1306_: u32;
+    var phi_1320_: array<u32, 2>;
+    var phi_1321_: array<u32, 2>;
+    var phi_1322_: bool;
+    var phi_1323_: array<u32, 2>;
+    var phi_1324_: bool;
+    var phi_1325_: array<u32, 2>;
+    var phi_1326_: bool;
+    var phi_1331_: array<u32, 2>;
+    var phi_1332_: array<u32, 2>;
+    var phi_1340_: array<u32, 2>;
+    var phi_1341_: bool;
+    var phi_1342_: array<u32, 2>;
+    var phi_1343_: bool;
+    var phi_1348_: array<u32, 2>;
+    var phi_1355_: array<u32, 2>;
+    var phi_1192_: f32;
+    var phi_1193_: f32;
+    var phi_1199_: u32;
+    var phi_1209_: u32;
+    var phi_1356_: array<u32, 2>;
+    var phi_1364_: u32;
+    var phi_1367_: array<u32, 3>;
+    var phi_1384_: type_16;
+    var phi_1387_: type_9;
+    var phi_1388_: type_9;
+    var phi_1411_: type_9;
+    var phi_1446_: type_16;
+    var phi_1447_: u32;
+    var phi_1468_: type_9;
+    var phi_1469_: type_9;
+    var phi_1492_: type_9;
+    var phi_1616_: u32;
+    var phi_1621_: u32;
+    var phi_1637_: type_9;
+    var phi_1605_: type_9;
+    var phi_1638_: type_9;
+    var phi_1673_: u32;
+    var phi_1699_: type_9;
+    var phi_1700_: type_9;
+    var phi_1723_: type_9;
+    var phi_1754_: array<u32, 2>;
+    var phi_1761_: u32;
+    var phi_1766_: u32;
+    var phi_1774_: array<u32, 2>;
+    var phi_1848_: u32;
+    var phi_1853_: u32;
+    var phi_1869_: type_9;
+    var phi_1837_: type_9;
+    var phi_1870_: type_9;
+    var phi_1888_: bool;
+    var phi_1889_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -172,416 +243,786 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e65 = ((_e51.y * _e52.x) + _e51.x);
-    let _e68 = (_e52.x * _e52.y);
-    let _e71 = params.member.member_1.member_2;
-    let _e73 = work.member[0u];
-    if (_e71 < _e73) {
-        phi_154_ = _e71;
+    let _e86 = id_2;
+    let _e87 = n_2;
+    let _e88 = lane_2;
+    let _e100 = ((_e86.y * _e87.x) + _e86.x);
+    let _e103 = (_e87.x * _e87.y);
+    let _e106 = params.member.member_1.member_2;
+    let _e108 = work.member[0u];
+    if (_e106 < _e108) {
+        phi_196_ = _e106;
     } else {
-        phi_154_ = _e73;
+        phi_196_ = _e108;
     }
-    let _e76 = phi_154_;
-    let _e78 = params.member.member_1.member_1;
-    if (_e76 > _e78) {
-        let _e81 = params.member.member_1.member_1;
-        phi_164_ = (_e76 - _e81);
+    let _e111 = phi_196_;
+    let _e113 = params.member.member_1.member_1;
+    if (_e111 > _e113) {
+        let _e116 = params.member.member_1.member_1;
+        phi_206_ = (_e111 - _e116);
     } else {
-        phi_164_ = 0u;
+        phi_206_ = 0u;
     }
-    let _e84 = phi_164_;
-    let _e86 = params.member.member_1.member;
-    if (_e86 < _e84) {
-        phi_171_ = _e86;
+    let _e119 = phi_206_;
+    let _e121 = params.member.member_1.member;
+    if (_e121 < _e119) {
+        phi_213_ = _e121;
     } else {
-        phi_171_ = _e84;
+        phi_213_ = _e119;
     }
-    let _e89 = phi_171_;
-    let _e93 = params.member.member.member_2[3u];
+    let _e124 = phi_213_;
+    let _e128 = params.member.member.member_2[3u];
     if false {
-        phi_190_ = (_e89 + 1u);
+        phi_232_ = (_e124 + 1u);
     } else {
-        phi_190_ = _e89;
+        phi_232_ = _e124;
     }
-    let _e96 = phi_190_;
-    if (_e96 > _e65) {
-        let _e98 = (_e96 - _e65);
-        if (_e68 == 0u) {
+    let _e131 = phi_232_;
+    if (_e131 > _e100) {
+        let _e133 = (_e131 - _e100);
+        if (_e103 == 0u) {
             return;
         }
-        let _e100 = (_e98 / _e68);
-        if (_e68 == 0u) {
+        let _e135 = (_e133 / _e103);
+        if (_e103 == 0u) {
             return;
         }
-        if ((_e98 % _e68) > 0u) {
-            phi_211_ = (_e100 + 1u);
+        if ((_e133 % _e103) > 0u) {
+            phi_253_ = (_e135 + 1u);
         } else {
-            phi_211_ = _e100;
+            phi_253_ = _e135;
         }
-        let _e106 = phi_211_;
-        phi_212_ = _e106;
+        let _e141 = phi_253_;
+        phi_254_ = _e141;
     } else {
-        phi_212_ = 0u;
+        phi_254_ = 0u;
     }
-    let _e108 = phi_212_;
-    phi_215_ = type_9(0u, _e108);
+    let _e143 = phi_254_;
+    phi_257_ = type_9(0u, _e143);
     loop {
-        let _e111 = phi_215_;
-        if (_e111.member < _e111.member_1) {
-            phi_216_ = type_9((_e111.member + 1u), _e111.member_1);
-            phi_239_ = type_9(1u, _e111.member);
+        let _e146 = phi_257_;
+        if (_e146.member < _e146.member_1) {
+            phi_258_ = type_9((_e146.member + 1u), _e146.member_1);
+            phi_281_ = type_9(1u, _e146.member);
         } else {
-            phi_216_ = _e111;
-            phi_239_ = type_9(0u, type_9().member_1);
+            phi_258_ = _e146;
+            phi_281_ = type_9(0u, type_9().member_1);
         }
-        let _e123 = phi_216_;
-        let _e125 = phi_239_;
-        let _e129 = (bitcast<i32>(_e125.member) != 0i);
-        if _e129 {
-            let _e132 = params.member.member_1.member_1;
-            let _e136 = (2u * ((_e132 + _e65) + (_e125.member_1 * _e68)));
-            let _e139 = work.member[(4u + _e136)];
-            let _e142 = work.member[(_e136 + 5u)];
-            let _e144 = (_e139 >> bitcast<u32>(28i));
-            let _e149 = (_e139 & 16777215u);
-            let _e152 = params.member.member_2.member;
-            let _e155 = params.member.member_2.member_1;
-            if (_e155 == 0u) {
-                phi_295_ = array<u32, 2>(0u, 2u);
+        let _e158 = phi_258_;
+        let _e160 = phi_281_;
+        let _e164 = (bitcast<i32>(_e160.member) != 0i);
+        if _e164 {
+            let _e167 = params.member.member_1.member_1;
+            let _e171 = (2u * ((_e167 + _e100) + (_e160.member_1 * _e103)));
+            let _e174 = work.member[(4u + _e171)];
+            let _e177 = work.member[(_e171 + 5u)];
+            let _e179 = (_e174 >> bitcast<u32>(24i));
+            let _e183 = (_e174 & 16777215u);
+            let _e187 = params.member.member_2.member;
+            let _e190 = params.member.member_2.member_1;
+            if (_e190 == 0u) {
+                phi_337_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_295_ = array<u32, 2>(1u, 1u);
+                phi_337_ = array<u32, 2>(1u, 1u);
             }
-            let _e158 = phi_295_;
-            if (_e152 == 1u) {
-                if (_e144 == 1u) {
-                    phi_307_ = array<u32, 2>(_e158[1], _e158[0]);
-                    phi_308_ = false;
+            let _e193 = phi_337_;
+            if (_e187 == 2u) {
+                phi_344_ = 8u;
+            } else {
+                phi_344_ = 1u;
+            }
+            let _e198 = phi_344_;
+            if (_e187 == 2u) {
+                phi_349_ = 10u;
+            } else {
+                phi_349_ = 1u;
+            }
+            let _e201 = phi_349_;
+            if (_e179 >= (_e198 * _e201)) {
+                phi_357_ = array<u32, 2>(_e193[1], _e193[0]);
+            } else {
+                phi_357_ = _e193;
+            }
+            let _e206 = phi_357_;
+            let _e209 = ((_e183 * 128u) + _e88);
+            let _e213 = params.member.member.member_2[_e206[0]];
+            let _e214 = (_e213 + _e209);
+            let _e218 = params.member.member.member[_e206[0]];
+            let _e219 = (_e209 < _e218);
+            if _e219 {
+                let _e222 = params.member.member_2.member;
+                let _e225 = params.member.member_2.member_1;
+                if (_e225 == 0u) {
+                    phi_395_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_307_ = array<u32, 2>();
-                    phi_308_ = true;
+                    phi_395_ = array<u32, 2>(1u, 1u);
                 }
-                let _e165 = phi_307_;
-                let _e167 = phi_308_;
-                phi_309_ = _e165;
-                phi_310_ = _e167;
-            } else {
-                phi_309_ = array<u32, 2>();
-                phi_310_ = true;
-            }
-            let _e169 = phi_309_;
-            let _e171 = phi_310_;
-            if _e171 {
-                phi_315_ = _e158;
-            } else {
-                phi_315_ = _e169;
-            }
-            let _e173 = phi_315_;
-            let _e176 = ((_e149 * 128u) + _e53);
-            let _e180 = params.member.member.member_2[_e173[0]];
-            let _e181 = (_e180 + _e176);
-            let _e185 = params.member.member.member[_e173[0]];
-            let _e186 = (_e176 < _e185);
-            if _e186 {
-                let _e189 = params.member.member_2.member;
-                let _e192 = params.member.member_2.member_1;
-                if (_e192 == 0u) {
-                    phi_353_ = array<u32, 2>(0u, 2u);
+                let _e228 = phi_395_;
+                if (_e222 == 2u) {
+                    phi_402_ = 8u;
                 } else {
-                    phi_353_ = array<u32, 2>(1u, 1u);
+                    phi_402_ = 1u;
                 }
-                let _e195 = phi_353_;
-                if (_e189 == 1u) {
-                    if (_e144 == 1u) {
-                        phi_365_ = array<u32, 2>(_e195[1], _e195[0]);
-                        phi_366_ = false;
+                let _e233 = phi_402_;
+                if (_e222 == 2u) {
+                    phi_407_ = 10u;
+                } else {
+                    phi_407_ = 1u;
+                }
+                let _e236 = phi_407_;
+                if (_e179 >= (_e233 * _e236)) {
+                    phi_415_ = array<u32, 2>(_e228[1], _e228[0]);
+                } else {
+                    phi_415_ = _e228;
+                }
+                let _e241 = phi_415_;
+                let _e244 = keys.member[_e214];
+                let _e246 = sorted.member[_e214];
+                local_7 = type_16(array<f32, 3>(_e246.member[0], _e246.member[1], _e246.member[2]), array<f32, 3>(_e246.member_1[0], _e246.member_1[1], _e246.member_1[2]));
+                if (_e222 == 2u) {
+                    phi_460_ = ((_e179 % 80u) / 10u);
+                } else {
+                    phi_460_ = 0u;
+                }
+                let _e262 = phi_460_;
+                if (_e262 == 0u) {
+                    if (_e222 == 2u) {
+                        phi_469_ = 8u;
                     } else {
-                        phi_365_ = array<u32, 2>();
-                        phi_366_ = true;
+                        phi_469_ = 1u;
                     }
-                    let _e202 = phi_365_;
-                    let _e204 = phi_366_;
-                    phi_367_ = _e202;
-                    phi_368_ = _e204;
-                } else {
-                    phi_367_ = array<u32, 2>();
-                    phi_368_ = true;
-                }
-                let _e206 = phi_367_;
-                let _e208 = phi_368_;
-                if _e208 {
-                    phi_373_ = _e195;
-                } else {
-                    phi_373_ = _e206;
-                }
-                let _e210 = phi_373_;
-                let _e213 = keys.member[_e181];
-                let _e215 = sorted.member[_e181];
-                let _e217 = (_e210[1] << bitcast<u32>(30u));
-                let _e218 = (_e213 & 1073741823u);
-                if (_e189 == 1u) {
-                    let _e305 = survey.member[6u];
-                    if (_e305 == 0u) {
-                        phi_431_ = _e215.member_1[0];
+                    let _e266 = phi_469_;
+                    if (_e222 == 2u) {
+                        phi_474_ = 10u;
                     } else {
-                        if (_e305 == 1u) {
-                            phi_430_ = _e215.member_1[1];
+                        phi_474_ = 1u;
+                    }
+                    let _e269 = phi_474_;
+                    phi_477_ = (_e179 >= (_e266 * _e269));
+                } else {
+                    phi_477_ = false;
+                }
+                let _e273 = phi_477_;
+                if (_e222 != 2u) {
+                    phi_494_ = u32();
+                    phi_495_ = true;
+                } else {
+                    if _e273 {
+                        phi_493_ = u32();
+                    } else {
+                        let _e278 = (((_e244 >> bitcast<u32>(27u)) % 8u) + _e262);
+                        if (_e278 < 8u) {
+                            phi_492_ = _e278;
                         } else {
-                            phi_430_ = _e215.member_1[2];
+                            phi_492_ = 8u;
                         }
-                        let _e313 = phi_430_;
-                        phi_431_ = _e313;
+                        let _e281 = phi_492_;
+                        phi_493_ = _e281;
                     }
-                    let _e317 = phi_431_;
-                    let _e318 = bitcast<u32>(_e317);
-                    if (_e318 == 2147483648u) {
-                        phi_437_ = 0u;
-                    } else {
-                        phi_437_ = _e318;
-                    }
-                    let _e321 = phi_437_;
-                    let _e323 = bitcast<u32>(bitcast<f32>(_e321));
-                    if ((_e323 >> bitcast<u32>(31i)) == 1u) {
-                        phi_447_ = ~(_e323);
-                    } else {
-                        phi_447_ = (_e323 | 2147483648u);
-                    }
-                    let _e330 = phi_447_;
-                    phi_549_ = array<u32, 2>(((_e217 | _e218) + _e144), (_e217 | (_e330 >> bitcast<u32>(2i))));
-                } else {
-                    if (_e189 == 2u) {
-                        let _e222 = (_e192 == 1u);
-                        if _e222 {
-                            phi_460_ = (4u + _e144);
-                        } else {
-                            phi_460_ = _e144;
-                        }
-                        let _e225 = phi_460_;
-                        let _e226 = (_e218 & 1023u);
-                        let _e233 = (((_e218 >> bitcast<u32>(10u)) & 1023u) + (_e225 % 3u));
-                        let _e235 = ((_e218 >> bitcast<u32>(20u)) + (_e225 / 3u));
-                        if (_e233 < 1u) {
-                            phi_535_ = array<u32, 2>();
-                            phi_536_ = true;
-                        } else {
-                            if (_e235 < 1u) {
-                                phi_533_ = array<u32, 2>();
-                                phi_534_ = true;
-                            } else {
-                                if (_e233 > 1024u) {
-                                    phi_531_ = array<u32, 2>();
-                                    phi_532_ = true;
-                                } else {
-                                    let _e239 = (_e235 > 1024u);
-                                    if _e239 {
-                                        phi_530_ = array<u32, 2>();
-                                    } else {
-                                        if (_e226 > 0u) {
-                                            if _e222 {
-                                                if (_e225 == 4u) {
-                                                    phi_496_ = false;
-                                                } else {
-                                                    phi_496_ = true;
-                                                }
-                                                let _e243 = phi_496_;
-                                                phi_497_ = _e243;
-                                            } else {
-                                                phi_497_ = true;
-                                            }
-                                            let _e245 = phi_497_;
-                                            if _e245 {
-                                                phi_502_ = (_e226 - 1u);
-                                                phi_503_ = false;
-                                            } else {
-                                                phi_502_ = u32();
-                                                phi_503_ = true;
-                                            }
-                                            let _e248 = phi_502_;
-                                            let _e250 = phi_503_;
-                                            phi_504_ = _e248;
-                                            phi_505_ = _e250;
-                                        } else {
-                                            phi_504_ = u32();
-                                            phi_505_ = true;
-                                        }
-                                        let _e252 = phi_504_;
-                                        let _e254 = phi_505_;
-                                        if _e254 {
-                                            phi_509_ = _e226;
-                                        } else {
-                                            phi_509_ = _e252;
-                                        }
-                                        let _e256 = phi_509_;
-                                        if ((_e226 + 1u) < 1024u) {
-                                            phi_516_ = (_e226 + 1u);
-                                        } else {
-                                            phi_516_ = _e226;
-                                        }
-                                        let _e261 = phi_516_;
-                                        phi_530_ = array<u32, 2>(((((_e235 - 1u) << bitcast<u32>(20u)) | ((_e233 - 1u) << bitcast<u32>(10u))) | _e256), ((((_e235 - 1u) << bitcast<u32>(20u)) | ((_e233 - 1u) << bitcast<u32>(10u))) | _e261));
-                                    }
-                                    let _e280 = phi_530_;
-                                    phi_531_ = _e280;
-                                    phi_532_ = _e239;
-                                }
-                                let _e282 = phi_531_;
-                                let _e284 = phi_532_;
-                                phi_533_ = _e282;
-                                phi_534_ = _e284;
-                            }
-                            let _e286 = phi_533_;
-                            let _e288 = phi_534_;
-                            phi_535_ = _e286;
-                            phi_536_ = _e288;
-                        }
-                        let _e290 = phi_535_;
-                        let _e292 = phi_536_;
-                        if _e292 {
-                            phi_541_ = array<u32, 2>(1u, 0u);
-                        } else {
-                            phi_541_ = _e290;
-                        }
-                        let _e294 = phi_541_;
-                        phi_548_ = array<u32, 2>((_e217 | _e294[0]), (_e217 | _e294[1]));
-                    } else {
-                        phi_548_ = array<u32, 2>(_e217, _e217);
-                    }
-                    let _e301 = phi_548_;
-                    phi_549_ = _e301;
+                    let _e283 = phi_493_;
+                    phi_494_ = _e283;
+                    phi_495_ = _e273;
                 }
-                let _e336 = phi_549_;
-                if (_e192 == 1u) {
-                    phi_557_ = (_e181 + 1u);
+                let _e285 = phi_494_;
+                let _e287 = phi_495_;
+                if _e287 {
+                    phi_499_ = 8u;
                 } else {
-                    phi_557_ = 0u;
+                    phi_499_ = _e285;
                 }
-                let _e342 = phi_557_;
-                phi_560_ = array<u32, 3>(_e336[0], _e336[1], _e342);
-            } else {
-                phi_560_ = array<u32, 3>(4294967295u, 0u, 0u);
-            }
-            let _e345 = phi_560_;
-            if _e186 {
-                let _e350 = sorted.member[_e181];
-                phi_577_ = _e350;
-            } else {
-                phi_577_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-            }
-            let _e352 = phi_577_;
-            phi_580_ = type_9(0u, (((_e139 >> bitcast<u32>(24i)) & 15u) + 1u));
-            loop {
-                let _e355 = phi_580_;
-                if (_e355.member < _e355.member_1) {
-                    phi_581_ = type_9((_e355.member + 1u), _e355.member_1);
-                    phi_604_ = type_9(1u, _e355.member);
-                } else {
-                    phi_581_ = _e355;
-                    phi_604_ = type_9(0u, type_9().member_1);
-                }
-                let _e367 = phi_581_;
-                let _e369 = phi_604_;
-                let _e373 = (bitcast<i32>(_e369.member) != 0i);
-                if _e373 {
-                    let _e375 = (_e142 + (_e369.member_1 * 128u));
-                    let _e376 = (_e375 + _e53);
-                    if (_e376 < _e93) {
-                        let _e379 = keys.member[_e376];
-                        let _e381 = sorted.member[_e376];
-                        phi_639_ = _e381;
-                        phi_640_ = _e379;
+                let _e289 = phi_499_;
+                if (_e222 == 2u) {
+                    let _e292 = survey.member[6u];
+                    if ((_e292 >> bitcast<u32>(31i)) == 1u) {
+                        phi_521_ = (_e292 & 2147483647u);
                     } else {
-                        phi_639_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_640_ = 4294967295u;
+                        phi_521_ = ~(_e292);
                     }
-                    let _e383 = phi_639_;
-                    let _e385 = phi_640_;
-                    names[_e53] = _e385;
-                    boxes[_e53] = type_16(array<f32, 3>(_e383.member[0], _e383.member[1], _e383.member[2]), array<f32, 3>(_e383.member_1[0], _e383.member_1[1], _e383.member_1[2]));
-                    if (_e53 == 0u) {
-                        atomicStore((&counters[4u]), 0u);
+                    let _e299 = phi_521_;
+                    let _e300 = bitcast<f32>(_e299);
+                    let _e302 = survey.member[7u];
+                    if ((_e302 >> bitcast<u32>(31i)) == 1u) {
+                        phi_540_ = (_e302 & 2147483647u);
+                    } else {
+                        phi_540_ = ~(_e302);
                     }
-                    workgroupBarrier();
-                    phi_661_ = type_9(0u, 128u);
+                    let _e309 = phi_540_;
+                    let _e310 = bitcast<f32>(_e309);
+                    let _e312 = survey.member[8u];
+                    if ((_e312 >> bitcast<u32>(31i)) == 1u) {
+                        phi_559_ = (_e312 & 2147483647u);
+                    } else {
+                        phi_559_ = ~(_e312);
+                    }
+                    let _e319 = phi_559_;
+                    let _e320 = bitcast<f32>(_e319);
+                    local_5 = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                    phi_564_ = type_9(0u, 3u);
                     loop {
-                        let _e402 = phi_661_;
-                        if (_e402.member < _e402.member_1) {
-                            phi_662_ = type_9((_e402.member + 1u), _e402.member_1);
-                            phi_685_ = type_9(1u, _e402.member);
+                        let _e322 = phi_564_;
+                        if (_e322.member < _e322.member_1) {
+                            phi_565_ = type_9((_e322.member + 1u), _e322.member_1);
+                            phi_588_ = type_9(1u, _e322.member);
                         } else {
-                            phi_662_ = _e402;
-                            phi_685_ = type_9(0u, type_9().member_1);
+                            phi_565_ = _e322;
+                            phi_588_ = type_9(0u, type_9().member_1);
                         }
-                        let _e414 = phi_662_;
-                        let _e416 = phi_685_;
-                        let _e420 = (bitcast<i32>(_e416.member) != 0i);
-                        if _e420 {
-                            let _e422 = names[_e416.member_1];
-                            if (_e422 >= _e345[0]) {
-                                if (_e422 <= _e345[1]) {
-                                    if ((_e375 + _e416.member_1) >= _e345[2]) {
-                                        let _e428 = boxes[_e416.member_1];
-                                        if ((((((_e352.member[0] <= _e428.member_1[0]) && (_e428.member[0] <= _e352.member_1[0])) && (_e352.member[1] <= _e428.member_1[1])) && (_e428.member[1] <= _e352.member_1[1])) && (_e352.member[2] <= _e428.member_1[2])) && (_e428.member[2] <= _e352.member_1[2])) {
-                                            let _e461 = atomicAdd((&counters[4u]), 1u);
-                                            if (_e461 < 2048u) {
-                                                hits[_e461] = ((_e53 << bitcast<u32>(7i)) | _e416.member_1);
+                        let _e334 = phi_565_;
+                        let _e336 = phi_588_;
+                        let _e340 = (bitcast<i32>(_e336.member) != 0i);
+                        if _e340 {
+                            let _e342 = survey.member[_e336.member_1];
+                            let _e343 = ~(_e342);
+                            if ((_e343 >> bitcast<u32>(31i)) == 1u) {
+                                phi_614_ = (_e343 & 2147483647u);
+                            } else {
+                                phi_614_ = ~(_e343);
+                            }
+                            let _e350 = phi_614_;
+                            local_5.member[_e336.member_1] = bitcast<f32>(_e350);
+                            let _e356 = survey.member[(3u + _e336.member_1)];
+                            if ((_e356 >> bitcast<u32>(31i)) == 1u) {
+                                phi_640_ = (_e356 & 2147483647u);
+                            } else {
+                                phi_640_ = ~(_e356);
+                            }
+                            let _e363 = phi_640_;
+                            local_5.member_1[_e336.member_1] = bitcast<f32>(_e363);
+                        }
+                        continue;
+                        continuing {
+                            phi_564_ = _e334;
+                            break if !(_e340);
+                        }
+                    }
+                    let _e368 = local_5;
+                    local_6 = type_21(_e368, array<f32, 3>(_e300, _e310, _e320));
+                    if (_e262 == 0u) {
+                        let _e672 = (_e244 & 134217727u);
+                        phi_1157_ = array<u32, 3>((_e672 & 511u), ((_e672 >> bitcast<u32>(9u)) & 511u), (_e672 >> bitcast<u32>(18u)));
+                    } else {
+                        let _e389 = local_6.member.member_1[0u];
+                        let _e393 = local_6.member.member[0u];
+                        let _e398 = local_6.member.member_1[1u];
+                        let _e402 = local_6.member.member[1u];
+                        let _e407 = local_6.member.member_1[2u];
+                        let _e411 = local_6.member.member[2u];
+                        local_3 = array<f32, 3>(((_e389 * 0.5f) - (_e393 * 0.5f)), ((_e398 * 0.5f) - (_e402 * 0.5f)), ((_e407 * 0.5f) - (_e411 * 0.5f)));
+                        phi_773_ = type_9(0u, 9u);
+                        phi_776_ = type_25(type_21(type_16(array<f32, 3>(_e368.member[0], _e368.member[1], _e368.member[2]), array<f32, 3>(_e368.member_1[0], _e368.member_1[1], _e368.member_1[2])), array<f32, 3>(_e300, _e310, _e320)), 0u);
+                        loop {
+                            let _e416 = phi_773_;
+                            let _e418 = phi_776_;
+                            local_9 = _e418;
+                            local_10 = _e418;
+                            local_11 = _e418;
+                            local_12 = _e418;
+                            local_13 = _e418;
+                            local_14 = _e418;
+                            local_15 = _e418;
+                            if (_e416.member < _e416.member_1) {
+                                phi_774_ = type_9((_e416.member + 1u), _e416.member_1);
+                                phi_799_ = type_9(1u, _e416.member);
+                            } else {
+                                phi_774_ = _e416;
+                                phi_799_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e430 = phi_774_;
+                            let _e432 = phi_799_;
+                            if (bitcast<i32>(_e432.member) != 0i) {
+                                phi_809_ = type_9(0u, 3u);
+                                phi_812_ = true;
+                                loop {
+                                    let _e438 = phi_809_;
+                                    let _e440 = phi_812_;
+                                    local_8 = _e440;
+                                    if (_e438.member < _e438.member_1) {
+                                        phi_810_ = type_9((_e438.member + 1u), _e438.member_1);
+                                        phi_835_ = type_9(1u, _e438.member);
+                                    } else {
+                                        phi_810_ = _e438;
+                                        phi_835_ = type_9(0u, type_9().member_1);
+                                    }
+                                    let _e452 = phi_810_;
+                                    let _e454 = phi_835_;
+                                    let _e458 = (bitcast<i32>(_e454.member) != 0i);
+                                    if _e458 {
+                                        let _e460 = local_3[_e454.member_1];
+                                        let _e462 = (_e460 * (1f / 512f));
+                                        if (_e462 > 0.000000000000000000000000000006310887f) {
+                                            phi_857_ = _e462;
+                                        } else {
+                                            phi_857_ = 0.000000000000000000000000000006310887f;
+                                        }
+                                        let _e465 = phi_857_;
+                                        let _e468 = local_6.member_1[_e454.member_1];
+                                        if ((_e468 * bitcast<f32>(((127u - _e432.member_1) << bitcast<u32>(23i)))) > _e465) {
+                                            phi_874_ = false;
+                                        } else {
+                                            phi_874_ = _e440;
+                                        }
+                                        let _e476 = phi_874_;
+                                        phi_813_ = _e476;
+                                    } else {
+                                        phi_813_ = bool();
+                                    }
+                                    let _e478 = phi_813_;
+                                    continue;
+                                    continuing {
+                                        phi_809_ = _e452;
+                                        phi_812_ = _e478;
+                                        break if !(_e458);
+                                    }
+                                }
+                                let _e481 = local_8;
+                                if _e481 {
+                                    phi_880_ = type_25();
+                                    phi_881_ = false;
+                                } else {
+                                    phi_880_ = type_25(_e418.member, (_e432.member_1 + 1u));
+                                    phi_881_ = true;
+                                }
+                                let _e486 = phi_880_;
+                                let _e488 = phi_881_;
+                                phi_777_ = _e486;
+                                phi_882_ = _e488;
+                            } else {
+                                phi_777_ = type_25();
+                                phi_882_ = false;
+                            }
+                            let _e490 = phi_777_;
+                            let _e492 = phi_882_;
+                            continue;
+                            continuing {
+                                phi_773_ = _e430;
+                                phi_776_ = _e490;
+                                break if !(_e492);
+                            }
+                        }
+                        let _e497 = (((_e244 >> bitcast<u32>(27u)) % 8u) + _e262);
+                        if (_e497 < 8u) {
+                            phi_890_ = _e497;
+                        } else {
+                            phi_890_ = 8u;
+                        }
+                        let _e500 = phi_890_;
+                        let _e502 = local_9;
+                        let _e507 = local_10;
+                        if (_e507.member_1 < 8u) {
+                            let _e511 = local_11;
+                            phi_900_ = (_e511.member_1 + 1u);
+                        } else {
+                            phi_900_ = 8u;
+                        }
+                        let _e515 = phi_900_;
+                        if ((_e500 + 1u) >= _e515) {
+                            phi_907_ = 0u;
+                        } else {
+                            let _e518 = local_12;
+                            phi_907_ = (_e518.member_1 - _e500);
+                        }
+                        let _e522 = phi_907_;
+                        let _e526 = bitcast<f32>(((127u - _e522) << bitcast<u32>(23i)));
+                        let _e528 = local_13;
+                        let _e534 = local_14;
+                        let _e540 = local_15;
+                        local_2.member = type_16(array<f32, 3>(_e502.member.member.member[0], _e502.member.member.member[1], _e502.member.member.member[2]), array<f32, 3>(_e502.member.member.member_1[0], _e502.member.member.member_1[1], _e502.member.member.member_1[2]));
+                        local_2.member_1 = array<f32, 3>((_e528.member.member_1[0] * _e526), (_e534.member.member_1[1] * _e526), (_e540.member.member_1[2] * _e526));
+                        local_1.member = array<f32, 3>(0f, 0f, 0f);
+                        local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
+                        phi_939_ = type_9(0u, 3u);
+                        loop {
+                            let _e562 = phi_939_;
+                            if (_e562.member < _e562.member_1) {
+                                phi_940_ = type_9((_e562.member + 1u), _e562.member_1);
+                                phi_963_ = type_9(1u, _e562.member);
+                            } else {
+                                phi_940_ = _e562;
+                                phi_963_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e574 = phi_940_;
+                            let _e576 = phi_963_;
+                            let _e580 = (bitcast<i32>(_e576.member) != 0i);
+                            if _e580 {
+                                let _e584 = local_2.member.member[_e576.member_1];
+                                let _e588 = local_2.member.member_1[_e576.member_1];
+                                let _e593 = (((_e588 * 0.5f) - (_e584 * 0.5f)) * (1f / 512f));
+                                let _e596 = local_2.member_1[_e576.member_1];
+                                let _e599 = local_2.member_1[_e576.member_1];
+                                let _e601 = (_e596 + (_e599 * 0.00390625f));
+                                if (_e593 > _e601) {
+                                    phi_1014_ = _e593;
+                                } else {
+                                    phi_1014_ = _e601;
+                                }
+                                let _e604 = phi_1014_;
+                                if (0.000000000000000000000000000006310887f > _e604) {
+                                    phi_1019_ = 0.000000000000000000000000000006310887f;
+                                } else {
+                                    phi_1019_ = _e604;
+                                }
+                                let _e607 = phi_1019_;
+                                local_1.member[_e576.member_1] = (_e584 * 0.25f);
+                                local_1.member_1[_e576.member_1] = (1f / _e607);
+                            }
+                            continue;
+                            continuing {
+                                phi_939_ = _e574;
+                                break if !(_e580);
+                            }
+                        }
+                        let _e615 = local_1;
+                        local_4 = _e615;
+                        local = array<u32, 3>(0u, 0u, 0u);
+                        phi_1060_ = type_9(0u, 3u);
+                        loop {
+                            let _e617 = phi_1060_;
+                            if (_e617.member < _e617.member_1) {
+                                phi_1061_ = type_9((_e617.member + 1u), _e617.member_1);
+                                phi_1084_ = type_9(1u, _e617.member);
+                            } else {
+                                phi_1061_ = _e617;
+                                phi_1084_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e629 = phi_1061_;
+                            let _e631 = phi_1084_;
+                            let _e635 = (bitcast<i32>(_e631.member) != 0i);
+                            if _e635 {
+                                let _e638 = local_4.member[_e631.member_1];
+                                let _e641 = local_7.member[_e631.member_1];
+                                let _e646 = local_7.member_1[_e631.member_1];
+                                let _e652 = local_4.member_1[_e631.member_1];
+                                let _e653 = ((((_e641 * 0.25f) - _e638) + ((_e646 * 0.25f) - _e638)) * _e652);
+                                if (_e653 >= 511f) {
+                                    phi_1145_ = 511u;
+                                } else {
+                                    if (_e653 > 0f) {
+                                        phi_1144_ = select(select(u32(_e653), 0u, (_e653 < 0f)), 4294967295u, (_e653 > 4294967000f));
+                                    } else {
+                                        phi_1144_ = 0u;
+                                    }
+                                    let _e662 = phi_1144_;
+                                    phi_1145_ = _e662;
+                                }
+                                let _e664 = phi_1145_;
+                                local[_e631.member_1] = _e664;
+                            }
+                            continue;
+                            continuing {
+                                phi_1060_ = _e629;
+                                break if !(_e635);
+                            }
+                        }
+                        let _e667 = local;
+                        phi_1157_ = array<u32, 3>(_e667[0], _e667[1], _e667[2]);
+                    }
+                    let _e681 = phi_1157_;
+                    phi_1158_ = _e681;
+                } else {
+                    phi_1158_ = array<u32, 3>(0u, 0u, 0u);
+                }
+                let _e683 = phi_1158_;
+                let _e685 = (_e241[1] << bitcast<u32>(30u));
+                if (_e222 == 1u) {
+                    let _e807 = survey.member[6u];
+                    if (_e807 == 0u) {
+                        let _e817 = local_7.member_1[0u];
+                        phi_1193_ = _e817;
+                    } else {
+                        if (_e807 == 1u) {
+                            let _e813 = local_7.member_1[1u];
+                            phi_1192_ = _e813;
+                        } else {
+                            let _e811 = local_7.member_1[2u];
+                            phi_1192_ = _e811;
+                        }
+                        let _e815 = phi_1192_;
+                        phi_1193_ = _e815;
+                    }
+                    let _e819 = phi_1193_;
+                    let _e820 = bitcast<u32>(_e819);
+                    if (_e820 == 2147483648u) {
+                        phi_1199_ = 0u;
+                    } else {
+                        phi_1199_ = _e820;
+                    }
+                    let _e823 = phi_1199_;
+                    let _e825 = bitcast<u32>(bitcast<f32>(_e823));
+                    if ((_e825 >> bitcast<u32>(31i)) == 1u) {
+                        phi_1209_ = ~(_e825);
+                    } else {
+                        phi_1209_ = (_e825 | 2147483648u);
+                    }
+                    let _e832 = phi_1209_;
+                    phi_1356_ = array<u32, 2>(((_e685 | (_e244 & 1073741823u)) + _e179), (_e685 | (_e832 >> bitcast<u32>(2i))));
+                } else {
+                    if (_e222 == 2u) {
+                        let _e689 = (_e179 % 80u);
+                        let _e691 = (_e689 % 10u);
+                        if (_e225 == 1u) {
+                            phi_1225_ = ((_e689 / 10u) == 0u);
+                        } else {
+                            phi_1225_ = false;
+                        }
+                        let _e695 = phi_1225_;
+                        if (_e289 >= 8u) {
+                            phi_1342_ = array<u32, 2>();
+                            phi_1343_ = true;
+                        } else {
+                            if _e695 {
+                                if (_e691 < 4u) {
+                                    phi_1237_ = false;
+                                } else {
+                                    phi_1237_ = true;
+                                }
+                                let _e699 = phi_1237_;
+                                phi_1238_ = _e699;
+                            } else {
+                                phi_1238_ = true;
+                            }
+                            let _e701 = phi_1238_;
+                            if _e701 {
+                                if (_e691 == 9u) {
+                                    phi_1332_ = array<u32, 2>(0u, 134217727u);
+                                } else {
+                                    let _e705 = (_e683[1] + (_e691 % 3u));
+                                    let _e708 = (_e683[2] + (_e691 / 3u));
+                                    if (_e705 < 1u) {
+                                        phi_1325_ = array<u32, 2>();
+                                        phi_1326_ = true;
+                                    } else {
+                                        if (_e708 < 1u) {
+                                            phi_1323_ = array<u32, 2>();
+                                            phi_1324_ = true;
+                                        } else {
+                                            if (_e705 > 512u) {
+                                                phi_1321_ = array<u32, 2>();
+                                                phi_1322_ = true;
                                             } else {
-                                                let _e465 = order.member[_e181];
-                                                let _e467 = order.member[(_e375 + _e416.member_1)];
-                                                let _e470 = params.member.member_2.member_1;
-                                                if (_e470 == 1u) {
-                                                    let _e502 = params.member.member.member_2[1u];
-                                                    let _e503 = (_e465 - _e502);
-                                                    let _e507 = params.member.member.member_2[1u];
-                                                    let _e508 = (_e467 - _e507);
-                                                    if (_e503 < _e508) {
-                                                        phi_798_ = type_9(_e503, _e508);
-                                                    } else {
-                                                        phi_798_ = type_9(_e508, _e503);
-                                                    }
-                                                    let _e513 = phi_798_;
-                                                    phi_831_ = _e513;
+                                                let _e712 = (_e708 > 512u);
+                                                if _e712 {
+                                                    phi_1320_ = array<u32, 2>();
                                                 } else {
-                                                    let _e474 = params.member.member_2.member;
-                                                    if (_e474 == 1u) {
-                                                        if (_e144 == 1u) {
-                                                            let _e480 = params.member.member.member_2[2u];
-                                                            phi_818_ = type_9(_e467, (_e465 - _e480));
-                                                            phi_819_ = false;
+                                                    if (_e683[0] > 0u) {
+                                                        if _e695 {
+                                                            if (_e691 == 4u) {
+                                                                phi_1281_ = false;
+                                                            } else {
+                                                                phi_1281_ = true;
+                                                            }
+                                                            let _e717 = phi_1281_;
+                                                            phi_1282_ = _e717;
                                                         } else {
-                                                            phi_818_ = type_9();
-                                                            phi_819_ = true;
+                                                            phi_1282_ = true;
                                                         }
-                                                        let _e484 = phi_818_;
-                                                        let _e486 = phi_819_;
-                                                        phi_820_ = _e484;
-                                                        phi_821_ = _e486;
+                                                        let _e719 = phi_1282_;
+                                                        if _e719 {
+                                                            phi_1288_ = (_e683[0] - 1u);
+                                                            phi_1289_ = false;
+                                                        } else {
+                                                            phi_1288_ = u32();
+                                                            phi_1289_ = true;
+                                                        }
+                                                        let _e723 = phi_1288_;
+                                                        let _e725 = phi_1289_;
+                                                        phi_1290_ = _e723;
+                                                        phi_1291_ = _e725;
                                                     } else {
-                                                        phi_820_ = type_9();
-                                                        phi_821_ = true;
+                                                        phi_1290_ = u32();
+                                                        phi_1291_ = true;
                                                     }
-                                                    let _e488 = phi_820_;
-                                                    let _e490 = phi_821_;
-                                                    if _e490 {
-                                                        let _e494 = params.member.member.member_2[2u];
-                                                        phi_830_ = type_9(_e465, (_e467 - _e494));
+                                                    let _e727 = phi_1290_;
+                                                    let _e729 = phi_1291_;
+                                                    if _e729 {
+                                                        phi_1296_ = _e683[0];
                                                     } else {
-                                                        phi_830_ = _e488;
+                                                        phi_1296_ = _e727;
                                                     }
-                                                    let _e498 = phi_830_;
-                                                    phi_831_ = _e498;
+                                                    let _e732 = phi_1296_;
+                                                    if ((_e683[0] + 1u) < 512u) {
+                                                        phi_1306_ = (_e683[0] + 1u);
+                                                    } else {
+                                                        phi_1306_ = _e683[0];
+                                                    }
+                                                    let _e740 = phi_1306_;
+                                                    phi_1320_ = array<u32, 2>(((((_e708 - 1u) << bitcast<u32>(18u)) | ((_e705 - 1u) << bitcast<u32>(9u))) | _e732), ((((_e708 - 1u) << bitcast<u32>(18u)) | ((_e705 - 1u) << bitcast<u32>(9u))) | _e740));
                                                 }
-                                                let _e515 = phi_831_;
-                                                let _e520 = params.member.member_1.member_3;
-                                                let _e522 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e522 + 1u) < _e522) {
-                                                    let _e526 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e759 = phi_1320_;
+                                                phi_1321_ = _e759;
+                                                phi_1322_ = _e712;
+                                            }
+                                            let _e761 = phi_1321_;
+                                            let _e763 = phi_1322_;
+                                            phi_1323_ = _e761;
+                                            phi_1324_ = _e763;
+                                        }
+                                        let _e765 = phi_1323_;
+                                        let _e767 = phi_1324_;
+                                        phi_1325_ = _e765;
+                                        phi_1326_ = _e767;
+                                    }
+                                    let _e769 = phi_1325_;
+                                    let _e771 = phi_1326_;
+                                    if _e771 {
+                                        phi_1331_ = array<u32, 2>(1u, 0u);
+                                    } else {
+                                        phi_1331_ = _e769;
+                                    }
+                                    let _e773 = phi_1331_;
+                                    phi_1332_ = _e773;
+                                }
+                                let _e775 = phi_1332_;
+                                phi_1340_ = array<u32, 2>(((_e289 << bitcast<u32>(27u)) | _e775[0]), ((_e289 << bitcast<u32>(27u)) | _e775[1]));
+                                phi_1341_ = false;
+                            } else {
+                                phi_1340_ = array<u32, 2>();
+                                phi_1341_ = true;
+                            }
+                            let _e786 = phi_1340_;
+                            let _e788 = phi_1341_;
+                            phi_1342_ = _e786;
+                            phi_1343_ = _e788;
+                        }
+                        let _e790 = phi_1342_;
+                        let _e792 = phi_1343_;
+                        if _e792 {
+                            phi_1348_ = array<u32, 2>(1u, 0u);
+                        } else {
+                            phi_1348_ = _e790;
+                        }
+                        let _e794 = phi_1348_;
+                        phi_1355_ = array<u32, 2>((_e685 | _e794[0]), (_e685 | _e794[1]));
+                    } else {
+                        phi_1355_ = array<u32, 2>(_e685, _e685);
+                    }
+                    let _e801 = phi_1355_;
+                    phi_1356_ = _e801;
+                }
+                let _e838 = phi_1356_;
+                if (_e225 == 1u) {
+                    phi_1364_ = (_e214 + 1u);
+                } else {
+                    phi_1364_ = 0u;
+                }
+                let _e844 = phi_1364_;
+                phi_1367_ = array<u32, 3>(_e838[0], _e838[1], _e844);
+            } else {
+                phi_1367_ = array<u32, 3>(4294967295u, 0u, 0u);
+            }
+            let _e847 = phi_1367_;
+            if _e219 {
+                let _e852 = sorted.member[_e214];
+                phi_1384_ = _e852;
+            } else {
+                phi_1384_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            }
+            let _e854 = phi_1384_;
+            phi_1387_ = type_9(0u, ((_e177 >> bitcast<u32>(29i)) + 1u));
+            loop {
+                let _e857 = phi_1387_;
+                if (_e857.member < _e857.member_1) {
+                    phi_1388_ = type_9((_e857.member + 1u), _e857.member_1);
+                    phi_1411_ = type_9(1u, _e857.member);
+                } else {
+                    phi_1388_ = _e857;
+                    phi_1411_ = type_9(0u, type_9().member_1);
+                }
+                let _e869 = phi_1388_;
+                let _e871 = phi_1411_;
+                let _e875 = (bitcast<i32>(_e871.member) != 0i);
+                if _e875 {
+                    let _e877 = ((_e177 & 536870911u) + (_e871.member_1 * 128u));
+                    let _e878 = (_e877 + _e88);
+                    if (_e878 < _e128) {
+                        let _e881 = keys.member[_e878];
+                        let _e883 = sorted.member[_e878];
+                        phi_1446_ = _e883;
+                        phi_1447_ = _e881;
+                    } else {
+                        phi_1446_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_1447_ = 4294967295u;
+                    }
+                    let _e885 = phi_1446_;
+                    let _e887 = phi_1447_;
+                    names[_e88] = _e887;
+                    boxes[_e88] = type_16(array<f32, 3>(_e885.member[0], _e885.member[1], _e885.member[2]), array<f32, 3>(_e885.member_1[0], _e885.member_1[1], _e885.member_1[2]));
+                    if (_e88 == 0u) {
+                        atomicStore((&counters[0u]), 0u);
+                    }
+                    workgroupBarrier();
+                    phi_1468_ = type_9(0u, 128u);
+                    loop {
+                        let _e904 = phi_1468_;
+                        if (_e904.member < _e904.member_1) {
+                            phi_1469_ = type_9((_e904.member + 1u), _e904.member_1);
+                            phi_1492_ = type_9(1u, _e904.member);
+                        } else {
+                            phi_1469_ = _e904;
+                            phi_1492_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e916 = phi_1469_;
+                        let _e918 = phi_1492_;
+                        let _e922 = (bitcast<i32>(_e918.member) != 0i);
+                        if _e922 {
+                            let _e924 = names[_e918.member_1];
+                            if (_e924 >= _e847[0]) {
+                                if (_e924 <= _e847[1]) {
+                                    if ((_e877 + _e918.member_1) >= _e847[2]) {
+                                        let _e930 = boxes[_e918.member_1];
+                                        if ((((((_e854.member[0] <= _e930.member_1[0]) && (_e930.member[0] <= _e854.member_1[0])) && (_e854.member[1] <= _e930.member_1[1])) && (_e930.member[1] <= _e854.member_1[1])) && (_e854.member[2] <= _e930.member_1[2])) && (_e930.member[2] <= _e854.member_1[2])) {
+                                            let _e963 = atomicAdd((&counters[0u]), 1u);
+                                            if (_e963 < 2048u) {
+                                                hits[_e963] = ((_e88 << bitcast<u32>(7i)) | _e918.member_1);
+                                            } else {
+                                                let _e967 = order.member[_e214];
+                                                let _e969 = order.member[(_e877 + _e918.member_1)];
+                                                let _e972 = params.member.member_2.member_1;
+                                                if (_e972 == 1u) {
+                                                    let _e1002 = params.member.member.member_2[1u];
+                                                    let _e1003 = (_e967 - _e1002);
+                                                    let _e1007 = params.member.member.member_2[1u];
+                                                    let _e1008 = (_e969 - _e1007);
+                                                    if (_e1003 < _e1008) {
+                                                        phi_1605_ = type_9(_e1003, _e1008);
+                                                    } else {
+                                                        phi_1605_ = type_9(_e1008, _e1003);
+                                                    }
+                                                    let _e1013 = phi_1605_;
+                                                    phi_1638_ = _e1013;
+                                                } else {
+                                                    let _e976 = params.member.member_2.member;
+                                                    if (_e976 == 2u) {
+                                                        phi_1616_ = 8u;
+                                                    } else {
+                                                        phi_1616_ = 1u;
+                                                    }
+                                                    let _e979 = phi_1616_;
+                                                    if (_e976 == 2u) {
+                                                        phi_1621_ = 10u;
+                                                    } else {
+                                                        phi_1621_ = 1u;
+                                                    }
+                                                    let _e982 = phi_1621_;
+                                                    if (_e179 >= (_e979 * _e982)) {
+                                                        let _e994 = params.member.member.member_2[2u];
+                                                        phi_1637_ = type_9(_e969, (_e967 - _e994));
+                                                    } else {
+                                                        let _e988 = params.member.member.member_2[2u];
+                                                        phi_1637_ = type_9(_e967, (_e969 - _e988));
+                                                    }
+                                                    let _e998 = phi_1637_;
+                                                    phi_1638_ = _e998;
                                                 }
-                                                if (_e522 < _e520) {
-                                                    let _e528 = (2u * _e522);
-                                                    atomicStore((&pairs.member[(4u + _e528)]), _e515.member);
-                                                    atomicStore((&pairs.member[(_e528 + 5u)]), _e515.member_1);
+                                                let _e1015 = phi_1638_;
+                                                let _e1020 = params.member.member_1.member_3;
+                                                let _e1022 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e1022 + 1u) < _e1022) {
+                                                    let _e1026 = atomicAdd((&pairs.member[2u]), 1u);
+                                                }
+                                                if (_e1022 < _e1020) {
+                                                    let _e1028 = (2u * _e1022);
+                                                    atomicStore((&pairs.member[(4u + _e1028)]), _e1015.member);
+                                                    atomicStore((&pairs.member[(_e1028 + 5u)]), _e1015.member_1);
                                                 }
                                             }
                                         }
@@ -591,160 +1032,148 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_661_ = _e414;
-                            break if !(_e420);
+                            phi_1468_ = _e916;
+                            break if !(_e922);
                         }
                     }
                     workgroupBarrier();
-                    let _e539 = atomicLoad((&counters[4u]));
-                    if (2048u < _e539) {
-                        phi_866_ = 2048u;
+                    let _e1039 = atomicLoad((&counters[0u]));
+                    if (2048u < _e1039) {
+                        phi_1673_ = 2048u;
                     } else {
-                        phi_866_ = _e539;
+                        phi_1673_ = _e1039;
                     }
-                    let _e542 = phi_866_;
-                    if (_e53 == 0u) {
-                        if (_e542 > 0u) {
-                            let _e546 = atomicAdd((&pairs.member[0u]), _e542);
-                            if ((_e546 + _e542) < _e546) {
-                                let _e550 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1042 = phi_1673_;
+                    if (_e88 == 0u) {
+                        if (_e1042 > 0u) {
+                            let _e1046 = atomicAdd((&pairs.member[0u]), _e1042);
+                            if ((_e1046 + _e1042) < _e1046) {
+                                let _e1050 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[5u]), _e546);
+                            atomicStore((&counters[1u]), _e1046);
                         }
                     }
                     workgroupBarrier();
-                    let _e553 = atomicLoad((&counters[5u]));
-                    phi_892_ = type_9(0u, 16u);
+                    let _e1053 = atomicLoad((&counters[1u]));
+                    phi_1699_ = type_9(0u, 16u);
                     loop {
-                        let _e555 = phi_892_;
-                        if (_e555.member < _e555.member_1) {
-                            phi_893_ = type_9((_e555.member + 1u), _e555.member_1);
-                            phi_916_ = type_9(1u, _e555.member);
+                        let _e1055 = phi_1699_;
+                        if (_e1055.member < _e1055.member_1) {
+                            phi_1700_ = type_9((_e1055.member + 1u), _e1055.member_1);
+                            phi_1723_ = type_9(1u, _e1055.member);
                         } else {
-                            phi_893_ = _e555;
-                            phi_916_ = type_9(0u, type_9().member_1);
+                            phi_1700_ = _e1055;
+                            phi_1723_ = type_9(0u, type_9().member_1);
                         }
-                        let _e567 = phi_893_;
-                        let _e569 = phi_916_;
-                        if (bitcast<i32>(_e569.member) != 0i) {
-                            let _e575 = ((_e569.member_1 * 128u) + _e53);
-                            if (_e575 >= _e542) {
-                                phi_1081_ = false;
+                        let _e1067 = phi_1700_;
+                        let _e1069 = phi_1723_;
+                        if (bitcast<i32>(_e1069.member) != 0i) {
+                            let _e1075 = ((_e1069.member_1 * 128u) + _e88);
+                            if (_e1075 >= _e1042) {
+                                phi_1888_ = false;
                             } else {
-                                let _e578 = hits[_e575];
-                                let _e583 = params.member.member_2.member;
-                                let _e586 = params.member.member_2.member_1;
-                                if (_e586 == 0u) {
-                                    phi_947_ = array<u32, 2>(0u, 2u);
+                                let _e1078 = hits[_e1075];
+                                let _e1083 = params.member.member_2.member;
+                                let _e1086 = params.member.member_2.member_1;
+                                if (_e1086 == 0u) {
+                                    phi_1754_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_947_ = array<u32, 2>(1u, 1u);
+                                    phi_1754_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e589 = phi_947_;
-                                if (_e583 == 1u) {
-                                    if (_e144 == 1u) {
-                                        phi_959_ = array<u32, 2>(_e589[1], _e589[0]);
-                                        phi_960_ = false;
-                                    } else {
-                                        phi_959_ = array<u32, 2>();
-                                        phi_960_ = true;
-                                    }
-                                    let _e596 = phi_959_;
-                                    let _e598 = phi_960_;
-                                    phi_961_ = _e596;
-                                    phi_962_ = _e598;
+                                let _e1089 = phi_1754_;
+                                if (_e1083 == 2u) {
+                                    phi_1761_ = 8u;
                                 } else {
-                                    phi_961_ = array<u32, 2>();
-                                    phi_962_ = true;
+                                    phi_1761_ = 1u;
                                 }
-                                let _e600 = phi_961_;
-                                let _e602 = phi_962_;
-                                if _e602 {
-                                    phi_967_ = _e589;
+                                let _e1094 = phi_1761_;
+                                if (_e1083 == 2u) {
+                                    phi_1766_ = 10u;
                                 } else {
-                                    phi_967_ = _e600;
+                                    phi_1766_ = 1u;
                                 }
-                                let _e604 = phi_967_;
-                                let _e611 = params.member.member.member_2[_e604[0]];
-                                let _e616 = order.member[(_e611 + ((_e149 * 128u) + (_e578 >> bitcast<u32>(7i))))];
-                                let _e618 = order.member[(_e375 + (_e578 % 128u))];
-                                let _e621 = params.member.member_2.member_1;
-                                if (_e621 == 1u) {
-                                    let _e653 = params.member.member.member_2[1u];
-                                    let _e654 = (_e616 - _e653);
-                                    let _e658 = params.member.member.member_2[1u];
-                                    let _e659 = (_e618 - _e658);
-                                    if (_e654 < _e659) {
-                                        phi_1030_ = type_9(_e654, _e659);
-                                    } else {
-                                        phi_1030_ = type_9(_e659, _e654);
-                                    }
-                                    let _e664 = phi_1030_;
-                                    phi_1063_ = _e664;
+                                let _e1097 = phi_1766_;
+                                if (_e179 >= (_e1094 * _e1097)) {
+                                    phi_1774_ = array<u32, 2>(_e1089[1], _e1089[0]);
                                 } else {
-                                    let _e625 = params.member.member_2.member;
-                                    if (_e625 == 1u) {
-                                        if (_e144 == 1u) {
-                                            let _e631 = params.member.member.member_2[2u];
-                                            phi_1050_ = type_9(_e618, (_e616 - _e631));
-                                            phi_1051_ = false;
-                                        } else {
-                                            phi_1050_ = type_9();
-                                            phi_1051_ = true;
-                                        }
-                                        let _e635 = phi_1050_;
-                                        let _e637 = phi_1051_;
-                                        phi_1052_ = _e635;
-                                        phi_1053_ = _e637;
-                                    } else {
-                                        phi_1052_ = type_9();
-                                        phi_1053_ = true;
-                                    }
-                                    let _e639 = phi_1052_;
-                                    let _e641 = phi_1053_;
-                                    if _e641 {
-                                        let _e645 = params.member.member.member_2[2u];
-                                        phi_1062_ = type_9(_e616, (_e618 - _e645));
-                                    } else {
-                                        phi_1062_ = _e639;
-                                    }
-                                    let _e649 = phi_1062_;
-                                    phi_1063_ = _e649;
+                                    phi_1774_ = _e1089;
                                 }
-                                let _e666 = phi_1063_;
-                                let _e671 = params.member.member_1.member_3;
-                                let _e672 = (_e553 + _e575);
-                                if (_e672 < _e671) {
-                                    let _e674 = (2u * _e672);
-                                    atomicStore((&pairs.member[(4u + _e674)]), _e666.member);
-                                    atomicStore((&pairs.member[(_e674 + 5u)]), _e666.member_1);
+                                let _e1102 = phi_1774_;
+                                let _e1109 = params.member.member.member_2[_e1102[0]];
+                                let _e1114 = order.member[(_e1109 + ((_e183 * 128u) + (_e1078 >> bitcast<u32>(7i))))];
+                                let _e1116 = order.member[(_e877 + (_e1078 % 128u))];
+                                let _e1119 = params.member.member_2.member_1;
+                                if (_e1119 == 1u) {
+                                    let _e1149 = params.member.member.member_2[1u];
+                                    let _e1150 = (_e1114 - _e1149);
+                                    let _e1154 = params.member.member.member_2[1u];
+                                    let _e1155 = (_e1116 - _e1154);
+                                    if (_e1150 < _e1155) {
+                                        phi_1837_ = type_9(_e1150, _e1155);
+                                    } else {
+                                        phi_1837_ = type_9(_e1155, _e1150);
+                                    }
+                                    let _e1160 = phi_1837_;
+                                    phi_1870_ = _e1160;
+                                } else {
+                                    let _e1123 = params.member.member_2.member;
+                                    if (_e1123 == 2u) {
+                                        phi_1848_ = 8u;
+                                    } else {
+                                        phi_1848_ = 1u;
+                                    }
+                                    let _e1126 = phi_1848_;
+                                    if (_e1123 == 2u) {
+                                        phi_1853_ = 10u;
+                                    } else {
+                                        phi_1853_ = 1u;
+                                    }
+                                    let _e1129 = phi_1853_;
+                                    if (_e179 >= (_e1126 * _e1129)) {
+                                        let _e1141 = params.member.member.member_2[2u];
+                                        phi_1869_ = type_9(_e1116, (_e1114 - _e1141));
+                                    } else {
+                                        let _e1135 = params.member.member.member_2[2u];
+                                        phi_1869_ = type_9(_e1114, (_e1116 - _e1135));
+                                    }
+                                    let _e1145 = phi_1869_;
+                                    phi_1870_ = _e1145;
                                 }
-                                phi_1081_ = true;
+                                let _e1162 = phi_1870_;
+                                let _e1167 = params.member.member_1.member_3;
+                                let _e1168 = (_e1053 + _e1075);
+                                if (_e1168 < _e1167) {
+                                    let _e1170 = (2u * _e1168);
+                                    atomicStore((&pairs.member[(4u + _e1170)]), _e1162.member);
+                                    atomicStore((&pairs.member[(_e1170 + 5u)]), _e1162.member_1);
+                                }
+                                phi_1888_ = true;
                             }
-                            let _e680 = phi_1081_;
-                            phi_1082_ = _e680;
+                            let _e1176 = phi_1888_;
+                            phi_1889_ = _e1176;
                         } else {
-                            phi_1082_ = false;
+                            phi_1889_ = false;
                         }
-                        let _e682 = phi_1082_;
+                        let _e1178 = phi_1889_;
                         continue;
                         continuing {
-                            phi_892_ = _e567;
-                            break if !(_e682);
+                            phi_1699_ = _e1067;
+                            break if !(_e1178);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_580_ = _e367;
-                    break if !(_e373);
+                    phi_1387_ = _e869;
+                    break if !(_e875);
                 }
             }
         }
         continue;
         continuing {
-            phi_215_ = _e123;
-            break if !(_e129);
+            phi_257_ = _e158;
+            break if !(_e164);
         }
     }
     return;

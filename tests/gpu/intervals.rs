@@ -8,10 +8,11 @@ use ccd::gpu::Device;
 use ccd::gpu::bind::{
     IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SurveyAxis, SurveySides,
 };
+use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair};
 use ccd_core::backend::broad_phase::key_intervals::{
     self, BRUTE_FORCE, CHUNK, FOUND, GROUP, POOL, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID,
-    asks, rows, unpack,
+    asks, rows_a_turn, turns, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word};
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
@@ -20,8 +21,12 @@ use ccd_core::backend::layout::{Dispatch, Intervals, LIST_HEADER, Params};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 
-pub const TESTS: crate::Tests =
-    &[("surveys", check_surveys), ("intervals", check_intervals), ("crowds", check_crowds)];
+pub const TESTS: crate::Tests = &[
+    ("surveys", check_surveys),
+    ("intervals", check_intervals),
+    ("crowds", check_crowds),
+    ("grids_of_many_sizes", check_sizes),
+];
 
 const METHODS: [u32; 3] = [BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID];
 
@@ -112,10 +117,18 @@ fn sorted(device: &Device, method: u32, sets: [&[Aabb]; 3]) -> Sorted {
     Sorted { twin, survey, keys, order, boxes }
 }
 
-/// The pieces of work of a kind, and the pairs that they give.
+/// The pairs of a kind.
 fn found(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
-    let (capacity_out, mut all) = (100_000, Vec::new());
-    for row in 0..rows(method, kind) {
+    pairs_of(device, method, kind, sets, &work(device, method, kind, sets))
+}
+
+/// Pieces of work, or pairs, at most.
+const CAPACITY: u32 = 100_000;
+
+/// The pieces of work of a kind.
+fn work(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
+    let (capacity_out, mut all) = (CAPACITY, Vec::new());
+    for row in (0..turns(method, kind)).map(|turn| turn * rows_a_turn(method)) {
         let asking = sets.twin.frame.count[asks(method, kind, row)[0] as usize];
         let p = |capacity_out| {
             let dispatch = Dispatch { capacity_out, ..Dispatch::default() };
@@ -132,9 +145,9 @@ fn found(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
         let pieces = entries(&done.work);
         for piece in &pieces {
             let [of_row, tiles, group, first] = unpack([piece.a, piece.b]);
-            assert!(
-                of_row == row && group < asking.div_ceil(GROUP) && first < sets.keys.len() as u32
-            );
+            let rows = row..row + rows_a_turn(method);
+            assert!(rows.contains(&of_row) && group < asking.div_ceil(GROUP));
+            assert!(first < sets.keys.len() as u32);
             assert!(tiles <= CHUNK / GROUP, "{tiles} groups in a piece");
         }
         let short = run(device, kernel(capacity(3)), &p(1), asking.div_ceil(GROUP));
@@ -143,7 +156,12 @@ fn found(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
         assert!(words[LIST_HEADER + 2..].iter().all(|&w| w == 0), "written beyond the capacity");
         all.extend(pieces);
     }
-    let mut pairs = Vec::new();
+    all
+}
+
+/// The pairs that pieces of work give.
+fn pairs_of(device: &Device, method: u32, kind: u32, sets: &Sorted, all: &[Pair]) -> Vec<Pair> {
+    let (capacity_out, mut pairs) = (CAPACITY, Vec::new());
     let n = all.len() as u32;
     let work = |first, n, pairs| {
         let dispatch = Dispatch { n, first, capacity_in: all.len() as u32, capacity_out };
@@ -152,7 +170,7 @@ fn found(device: &Device, method: u32, kind: u32, sets: &Sorted) -> Vec<Pair> {
             keys: bytes(&sets.keys),
             order: bytes(&sets.order),
             survey: bytes(&sets.survey),
-            work: list(&all),
+            work: list(all),
             pairs,
         };
         run(device, kernel, &params(&sets.twin, dispatch, method, kind, 0), 5).pairs
@@ -196,4 +214,37 @@ fn check_crowds(device: &Device) {
         let within = sorted(device, method, [&[], &boxes, &[]]);
         check_pairs("crowd", brute::self_pairs(&boxes), found(device, method, 1, &within));
     }
+}
+
+/// One box as large as the scene among 20,000 small ones, and some of sizes between: the pairs, and
+/// how many tiles of boxes are compared with groups.
+fn check_sizes(device: &Device) {
+    let mut boxes = uniform_boxes(20_000);
+    for k in 0..40 {
+        let by = 0.3 / (1 << (k % 8)) as f32;
+        boxes[500 * k] = boxes[500 * k].inflated(by);
+    }
+    boxes[777] = union(boxes.iter());
+    let (a, b) = boxes.split_at(10_000);
+    for (kind, sets, want) in [
+        (1, [&[], &boxes[..], &[]], brute::self_pairs(&boxes)),
+        (0, [a, &[], b], brute::pairs(a, b)),
+    ] {
+        let method = UNIFORM_GRID;
+        let sorted = sorted(device, method, sets);
+        let work = work(device, method, kind, &sorted);
+        let tiles: u32 = work.iter().map(|p| unpack([p.a, p.b])[1]).sum();
+        let groups = |n: usize| n.div_ceil(GROUP as usize) as u32;
+        let all = if kind == 1 {
+            groups(boxes.len()) * groups(boxes.len()) / 2
+        } else {
+            groups(a.len()) * groups(b.len())
+        };
+        println!("kind {kind}: {tiles} tiles, {all} by brute force");
+        assert!(2 * tiles < all, "{tiles} tiles, {all} by brute force");
+        assert!(want.len() > 700);
+        check_pairs("boxes of many sizes", want, pairs_of(device, method, kind, &sorted, &work));
+    }
+    let mut grid = ccd::gpu::BroadPhase::new(device, BroadPhaseMethod::UniformGrid).unwrap();
+    check_pairs("by the grid", brute::self_pairs(&boxes), grid.self_pairs(&boxes).unwrap());
 }

@@ -104,7 +104,7 @@ impl Catalogued for BroadPhaseMethod {
             .source("Karras 2012a")
             .on(GPU),
         Row::new(Self::UniformGrid, "uniform-grid")
-            .about("Boxes in cells, on a CPU of a grid for each size; a GPU has one, for one size")
+            .about("Boxes in cells of several grids, a grid for each size; for boxes of any sizes")
             .source("Karras 2012a"),
         Row::new(Self::Blocks, "blocks")
             .about("Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU"),

@@ -31,7 +31,7 @@ pub enum BroadPhaseMethod {
     /// as its author prints it, on a GPU alone.
     SweepByEndPoints,
     /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
-    /// cells around it [Karras 2012a].
+    /// cells around it [Karras 2012a]; boxes of unequal sizes in several grids.
     UniformGrid,
     /// Blocks of neighbouring boxes in Morton order, descended together: the fastest where boxes
     /// overlap many others.

@@ -1,7 +1,7 @@
 //! Uniform grid: boxes sorted by the cell of their centre, each compared with those in the cells
 //! around its own [Karras 2012a]; for boxes of unequal sizes several grids over each other.
 //!
-//! Twin: on a GPU `key_intervals.rs`, by the keys of this method, with one grid.
+//! Twin: on a GPU `key_intervals.rs`, by the keys of this method.
 //!
 //! The rule, its proof, a drawing and the cost are beside it in the core
 //! ([`ccd_core::backend::broad_phase::uniform_grid`], and for several grids
@@ -15,8 +15,8 @@ use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;
 use crate::threads::Threads;
-use ccd_core::backend::broad_phase::grid_levels::{LEVELS, Levels};
-use ccd_core::backend::broad_phase::uniform_grid::{self as cells, CELLS, OWN_ROW, ROWS, Sizes};
+use ccd_core::backend::broad_phase::grid_levels::{BITS, Grids, LEVELS};
+use ccd_core::backend::broad_phase::uniform_grid::{self as cells, OWN_ROW, ROWS, Sizes};
 use ccd_core::{Aabb, Error};
 use std::ops::Range;
 
@@ -25,14 +25,17 @@ const TASK: usize = 512;
 /// Leaves a row of cells up to which all of a level are compared, rather than each row found.
 const LEAVES_A_ROW: usize = 64;
 /// Bits of a cell's number; above them a key has the level.
-const CELL_BITS: u32 = 3 * cells::BITS;
+const CELL_BITS: u32 = 3 * BITS;
 /// A sort takes keys of 63 bits from above.
 const UNUSED_BITS: u32 = 63 - CELL_BITS - (usize::BITS - LEVELS.leading_zeros());
+
+/// A grid of cells.
+type Cells = cells::UniformGrid<BITS>;
 
 /// The grids, and the cell of every leaf.
 #[derive(Debug, Default)]
 pub struct UniformGrid {
-    levels: Levels,
+    levels: Grids,
     sets: Vec<Keys>,
     sizes: Vec<Sizes>,
     radix: RadixSort,
@@ -68,7 +71,8 @@ impl Keys {
             return run(all);
         }
         for z in from[2]..=to[2] {
-            let layer = [[0, 0, z], [CELLS - 1, CELLS - 1, z]].map(|cell| key(level, cell));
+            let layer =
+                [[0, 0, z], [Cells::CELLS - 1, Cells::CELLS - 1, z]].map(|cell| key(level, cell));
             let layer = self.between(&all, layer[0], layer[1]);
             if layer.len() <= LEAVES_A_ROW * n_rows(1) {
                 run(layer);
@@ -84,7 +88,7 @@ impl Keys {
 /// The number of a level and a cell, by which boxes are sorted.
 #[inline(always)]
 fn key(level: usize, cell: [u32; 3]) -> u64 {
-    (level as u64) << CELL_BITS | cells::key(cell) as u64
+    (level as u64) << CELL_BITS | Cells::key(cell) as u64
 }
 
 impl UniformGrid {
@@ -102,7 +106,7 @@ impl Order for UniformGrid {
             boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b)))
         };
         let sizes = threads.fold(sets, Sizes::NONE, &mut self.sizes, &part, &Sizes::merged);
-        self.levels = Levels::new(&sizes);
+        self.levels = Grids::new(&sizes);
         Ok(())
     }
 
@@ -164,7 +168,7 @@ impl RowSource for UniformGrid {
             let level = cell >> CELL_BITS;
             for row in first_row..ROWS {
                 let own_cell = (cell & ((1 << CELL_BITS) - 1)) as u32;
-                let around = cells::row(cells::cell_of(own_cell), row, forward);
+                let around = Cells::row(Cells::cell_of(own_cell), row, forward);
                 let [first, last] = around.map(|cell| level << CELL_BITS | cell as u64);
                 if first > last {
                     continue;

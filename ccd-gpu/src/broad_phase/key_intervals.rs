@@ -12,7 +12,8 @@ use crate::growable_list::{List, parts};
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::backend::broad_phase::key_intervals::{
-    BRUTE_FORCE, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows,
+    BRUTE_FORCE, GROUP, MOST_BOXES, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows_a_step,
+    rows_a_turn, turns,
 };
 use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::kernel::Id;
@@ -42,14 +43,16 @@ pub struct IntervalSource {
 }
 
 impl IntervalSource {
-    /// `method`: a constant of `key_intervals`.
+    /// `method`: a constant of `key_intervals`. Of more than `MOST_BOXES` boxes an error.
     pub fn new(device: &Device, method: u32, count: [u32; 3]) -> Result<Self, Error> {
+        check_count(count)?;
         let frame = frame_of(count);
         let work = |kind: u32| {
-            // A few pieces for each group; a list that is too short grows.
+            // A few pieces for each group and row of a level; a list that is too short grows.
             let n_groups: u32 =
-                (0..rows(method, kind)).map(|row| asking(&frame, method, kind, row)).sum();
-            List::new(device, "pieces of work", 2, n_groups.saturating_mul(4).max(256))
+                (0..turns(method, kind)).map(|turn| asking(&frame, method, kind, turn)).sum();
+            let n = n_groups.saturating_mul(4 * rows_a_step(method));
+            List::new(device, "pieces of work", 2, n.max(256))
         };
         let boxes = boxes(device, count, None)?;
         Ok(Self {
@@ -105,11 +108,11 @@ impl IntervalSource {
     fn work(&self, recorder: &mut Recorder, frame: &Frame, kind: u32) {
         let Self { method, sorted, survey, work, .. } = self;
         let ([keys, _], list) = (self.sort.half(0), &work[kind as usize]);
-        for row in 0..rows(*method, kind) {
+        for turn in 0..turns(*method, kind) {
             let dispatch = Dispatch { capacity_out: list.capacity(), ..Dispatch::default() };
-            let p = self.params(frame, kind, row, dispatch);
+            let p = self.params(frame, kind, turn * rows_a_turn(*method), dispatch);
             let kernel = IntervalWork { sorted, keys, survey, work: list.buffer() };
-            recorder.dispatch(&kernel, &p, asking(frame, *method, kind, row));
+            recorder.dispatch(&kernel, &p, asking(frame, *method, kind, turn));
         }
     }
 
@@ -140,9 +143,20 @@ pub fn survey_axis(
     recorder.dispatch(&SurveyAxis { boxes, survey }, &p, 1);
 }
 
-/// Groups that ask in a row.
-fn asking(frame: &Frame, method: u32, kind: u32, row: u32) -> u32 {
-    frame.count[asks(method, kind, row)[0] as usize].div_ceil(GROUP)
+/// Groups that ask in a turn.
+fn asking(frame: &Frame, method: u32, kind: u32, turn: u32) -> u32 {
+    let [set, _] = asks(method, kind, turn * rows_a_turn(method));
+    frame.count[set as usize].div_ceil(GROUP)
+}
+
+/// Refuses more boxes than a piece of work has room for.
+fn check_count(count: [u32; 3]) -> Result<(), Error> {
+    let (count, limit) = (count.iter().map(|&n| n as u64).sum(), MOST_BOXES as u64);
+    if count > limit {
+        let element = "boxes of grids, sweep and prune or brute force on a GPU";
+        return Err(ccd_core::Error::TooMany { element, count, limit }.into());
+    }
+    Ok(())
 }
 
 impl PairSource for IntervalSource {
@@ -183,5 +197,19 @@ impl PairSource for IntervalSource {
 
     fn lists_mut(&mut self) -> Vec<&mut List> {
         self.work.iter_mut().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_boxes_than_a_piece_of_work_names_are_refused() {
+        assert!(check_count([MOST_BOXES - 7, 0, 7]).is_ok());
+        let n = MOST_BOXES / 2;
+        let text = check_count([n, n, 1]).unwrap_err().to_string();
+        assert!(text.contains(&(MOST_BOXES + 1).to_string()), "{text}");
+        assert!(check_count([u32::MAX; 3]).is_err());
     }
 }

@@ -8,8 +8,11 @@ use crate::workgroup::{
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::set_of;
+use ccd_core::backend::broad_phase::grid_rows::{CELL_BITS, LEVELS};
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, CHUNK, FOUND, GROUP, POOL, SWEEP_AND_PRUNE, asks, interval, lower_bound, pack, unpack,
+    self, BITS, CHUNK, FOUND, GROUP, POOL, asked_cell,
+    asked_level, asks, interval, interval_around, is_second_turn, lower_bound, pack, rows_a_step,
+    rows_taken, steps, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::order_key;
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
@@ -23,14 +26,19 @@ const THREADS: u32 = Id::IntervalKeys.threads();
 /// Boxes of each thread of a survey.
 const SHARE: u32 = 32;
 
-/// Words of `counters`: bounds of the keys of a group, where its range begins and ends; pairs,
-/// where they go.
+/// Words of `counters`: pairs, and where they go.
+const HITS: u32 = 0;
+const BASE: u32 = 1;
+
+/// Words of `ranges`, a word a row: bounds of the keys that a group asks for, where the range of
+/// these keys begins and ends, and where its pieces of work go; then a word a level, where its
+/// boxes begin, and where those of the last end.
 const FROM: u32 = 0;
-const TO: u32 = 1;
-const BEGIN: u32 = 2;
-const END: u32 = 3;
-const HITS: u32 = 4;
-const BASE: u32 = 5;
+const TO: u32 = GROUP;
+const BEGIN: u32 = 2 * GROUP;
+const END: u32 = 3 * GROUP;
+const PIECES: u32 = 4 * GROUP;
+const LEVEL: u32 = 5 * GROUP;
 
 kernel! {
     /// One workgroup finds the axis along which the centres of boxes vary most, of every
@@ -128,6 +136,15 @@ impl Sorted<'_> {
         (frame.start[set as usize] + k, k < frame.count[set as usize])
     }
 
+    /// The interval of keys in a row of a thread's box, if the level and the cell there are known.
+    #[inline(always)]
+    fn interval(self, row: u32, place: u32, level: u32, cell: [u32; 3]) -> [u32; 2] {
+        let (method, kind) = (self.params.args.method, self.params.args.kind);
+        let [_, asked] = asks(method, kind, row);
+        let (key, b) = (at(self.keys, place as usize), at(self.boxes, place as usize));
+        interval_around(method, kind, row, asked, key, &b, self.survey, level, cell)
+    }
+
     /// The interval of keys of a thread's box, an empty one where there is none; and the first
     /// place of its partners, as far as that is more than the interval says.
     #[inline(always)]
@@ -144,51 +161,75 @@ impl Sorted<'_> {
 }
 
 kernel! {
-    /// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
-    /// that work.
-    interval_work[128](t; params: Intervals; counters: [u32; 8]; sorted: [Aabb], keys: [u32],
+    /// Workgroup `g` finds what the `g`-th group is compared with in the rows of a turn, and lists
+    /// the pieces of that work. Thread `r` bisects for row `r`. `args.row`: the first of the turn.
+    interval_work[128](t; params: Intervals; ranges: [u32; 656]; sorted: [Aabb], keys: [u32],
         survey: [u32], mut work: [u32]) {
-        let (group, row) = (t.group, params.args.row);
-        if t.lane == 0 {
-            set(counters, FROM, u32::MAX);
-            set(counters, TO, 0);
+        let Intervals { method, kind, row: turn } = params.args;
+        let (group, n_keys, a_step) = (t.group, params.frame.start[3], rows_a_step(method));
+        let [_, asked] = asks(method, kind, turn);
+        set(ranges, FROM + t.lane, u32::MAX);
+        set(ranges, TO + t.lane, 0);
+        if t.lane <= LEVELS {
+            let first = (asked << BITS) + (t.lane << CELL_BITS);
+            set(ranges, LEVEL + t.lane, lower_bound(keys, n_keys, first));
         }
         barrier();
         let all = Sorted { params, boxes: sorted, keys, survey };
-        let (place, some) = all.asking(row, group, t.lane);
-        let [from, to, _] = all.partners(row, place, some);
-        if from <= to {
-            lower_shared(counters, FROM, from);
-            raise_shared(counters, TO, to);
-        }
-        barrier();
-        let n_keys = params.frame.start[3];
-        let (least, greatest) = (get(counters, FROM), get(counters, TO));
-        if t.lane < 2 {
-            // No key is the greatest number.
-            let mut found =
-                lower_bound(keys, n_keys, if t.lane == 0 { least } else { greatest + 1 });
-            if t.lane == 0 && params.args.kind == EDGE_EDGE {
-                // The first of the group asks from the second on.
-                found = found.max(place + 1);
+        let (place, some) = all.asking(turn, group, t.lane);
+        if some {
+            let (key, b) = (at(keys, place as usize), at(sorted, place as usize));
+            for step in 0..steps(method) {
+                let level = asked_level(method, turn, step, key);
+                // Without levels, any number.
+                let i = LEVEL + level.min(LEVELS - 1);
+                let n_boxes = if level < LEVELS { get(ranges, i + 1) - get(ranges, i) } else { 0 };
+                let [first, end] = rows_taken(method, n_boxes);
+                let mut cell = [0; 3];
+                if first < end {
+                    cell = asked_cell(method, step, key, &b, survey);
+                }
+                for r in first..end {
+                    let row = step * a_step + r;
+                    let [from, to] = all.interval(turn + row, place, level, cell);
+                    if from <= to {
+                        lower_shared(ranges, FROM + row, from);
+                        raise_shared(ranges, TO + row, to);
+                    }
+                }
             }
-            set(counters, BEGIN + t.lane, found);
         }
         barrier();
-        let (begin, end) = (get(counters, BEGIN), get(counters, END));
-        let n_chunks = if begin < end { (end - begin).div_ceil(CHUNK) } else { 0 };
-        if t.lane == 0 && n_chunks > 0 {
-            set(counters, BASE, count(work, 0, n_chunks));
+        let (least, greatest) = (get(ranges, FROM + t.lane), get(ranges, TO + t.lane));
+        let (mut begin, mut end, mut pieces) = (0, 0, 0);
+        if least <= greatest {
+            begin = lower_bound(keys, n_keys, least);
+            if kind == EDGE_EDGE {
+                // The first of the group asks from the second on.
+                begin = begin.max(params.frame.start[1] + group * GROUP + 1);
+            }
+            // No key is the greatest number.
+            end = lower_bound(keys, n_keys, greatest + 1);
+            if begin < end {
+                pieces = count(work, 0, (end - begin).div_ceil(CHUNK));
+            }
         }
+        set(ranges, BEGIN + t.lane, begin);
+        set(ranges, END + t.lane, end);
+        set(ranges, PIECES + t.lane, pieces);
         barrier();
-        let base = get(counters, BASE);
-        for round in 0..n_chunks.div_ceil(GROUP) {
-            let c = round * GROUP + t.lane;
-            if c < n_chunks {
-                let first = begin + c * CHUNK;
-                let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
-                let [a, b] = pack(row, tiles, group, first);
-                write_pair(work, params.dispatch.capacity_out, base + c, Pair { a, b });
+        for row in 0..steps(method) * a_step {
+            let (begin, end) = (get(ranges, BEGIN + row), get(ranges, END + row));
+            let n_chunks = if begin < end { (end - begin).div_ceil(CHUNK) } else { 0 };
+            for round in 0..n_chunks.div_ceil(GROUP) {
+                let c = round * GROUP + t.lane;
+                if c < n_chunks {
+                    let first = begin + c * CHUNK;
+                    let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
+                    let [a, b] = pack(turn + row, tiles, group, first);
+                    let piece = get(ranges, PIECES + row) + c;
+                    write_pair(work, params.dispatch.capacity_out, piece, Pair { a, b });
+                }
             }
         }
     }
@@ -271,7 +312,7 @@ fn pair_of(params: &Params<Intervals>, row: u32, asks: u32, asked: u32, order: &
     let start = &params.frame.start;
     if params.args.kind == EDGE_EDGE {
         Pair::ordered(a - start[1], b - start[1])
-    } else if params.args.method == SWEEP_AND_PRUNE && row == 1 {
+    } else if is_second_turn(params.args.method, row) {
         Pair { a: b, b: a - start[2] }
     } else {
         Pair { a, b: b - start[2] }

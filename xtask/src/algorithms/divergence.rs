@@ -9,9 +9,10 @@ use super::scenes::Case;
 use crate::markdown::{Table, digits};
 use ccd::Aabb;
 use ccd::method::{Descent, Traversal};
+use ccd_core::backend::broad_phase::grid_rows::{CELL_BITS, LEVELS};
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, interval, lower_bound,
-    rows,
+    self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asked_level, interval,
+    lower_bound, rows, rows_a_step, rows_taken,
 };
 use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word, sort_key};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
@@ -138,6 +139,21 @@ fn by_keys(method: u32, boxes: &[Aabb<f32>]) -> [Steps; 2] {
         [first, lower_bound(&keys, n, to + 1).max(first)]
     };
     let n_rows = rows(method, EDGE_EDGE);
+    // Rows that a box takes of all, by how many boxes the level has that it asks.
+    let n_boxes: Vec<u32> = (0..=LEVELS)
+        .map(|level| {
+            let first = (SET as u32) << key_intervals::BITS;
+            let [first, end] = [level, level + 1].map(|l| first + (l << CELL_BITS));
+            lower_bound(&keys, n, end) - lower_bound(&keys, n, first)
+        })
+        .collect();
+    let range = |row: u32, i: u32| {
+        let (step, r) = (row / rows_a_step(method), row % rows_a_step(method));
+        let level = asked_level(method, row, step, keys[i as usize]);
+        let n_boxes = if level < LEVELS { n_boxes[level as usize] } else { 0 };
+        let [first, end] = rows_taken(method, n_boxes);
+        if first <= r && r < end { range(row, i) } else { [0, 0] }
+    };
     let of_box = |i: u32| (0..n_rows).map(|row| range(row, i)).map(|[a, b]| (b - a) as u64).sum();
     let threads: Vec<u64> = (0..n).map(of_box).collect();
     let tests: u64 = threads.iter().sum();

@@ -7,48 +7,131 @@
 //!   level 2     |       |       |       |     the largest box decides how large these are
 //! ```
 //!
-//! **No pair is missed.** Of a box, [`Levels::reach`] is the range of cells of a level in which the
-//! centre of a box of that level can be if both overlap: along an axis centres are at most half of
-//! both sides apart, the box's own and at most half a cell. Places are off by less than `2^-12`
-//! cells each ([`super::uniform_grid`]); half of the box's own side, at most 512 cells, and the two
-//! ends of the range by less than `2^-13` each. That is less than `2^-10` in all, and what a cell
-//! is larger than its boxes gives almost `2^-9`.
+//! A box asks the boxes of its own level in the cells around its own, and those of every coarser
+//! level. A device asks there, too, in the 3 x 3 x 3 cells around its own; a CPU in those that it
+//! reaches ([`Grids::reach`]), and also in finer levels.
 //!
-//! **Each pair is found once.** Every box is in one cell of one level. Within one set it looks at
-//! what comes after it: in its own level as in one grid, and at all of the reach in coarser ones.
+//! **No pair is missed.** Cells of a level hold the boxes of that level and of all finer ones, so
+//! that the proof of one grid ([`super::uniform_grid`]) is that of a box that asks a coarser level.
+//! A size that a device flushes to zero may be in a level too fine, whose cells are larger by far.
+//! The range of cells of a CPU's reach: along an axis centres are at most half of both sides apart,
+//! the box's own and at most half a cell. Places are off by less than `2^-12` cells each; half of
+//! the box's own side, at most 512 cells, and the two ends of the range by less than `2^-13` each.
+//! That is less than `2^-10` in all, and what a cell is larger than its boxes gives almost `2^-9`.
+//!
+//! **Each pair is found once.** Every box is in one cell of one level. Within one set it asks for
+//! what comes after it: in its own level as in one grid, and at all around it in coarser ones. Of
+//! two sets, the first asks its own level and coarser ones of the second, and on a device the
+//! second asks coarser levels of the first; on a CPU the first asks finer levels as well.
 
-use crate::broad_phase::uniform_grid::{BITS, CELLS, Sizes, UniformGrid, cell_at};
+use crate::broad_phase::uniform_grid::{LEAST_HALF, Sizes, UniformGrid};
 use crate::math::aabb::Aabb;
 
-/// Levels at most: where the coarsest has one cell, the finest has all that an axis can have.
+/// Levels of a CPU at most: where the coarsest has one cell, the finest has all that an axis can
+/// have.
 pub const LEVELS: usize = BITS as usize + 1;
+/// Bits of a cell along an axis, on a CPU.
+pub const BITS: u32 = 10;
 
-/// The grids, from the finest to the coarsest.
+/// How many levels there are, from the finest to the coarsest, and how large their boxes are; grids
+/// are made when asked for. `BITS`: of a cell along an axis; `MOST`: levels at most.
+#[derive(Clone, Copy, Debug)]
+pub struct Levels<const BITS: u32, const MOST: u32> {
+    sizes: Sizes,
+    /// How often the largest sides are halved for the finest level.
+    halvings: u32,
+}
+
+impl<const BITS: u32, const MOST: u32> Levels<BITS, MOST> {
+    /// Levels of boxes of these sizes: as many as have different cells along some axis. If these
+    /// are more than `MOST`, the largest boxes are in one level, whose cells are few.
+    #[inline(always)]
+    pub fn new(sizes: &Sizes) -> Self {
+        let mut out = Self { sizes: *sizes, halvings: 0 };
+        let extent = Sizes::of(&sizes.scene).half;
+        for n in 0..BITS {
+            let mut finest = true;
+            for k in 0..3 {
+                let of_scene = extent[k] * (1.0 / (1 << BITS) as f32);
+                // Such that flushing to zero decides nothing.
+                let least = if of_scene > LEAST_HALF { of_scene } else { LEAST_HALF };
+                if sizes.half[k] * power(n) > least {
+                    finest = false;
+                }
+            }
+            if finest {
+                break;
+            }
+            out.halvings = n + 1;
+        }
+        out
+    }
+
+    /// How many there are.
+    #[inline(always)]
+    pub fn n_levels(&self) -> u32 {
+        if self.halvings < MOST { self.halvings + 1 } else { MOST }
+    }
+
+    /// Half of the sides that boxes of a level have at most.
+    #[inline(always)]
+    pub fn half(&self, level: u32) -> [f32; 3] {
+        let coarsest = level + 1 >= self.n_levels();
+        let scale = power(if coarsest { 0 } else { self.halvings - level });
+        let half = &self.sizes.half;
+        [half[0] * scale, half[1] * scale, half[2] * scale]
+    }
+
+    /// The grid of a level.
+    #[inline(always)]
+    pub fn grid(&self, level: u32) -> UniformGrid<BITS> {
+        UniformGrid::new(&Sizes { scene: self.sizes.scene, half: self.half(level) })
+    }
+
+    /// The finest level whose cells are as large as a box.
+    #[inline(always)]
+    pub fn level(&self, b: &Aabb<f32>) -> u32 {
+        let half = Sizes::of(b).half;
+        let mut level = 0;
+        for _ in 1..MOST {
+            if level + 1 >= self.n_levels() || fits(&half, &self.half(level)) {
+                break;
+            }
+            level += 1;
+        }
+        level
+    }
+}
+
+/// `2^-n`, `n` at most 126.
+#[inline(always)]
+fn power(n: u32) -> f32 {
+    f32::from_bits((127 - n) << 23)
+}
+
+/// Whether a box is not larger than those of a level.
+#[inline(always)]
+fn fits(half: &[f32; 3], of_level: &[f32; 3]) -> bool {
+    half[0] <= of_level[0] && half[1] <= of_level[1] && half[2] <= of_level[2]
+}
+
+/// The grids of a CPU, all of them made beforehand.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Levels {
-    grids: [UniformGrid; LEVELS],
+pub struct Grids {
+    grids: [UniformGrid<BITS>; LEVELS],
     /// Half of the sides that boxes of a level have at most.
     halves: [[f32; 3]; LEVELS],
     len: usize,
 }
 
-impl Levels {
-    /// Grids over boxes of these sizes: as many as have different cells along some axis.
+impl Grids {
+    /// Grids over boxes of these sizes.
     pub fn new(sizes: &Sizes) -> Self {
-        let mut out = Self::default();
-        let extent = Sizes::of(&sizes.scene).half;
-        let finest = |half: [f32; 3]| (0..3).all(|k| half[k] <= extent[k] * (1.0 / CELLS as f32));
-        let mut halves = [[0.0; 3]; LEVELS];
-        halves[0] = sizes.half;
-        out.len = 1;
-        while out.len < LEVELS && !finest(halves[out.len - 1]) {
-            halves[out.len] = halves[out.len - 1].map(|half| half * 0.5);
-            out.len += 1;
-        }
+        let levels = Levels::<BITS, { LEVELS as u32 }>::new(sizes);
+        let mut out = Self { len: levels.n_levels() as usize, ..Self::default() };
         for level in 0..out.len {
-            let half = halves[out.len - 1 - level];
-            out.halves[level] = half;
-            out.grids[level] = UniformGrid::new(&Sizes { scene: sizes.scene, half });
+            out.halves[level] = levels.half(level as u32);
+            out.grids[level] = levels.grid(level as u32);
         }
         out
     }
@@ -67,7 +150,7 @@ impl Levels {
     #[inline]
     pub fn cell(&self, b: &Aabb<f32>) -> (usize, [u32; 3]) {
         let half = Sizes::of(b).half;
-        let holds = |level: &usize| (0..3).all(|k| half[k] <= self.halves[*level][k]);
+        let holds = |level: &usize| fits(&half, &self.halves[*level]);
         let level = (0..self.len).find(holds).unwrap_or(self.len.saturating_sub(1));
         (level, self.grids[level].cell(b))
     }
@@ -86,14 +169,22 @@ impl Levels {
     }
 }
 
+fn cell_at(place: f32) -> u32 {
+    UniformGrid::<BITS>::cell_at(place)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::random::Random;
     use alloc::vec::Vec;
 
-    fn levels(boxes: &[Aabb<f32>]) -> Levels {
-        Levels::new(&boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b))))
+    fn sizes(boxes: &[Aabb<f32>]) -> Sizes {
+        boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b)))
+    }
+
+    fn levels(boxes: &[Aabb<f32>]) -> Grids {
+        Grids::new(&sizes(boxes))
     }
 
     /// Boxes of sizes from `2^-span` to 1 units whose bounds are on a lattice, so that many touch.
@@ -156,6 +247,21 @@ mod tests {
         let of_side = |side| of_side(side).map(|[a, b]| Aabb { min: [a; 3], max: [b; 3] });
         let n = [1.0, 2.0, 16.0, 512.0].map(|side| self::levels(&of_side(side)).len());
         assert_eq!(n, [1, 2, 5, 10]);
+    }
+
+    /// A box is in the finest level that holds it, also where levels are few.
+    #[test]
+    fn few_levels_leave_out_large_ones() {
+        let boxes: Vec<_> =
+            (0..13).map(|k| Aabb { min: [0.0; 3], max: [1.0 / (1 << k) as f32; 3] }).collect();
+        let few = Levels::<9, 4>::new(&sizes(&boxes));
+        assert_eq!(few.n_levels(), 4);
+        let found: Vec<_> = boxes.iter().map(|b| few.level(b)).collect();
+        assert_eq!(found, [3, 3, 3, 3, 3, 3, 3, 2, 1, 0, 0, 0, 0]);
+        for (b, level) in boxes.iter().zip(found) {
+            let fits = |level: u32| fits(&Sizes::of(b).half, &few.half(level));
+            assert!(fits(level) && (level == 0 || !fits(level - 1)), "{b:?} in {level}");
+        }
     }
 
     /// The control: half a cell less, and pairs are missed.

@@ -6,6 +6,7 @@ pub mod block_bvh;
 pub mod block_workers;
 pub mod candidate;
 pub mod grid_levels;
+pub mod grid_rows;
 pub mod key_intervals;
 pub mod morton_key;
 pub mod nearest_pair;

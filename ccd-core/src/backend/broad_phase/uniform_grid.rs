@@ -4,9 +4,8 @@
 //! ```text
 //!   +-----+-----+-----+     cells are numbered along x, then y, then z, so that three of them in a
 //!   |  >  |  >  |  >  |     row are one run of the sorted boxes: `o` looks at two cells of its own
-//!   +-----+-----+-----+     row and, of nine rows, at the four that come after it (`>`); what is
-//!   in
-//!   |     |  o  |  >  |     its own cell and after it in the order, too
+//!   +-----+-----+-----+     row and, of nine rows, at the four that come after it (`>`), and at
+//!   |     |  o  |  >  |     what is in its own cell and after it in the order
 //!   +-----+-----+-----+
 //!   |     |     |     |     (one layer; of the layer above all three rows, of that below none)
 //!   +-----+-----+-----+
@@ -16,9 +15,11 @@
 //! apart along each axis, which is at most one cell. Cells are by [`MARGIN`] larger than the
 //! largest box, which is more than rounding can move two centres apart: a centre's place, counted
 //! in cells, is a sum of two differences that are not negative, times a factor that all boxes
-//! share; the three roundings change it by less than `2^-22` of itself, and with [`CELLS`] cells
-//! along an axis by less than `2^-12` cells. So places differ by less than
-//! `(1 + 2^-20) / (1 + 2^-8) + 2^-11 < 1`, and cells by at most one.
+//! share; the three roundings change it by less than `2^-22` of itself, and with at most `2^10`
+//! cells along an axis by less than `2^-12` cells. Kernels of a device, which may round a quotient
+//! by 2.5 units in the last place, may differ in the factor by `2^-20` of itself, and so in places
+//! by `2^-10` cells. So places differ by less than
+//! `(1 + 2^-20) / (1 + 2^-8) + 2^-11 + 2^-10 < 1`, and cells by at most one.
 //!
 //! **Each pair is found once.** Within one set a box looks only at boxes that come after it in the
 //! order of cells (and of two in one cell, in the order of the sort): of any two boxes exactly one
@@ -27,22 +28,18 @@
 //! in common.
 //!
 //! Cost: a sort, and for every box the boxes of its neighbourhood: constant for boxes of about one
-//! size, but `n` where one box is as large as the scene, as many tests as brute force makes. That
-//! is so on a GPU, which has one grid; a CPU has several, each with cells half as large
-//! ([`super::grid_levels`]). The sizes along the three axes count apart, and are at least a 1024th
-//! of the scene. Choose it for many boxes of about one size that overlap few others.
+//! size, but `n` where one box is as large as the scene, as many tests as brute force makes. So
+//! there are several grids, each with cells half as large as those of the next
+//! ([`super::grid_levels`]). The sizes along the three axes count apart, and are at least a
+//! `2^BITS`-th of the scene. Choose it for many boxes of few sizes that overlap few others.
 
 use crate::math::aabb::Aabb;
 
-/// Bits of the number of a cell along an axis.
-pub const BITS: u32 = 10;
-/// Cells along an axis.
-pub const CELLS: u32 = 1 << BITS;
 /// By how much a cell is larger than the largest box: 2^-8 of it, against rounding.
 pub const MARGIN: f32 = 0.003_906_25;
 /// Half of the least side of a cell, beside which numbers that a device flushes to zero vanish:
 /// 2^-97.
-const LEAST_HALF: f32 = 6.310_887e-30;
+pub(super) const LEAST_HALF: f32 = 6.310_887e-30;
 /// Rows of three cells around a cell, its own being the middle one.
 pub const ROWS: u32 = 9;
 /// The row that a cell is in itself.
@@ -79,16 +76,20 @@ impl Sizes {
     }
 }
 
-/// Cells of a grid, as large as the largest box.
+/// Cells of a grid, as large as the largest box; `BITS`: of the number of a cell along an axis, at
+/// most 10.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct UniformGrid {
+pub struct UniformGrid<const BITS: u32> {
     /// A quarter of the scene's least corner.
     quarter_origin: [f32; 3],
     /// One over half of a cell's sides.
     pub(super) inverse: [f32; 3],
 }
 
-impl UniformGrid {
+impl<const BITS: u32> UniformGrid<BITS> {
+    /// Cells along an axis.
+    pub const CELLS: u32 = 1 << BITS;
+
     /// The grid over boxes of these sizes.
     #[inline(always)]
     pub fn new(sizes: &Sizes) -> Self {
@@ -96,7 +97,7 @@ impl UniformGrid {
         for k in 0..3 {
             let (min, max) = (sizes.scene.min[k], sizes.scene.max[k]);
             let extent = max * 0.5 - min * 0.5;
-            let of_scene = extent * (1.0 / CELLS as f32);
+            let of_scene = extent * (1.0 / Self::CELLS as f32);
             let mut half = sizes.half[k] + sizes.half[k] * MARGIN;
             half = if of_scene > half { of_scene } else { half };
             half = if LEAST_HALF > half { LEAST_HALF } else { half };
@@ -111,7 +112,7 @@ impl UniformGrid {
     pub fn cell(&self, b: &Aabb<f32>) -> [u32; 3] {
         let mut out = [0; 3];
         for k in 0..3 {
-            out[k] = cell_at(self.place(b, k));
+            out[k] = Self::cell_at(self.place(b, k));
         }
         out
     }
@@ -125,47 +126,48 @@ impl UniformGrid {
         let half = (b.min[k] * 0.25 - origin) + (b.max[k] * 0.25 - origin);
         half * self.inverse[k]
     }
-}
 
-/// The cell of a place along an axis; NaN is in cell 0.
-#[inline(always)]
-pub(super) fn cell_at(place: f32) -> u32 {
-    if place >= (CELLS - 1) as f32 {
-        CELLS - 1
-    } else if place > 0.0 {
-        place as u32
-    } else {
-        0
+    /// The cell of a place along an axis; NaN is in cell 0.
+    #[inline(always)]
+    pub(super) fn cell_at(place: f32) -> u32 {
+        if place >= (Self::CELLS - 1) as f32 {
+            Self::CELLS - 1
+        } else if place > 0.0 {
+            place as u32
+        } else {
+            0
+        }
     }
-}
 
-/// The number of a cell, by which boxes are sorted.
-#[inline(always)]
-pub fn key(cell: [u32; 3]) -> u32 {
-    cell[2] << (2 * BITS) | cell[1] << BITS | cell[0]
-}
-
-/// The cell of a number.
-#[inline(always)]
-pub fn cell_of(key: u32) -> [u32; 3] {
-    [key & (CELLS - 1), key >> BITS & (CELLS - 1), key >> (2 * BITS)]
-}
-
-/// The first and the last number of the cells in a row around a cell, rows numbered as cells are;
-/// a first that is greater than the last where the row is outside of the grid. `forward`: of the
-/// cell's own row only what comes from itself on.
-///
-/// As cells go up, so do both ends of a row that is in the grid.
-#[inline(always)]
-pub fn row(cell: [u32; 3], row: u32, forward: bool) -> [u32; 2] {
-    // One more than the row's place, so that it is not negative.
-    let (y, z) = (cell[1] + row % 3, cell[2] + row / 3);
-    if y < 1 || z < 1 || y > CELLS || z > CELLS {
-        return [1, 0];
+    /// The number of a cell, by which boxes are sorted.
+    #[inline(always)]
+    pub fn key(cell: [u32; 3]) -> u32 {
+        cell[2] << (2 * BITS) | cell[1] << BITS | cell[0]
     }
-    let before = if cell[0] > 0 && !(forward && row == OWN_ROW) { cell[0] - 1 } else { cell[0] };
-    let after = if cell[0] + 1 < CELLS { cell[0] + 1 } else { cell[0] };
-    [key([before, y - 1, z - 1]), key([after, y - 1, z - 1])]
+
+    /// The cell of a number.
+    #[inline(always)]
+    pub fn cell_of(key: u32) -> [u32; 3] {
+        [key & (Self::CELLS - 1), key >> BITS & (Self::CELLS - 1), key >> (2 * BITS)]
+    }
+
+    /// The first and the last number of the cells in a row around a cell, rows numbered as cells
+    /// are; a first that is greater than the last where the row is outside of the grid. `forward`:
+    /// of the cell's own row only what comes from itself on.
+    ///
+    /// As cells go up, so do both ends of a row that is in the grid.
+    #[inline(always)]
+    pub fn row(cell: [u32; 3], row: u32, forward: bool) -> [u32; 2] {
+        // One more than the row's place, so that it is not negative.
+        let (y, z) = (cell[1] + row % 3, cell[2] + row / 3);
+        if y < 1 || z < 1 || y > Self::CELLS || z > Self::CELLS {
+            return [1, 0];
+        }
+        let before =
+            if cell[0] > 0 && !(forward && row == OWN_ROW) { cell[0] - 1 } else { cell[0] };
+        let after = if cell[0] + 1 < Self::CELLS { cell[0] + 1 } else { cell[0] };
+        [Self::key([before, y - 1, z - 1]), Self::key([after, y - 1, z - 1])]
+    }
 }
 
 #[cfg(test)]
@@ -175,16 +177,19 @@ mod tests {
     use crate::random::Random;
     use alloc::vec::Vec;
 
-    fn grid(boxes: &[Aabb<f32>]) -> UniformGrid {
-        UniformGrid::new(&boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b))))
+    /// The finest of all grids.
+    type Grid = UniformGrid<10>;
+
+    fn grid(boxes: &[Aabb<f32>]) -> Grid {
+        Grid::new(&boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b))))
     }
 
     /// Whether `from` looks at the cell `to`.
     fn looks(from: [u32; 3], to: [u32; 3], forward: bool) -> usize {
         let rows = if forward { OWN_ROW..ROWS } else { 0..ROWS };
         let within = |r: u32| {
-            let [first, last] = row(from, r, forward);
-            first <= key(to) && key(to) <= last
+            let [first, last] = Grid::row(from, r, forward);
+            first <= Grid::key(to) && Grid::key(to) <= last
         };
         rows.filter(|&r| within(r)).count()
     }
@@ -244,9 +249,14 @@ mod tests {
                 let a = Aabb { min: [at - width; 3], max: [at; 3] };
                 let b = Aabb { min: [at; 3], max: [at + width; 3] };
                 let sizes = Sizes::of(&a).merged(&Sizes::of(&b));
-                let grid = UniformGrid::new(&Sizes { scene, ..sizes });
-                let (p, q) = (grid.cell(&a)[0], grid.cell(&b)[0]);
-                assert!(p.abs_diff(q) <= 1, "{a:?} {b:?}: {p} {q}");
+                let grid = Grid::new(&Sizes { scene, ..sizes });
+                // As another kernel may round the factor.
+                let mut other = grid;
+                other.inverse[0] *= 1.0 + 1.0 / (1 << 20) as f32;
+                for (x, y) in [(&grid, &grid), (&grid, &other), (&other, &grid)] {
+                    let (p, q) = (x.cell(&a)[0], y.cell(&b)[0]);
+                    assert!(p.abs_diff(q) <= 1, "{a:?} {b:?}: {p} {q}");
+                }
             }
         }
     }
@@ -282,14 +292,14 @@ mod tests {
                 let grid = grid(&boxes);
                 for b in &boxes {
                     let cell = grid.cell(b);
-                    assert!(cell.iter().all(|&c| c < CELLS), "{b:?}: {cell:?}");
-                    assert_eq!(cell_of(key(cell)), cell);
+                    assert!(cell.iter().all(|&c| c < Grid::CELLS), "{b:?}: {cell:?}");
+                    assert_eq!(Grid::cell_of(Grid::key(cell)), cell);
                 }
                 check_neighbours(&boxes);
             }
         }
         let nan = Aabb { min: [f32::NAN; 3], max: [f32::NAN; 3] };
-        assert_eq!(UniformGrid::new(&Sizes::of(&nan)).cell(&nan), [0; 3]);
+        assert_eq!(Grid::new(&Sizes::of(&nan)).cell(&nan), [0; 3]);
         assert_eq!(grid(&[]).cell(&Aabb::of_point([5.0; 3])), grid(&[]).cell(&Aabb::EMPTY));
     }
 
@@ -301,7 +311,7 @@ mod tests {
         let far = Aabb { min: [40.0, 0.0, 0.0], max: [41.0, 1.0, 1.0] };
         let mut sizes = [long, next, far].iter().fold(Sizes::NONE, |s, b| s.merged(&Sizes::of(b)));
         let apart = |sizes: &Sizes| {
-            let grid = UniformGrid::new(sizes);
+            let grid = Grid::new(sizes);
             grid.cell(&long)[0].abs_diff(grid.cell(&next)[0])
         };
         assert!(apart(&sizes) <= 1);

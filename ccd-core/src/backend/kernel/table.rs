@@ -299,7 +299,7 @@ macro_rules! kernels {
             OrderBoxes = order_boxes(256 threads, 0 barriers, f32, Params<Plain>)
                 { boxes: Read, order: Read, sorted: Write }
             /// What groups of boxes are compared with, in pieces.
-            IntervalWork = interval_work(128 threads, 4 barriers, f32, Params<Intervals>)
+            IntervalWork = interval_work(128 threads, 3 barriers, f32, Params<Intervals>)
                 { sorted: Read, keys: Read, survey: Read, work: Write }
             /// Pieces of work to overlapping boxes.
             IntervalPairs = interval_pairs(128 threads, 4 barriers, f32, Params<Intervals>)

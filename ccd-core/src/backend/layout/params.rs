@@ -201,7 +201,7 @@ pub struct Intervals {
     pub method: u32,
     /// 0: vertices against faces, 1: edges against edges.
     pub kind: u32,
-    /// Which intervals.
+    /// The first interval of those that are looked for.
     pub row: u32,
 }
 
