@@ -38,7 +38,8 @@ const OF_TREES: [&str; 3] = ["builder", "traversal", "volume"];
 ///     1e-6.
 /// mode : str
 ///     "conservative", the default: times of impact are early by the tolerance at most; or "exact":
-///     they are the true ones, rounded down. Contacts are the same. Exact takes no minimum distance.
+///     they are the true ones, rounded down. Contacts are the same. Exact takes no minimum
+///     distance.
 /// leave_contact : bool
 ///     Whether features that are in contact at the start may separate: no contact, unless they
 ///     come nearer or touch again.

@@ -14,7 +14,7 @@ export type Ids = Uint32Array | readonly number[] | readonly (readonly number[])
 /** `vf`: vertex and face; `ee`: two edges; `ve`: particle and rod; `vv`: two particles. */
 export type Kind = "vf" | "ee" | "ve" | "vv";
 
-/** `undecided`: rounding leaves it open; to be treated as a contact. */
+/** `undecided`: with a minimum distance, rounding leaves it open; to be treated as a contact. */
 export type State = "hit" | "undecided";
 
 /** A number for each kind. */

@@ -173,7 +173,8 @@ fn pairs_of(device: &Device, method: u32, kind: u32, sets: &Sorted, all: &[Pair]
             work: list(all),
             pairs,
         };
-        run(device, kernel, &params(&sets.twin, dispatch, method, kind, 0), 5).pairs
+        // With five workgroups lavapipe would end loops too early, see `Device::groups`.
+        run(device, kernel, &params(&sets.twin, dispatch, method, kind, 0), 50).pairs
     };
     // In two parts, as a dispatch of many pieces is.
     for (first, n) in [(0, n / 3), (n / 3, n)] {

@@ -83,10 +83,11 @@ impl Decider {
             if let Some(found) = exact::of_patch(patch, [&x0, &x1], self.window()) {
                 return self.exact(found);
             }
-        } else if exactly && self.search.from == 0.0 {
-            if shares_a_point(patch, ids.map(|v| &x[0][v as usize])) {
-                return self.exact(Exact::Contact([0.0; 2]));
-            }
+        } else if exactly
+            && self.search.from == 0.0
+            && shares_a_point(patch, ids.map(|v| &x[0][v as usize]))
+        {
+            return self.exact(Exact::Contact([0.0; 2]));
         }
         let answer = decide::pair(kind, ids, x, &self.search);
         if exactly && answer.is_open() { self.of_open(patch, ids, x, answer) } else { answer }

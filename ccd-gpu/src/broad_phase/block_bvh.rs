@@ -27,6 +27,9 @@ pub const DISPATCH_LIMIT: u32 = 1 << 20;
 /// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
+/// Pairs that a workgroup takes at most, each up to some hundred rounds: see [`Device::groups`].
+const PAIRS_A_GROUP: u32 = 512;
+
 /// A pass over a list of pairs of nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Pass {
@@ -277,6 +280,7 @@ impl Tree {
     ) {
         let Pass { kind, level, step } = pass;
         let limit = if level == 1 { BLOCK_LIMIT } else { DISPATCH_LIMIT };
+        let limit = limit.min(self.groups * PAIRS_A_GROUP);
         let args = Blocks { kind, level, step, limit, ..self.record() };
         let (capacity_in, capacity_out) = (input.capacity(), output.capacity());
         for part in 0..capacity_in.div_ceil(step).div_ceil(limit) {

@@ -24,6 +24,10 @@ use wgpu::BufferUsages as U;
 /// device, so that no driver thinks that it hangs.
 const DISPATCH_LIMIT: u32 = 1 << 14;
 
+/// Pieces of work that a workgroup takes at most, each up to 8 times 146 rounds: see
+/// [`Device::groups`].
+const WORK_A_GROUP: u32 = 48;
+
 /// Stages in which intervals are cut into pieces of work.
 const WORK: [&str; 2] = ["work vertex-face", "work edge-edge"];
 
@@ -120,7 +124,8 @@ impl IntervalSource {
     fn pairs(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
         let Self { sorted, survey, work, .. } = self;
         let ([keys, order], list) = (self.sort.half(0), &work[kind as usize]);
-        for dispatch in parts(list.capacity(), DISPATCH_LIMIT, pairs.capacity()) {
+        let limit = DISPATCH_LIMIT.min(self.groups * WORK_A_GROUP);
+        for dispatch in parts(list.capacity(), limit, pairs.capacity()) {
             let p = self.params(frame, kind, 0, dispatch);
             let (work, pairs) = (list.buffer(), pairs.buffer());
             let kernel = IntervalPairs { sorted, keys, order, survey, work, pairs };

@@ -152,8 +152,10 @@ impl Buffers {
             (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
         let capacity = input.capacity();
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
-        for dispatch in parts(capacity, DISPATCH_LIMIT, self.contacts.capacity()) {
-            let groups = self.groups.min(dispatch.n.div_ceil(Id::Decide.threads()));
+        let threads = Id::Decide.threads();
+        let limit = DISPATCH_LIMIT.min(self.groups * threads * PAIRS_A_THREAD);
+        for dispatch in parts(capacity, limit, self.contacts.capacity()) {
+            let groups = self.groups.min(dispatch.n.div_ceil(threads));
             let p = Params { frame, dispatch, args };
             if wide {
                 let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
@@ -175,6 +177,10 @@ impl Buffers {
 /// operations, in `f64` where it is there, so that a small device is done long before its driver
 /// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
 pub const DISPATCH_LIMIT: u32 = 1 << 21;
+
+/// Pairs that a thread decides at most, each in up to some hundred rounds: see
+/// [`Device::groups`](crate::device::Device::groups).
+const PAIRS_A_THREAD: u32 = 128;
 
 /// Parameters of a kernel that reads the frame alone.
 fn plain(frame: &Frame) -> Params {

@@ -236,10 +236,7 @@ pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) 
 }
 
 /// Positions at the beginning of a window, if they are among those given.
-fn at_begin_of<'a>(
-    [x0, x1]: [&'a [[f64; 3]; 4]; 2],
-    [from, _]: [f64; 2],
-) -> Option<&'a [[f64; 3]; 4]> {
+fn at_begin_of([x0, x1]: [&[[f64; 3]; 4]; 2], [from, _]: [f64; 2]) -> Option<&[[f64; 3]; 4]> {
     if from == 0.0 || x0 == x1 { Some(x0) } else { (from == 1.0).then_some(x1) }
 }
 
