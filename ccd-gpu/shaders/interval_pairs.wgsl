@@ -35,42 +35,52 @@ struct type_11 {
     member: array<u32>,
 }
 
+struct type_15 {
+    member: i32,
+    member_1: i32,
+}
+
 struct type_16 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_18 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_18 {
-    member: array<type_16>,
+struct type_20 {
+    member: array<type_18>,
 }
 
-struct type_21 {
-    member: type_16,
+struct type_23 {
+    member: type_18,
     member_1: array<f32, 3>,
 }
 
-struct type_22 {
+struct type_24 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_23 {
+struct type_25 {
     member: type_7,
     member_1: type_8,
-    member_2: type_22,
+    member_2: type_24,
 }
 
-struct type_24 {
+struct type_26 {
+    member: type_25,
+}
+
+struct type_27 {
     member: type_23,
-}
-
-struct type_25 {
-    member: type_21,
     member_1: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<atomic<u32>>,
 }
 
@@ -80,162 +90,208 @@ var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(6) 
-var<storage, read_write> pairs: type_29;
+var<storage, read_write> pairs: type_31;
 @group(0) @binding(0) 
-var<storage> params: type_24;
+var<storage> params: type_26;
 @group(0) @binding(1) 
-var<storage> sorted: type_18;
+var<storage> sorted: type_20;
 @group(0) @binding(3) 
 var<storage> order: type_11;
 @group(0) @binding(4) 
 var<storage> survey: type_11;
 @group(0) @binding(5) 
 var<storage> work: type_11;
-var<workgroup> boxes: array<type_16, 128>;
+var<workgroup> boxes: array<type_18, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var local_1: type_16;
-    var local_2: type_21;
+    var local_1: type_18;
+    var local_2: type_23;
     var local_3: array<f32, 3>;
-    var local_4: type_16;
-    var local_5: type_16;
-    var local_6: type_21;
-    var local_7: type_16;
-    var phi_196_: u32;
-    var phi_206_: u32;
-    var phi_213_: u32;
-    var phi_232_: u32;
-    var phi_253_: u32;
-    var phi_254_: u32;
-    var phi_257_: type_9;
-    var phi_258_: type_9;
-    var phi_281_: type_9;
-    var phi_337_: array<u32, 2>;
-    var phi_344_: u32;
-    var phi_349_: u32;
-    var phi_357_: array<u32, 2>;
-    var phi_395_: array<u32, 2>;
-    var phi_402_: u32;
-    var phi_407_: u32;
-    var phi_415_: array<u32, 2>;
-    var phi_460_: u32;
-    var phi_469_: u32;
-    var phi_474_: u32;
-    var phi_477_: bool;
+    var local_4: type_18;
+    var local_5: type_18;
+    var local_6: type_23;
+    var local_7: type_18;
+    var phi_202_: u32;
+    var phi_212_: u32;
+    var phi_219_: u32;
+    var phi_238_: u32;
+    var phi_259_: u32;
+    var phi_260_: u32;
+    var phi_263_: type_9;
+    var phi_264_: type_9;
+    var phi_287_: type_9;
+    var phi_343_: array<u32, 2>;
+    var phi_350_: u32;
+    var phi_355_: u32;
+    var phi_363_: array<u32, 2>;
+    var phi_401_: array<u32, 2>;
+    var phi_408_: u32;
+    var phi_413_: u32;
+    var phi_421_: array<u32, 2>;
+    var phi_468_: u32;
+    var phi_473_: u32;
+    var phi_476_: bool;
+    var phi_491_: u32;
     var phi_492_: u32;
     var phi_493_: u32;
-    var phi_494_: u32;
-    var phi_495_: bool;
-    var phi_499_: u32;
+    var phi_494_: bool;
+    var phi_498_: u32;
+    var phi_515_: type_15;
+    var phi_518_: u32;
+    var phi_520_: u32;
+    var phi_541_: bool;
+    var phi_547_: type_16;
+    var phi_516_: type_15;
+    var phi_561_: type_16;
+    var phi_590_: u32;
+    var phi_591_: u32;
+    var phi_592_: u32;
+    var phi_593_: u32;
+    var phi_594_: bool;
+    var phi_519_: u32;
     var phi_521_: u32;
-    var phi_540_: u32;
-    var phi_559_: u32;
-    var phi_564_: type_9;
-    var phi_565_: type_9;
-    var phi_588_: type_9;
-    var phi_614_: u32;
-    var phi_640_: u32;
-    var phi_773_: type_9;
-    var phi_776_: type_25;
-    var phi_774_: type_9;
-    var phi_799_: type_9;
-    var phi_809_: type_9;
-    var phi_812_: bool;
-    var phi_810_: type_9;
-    var phi_835_: type_9;
-    var phi_857_: f32;
-    var phi_874_: bool;
-    var phi_813_: bool;
-    var local_8: bool;
-    var phi_880_: type_25;
-    var phi_881_: bool;
-    var phi_777_: type_25;
-    var phi_882_: bool;
-    var phi_890_: u32;
-    var local_9: type_25;
-    var local_10: type_25;
-    var local_11: type_25;
-    var phi_900_: u32;
-    var local_12: type_25;
-    var phi_907_: u32;
-    var local_13: type_25;
-    var local_14: type_25;
-    var local_15: type_25;
-    var phi_939_: type_9;
-    var phi_940_: type_9;
-    var phi_963_: type_9;
-    var phi_1014_: f32;
-    var phi_1019_: f32;
-    var phi_1060_: type_9;
+    var phi_595_: bool;
+    var phi_600_: type_15;
+    var phi_603_: u32;
+    var phi_605_: u32;
+    var phi_626_: bool;
+    var phi_632_: type_16;
+    var phi_601_: type_15;
+    var phi_646_: type_16;
+    var phi_675_: u32;
+    var phi_676_: u32;
+    var phi_677_: u32;
+    var phi_678_: u32;
+    var phi_679_: bool;
+    var phi_604_: u32;
+    var phi_606_: u32;
+    var phi_680_: bool;
+    var local_8: u32;
+    var local_9: u32;
+    var phi_682_: u32;
+    var phi_698_: array<u32, 2>;
+    var phi_699_: array<u32, 2>;
+    var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_722_: u32;
+    var phi_731_: u32;
+    var phi_736_: u32;
+    var phi_739_: bool;
+    var phi_754_: u32;
+    var phi_755_: u32;
+    var phi_756_: u32;
+    var phi_757_: bool;
+    var phi_761_: u32;
+    var phi_783_: u32;
+    var phi_802_: u32;
+    var phi_821_: u32;
+    var phi_826_: type_9;
+    var phi_827_: type_9;
+    var phi_850_: type_9;
+    var phi_876_: u32;
+    var phi_902_: u32;
+    var phi_1035_: type_9;
+    var phi_1038_: type_27;
+    var phi_1036_: type_9;
     var phi_1061_: type_9;
-    var phi_1084_: type_9;
-    var phi_1144_: u32;
-    var phi_1145_: u32;
-    var phi_1157_: array<u32, 3>;
-    var phi_1158_: array<u32, 3>;
-    var phi_1225_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1281_: bool;
-    var phi_1282_: bool;
-    var phi_1288_: u32;
-    var phi_1289_: bool;
-    var phi_1290_: u32;
-    var phi_1291_: bool;
-    var phi_1296_: u32;
-    var phi_1306_: u32;
-    var phi_1320_: array<u32, 2>;
-    var phi_1321_: array<u32, 2>;
-    var phi_1322_: bool;
-    var phi_1323_: array<u32, 2>;
-    var phi_1324_: bool;
-    var phi_1325_: array<u32, 2>;
-    var phi_1326_: bool;
-    var phi_1331_: array<u32, 2>;
-    var phi_1332_: array<u32, 2>;
-    var phi_1340_: array<u32, 2>;
-    var phi_1341_: bool;
-    var phi_1342_: array<u32, 2>;
-    var phi_1343_: bool;
-    var phi_1348_: array<u32, 2>;
-    var phi_1355_: array<u32, 2>;
-    var phi_1192_: f32;
-    var phi_1193_: f32;
-    var phi_1199_: u32;
-    var phi_1209_: u32;
-    var phi_1356_: array<u32, 2>;
-    var phi_1364_: u32;
-    var phi_1367_: array<u32, 3>;
-    var phi_1384_: type_16;
-    var phi_1387_: type_9;
-    var phi_1388_: type_9;
-    var phi_1411_: type_9;
-    var phi_1446_: type_16;
-    var phi_1447_: u32;
-    var phi_1468_: type_9;
-    var phi_1469_: type_9;
-    var phi_1492_: type_9;
-    var phi_1616_: u32;
-    var phi_1621_: u32;
-    var phi_1637_: type_9;
-    var phi_1605_: type_9;
-    var phi_1638_: type_9;
-    var phi_1673_: u32;
-    var phi_1699_: type_9;
-    var phi_1700_: type_9;
-    var phi_1723_: type_9;
-    var phi_1754_: array<u32, 2>;
-    var phi_1761_: u32;
-    var phi_1766_: u32;
-    var phi_1774_: array<u32, 2>;
-    var phi_1848_: u32;
-    var phi_1853_: u32;
+    var phi_1071_: type_9;
+    var phi_1074_: bool;
+    var phi_1072_: type_9;
+    var phi_1097_: type_9;
+    var phi_1119_: f32;
+    var phi_1136_: bool;
+    var phi_1075_: bool;
+    var local_10: bool;
+    var phi_1142_: type_27;
+    var phi_1143_: bool;
+    var phi_1039_: type_27;
+    var phi_1144_: bool;
+    var phi_1152_: u32;
+    var local_11: type_27;
+    var local_12: type_27;
+    var local_13: type_27;
+    var phi_1162_: u32;
+    var local_14: type_27;
+    var phi_1169_: u32;
+    var local_15: type_27;
+    var local_16: type_27;
+    var local_17: type_27;
+    var phi_1201_: type_9;
+    var phi_1202_: type_9;
+    var phi_1225_: type_9;
+    var phi_1276_: f32;
+    var phi_1281_: f32;
+    var phi_1322_: type_9;
+    var phi_1323_: type_9;
+    var phi_1346_: type_9;
+    var phi_1406_: u32;
+    var phi_1407_: u32;
+    var phi_1419_: array<u32, 3>;
+    var phi_1420_: array<u32, 3>;
+    var phi_1487_: bool;
+    var phi_1499_: bool;
+    var phi_1500_: bool;
+    var phi_1543_: bool;
+    var phi_1544_: bool;
+    var phi_1550_: u32;
+    var phi_1551_: bool;
+    var phi_1552_: u32;
+    var phi_1553_: bool;
+    var phi_1558_: u32;
+    var phi_1568_: u32;
+    var phi_1582_: array<u32, 2>;
+    var phi_1583_: array<u32, 2>;
+    var phi_1584_: bool;
+    var phi_1585_: array<u32, 2>;
+    var phi_1586_: bool;
+    var phi_1587_: array<u32, 2>;
+    var phi_1588_: bool;
+    var phi_1593_: array<u32, 2>;
+    var phi_1594_: array<u32, 2>;
+    var phi_1602_: array<u32, 2>;
+    var phi_1603_: bool;
+    var phi_1604_: array<u32, 2>;
+    var phi_1605_: bool;
+    var phi_1610_: array<u32, 2>;
+    var phi_1617_: array<u32, 2>;
+    var phi_1454_: f32;
+    var phi_1455_: f32;
+    var phi_1461_: u32;
+    var phi_1471_: u32;
+    var phi_1618_: array<u32, 2>;
+    var phi_1626_: u32;
+    var phi_1629_: array<u32, 3>;
+    var phi_1631_: array<u32, 3>;
+    var phi_1648_: type_18;
+    var phi_1651_: type_9;
+    var phi_1652_: type_9;
+    var phi_1675_: type_9;
+    var phi_1710_: type_18;
+    var phi_1711_: u32;
+    var phi_1732_: type_9;
+    var phi_1733_: type_9;
+    var phi_1756_: type_9;
+    var phi_1880_: u32;
+    var phi_1885_: u32;
+    var phi_1901_: type_9;
     var phi_1869_: type_9;
-    var phi_1837_: type_9;
-    var phi_1870_: type_9;
-    var phi_1888_: bool;
-    var phi_1889_: bool;
+    var phi_1902_: type_9;
+    var phi_1937_: u32;
+    var phi_1963_: type_9;
+    var phi_1964_: type_9;
+    var phi_1987_: type_9;
+    var phi_2018_: array<u32, 2>;
+    var phi_2025_: u32;
+    var phi_2030_: u32;
+    var phi_2038_: array<u32, 2>;
+    var phi_2112_: u32;
+    var phi_2117_: u32;
+    var phi_2133_: type_9;
+    var phi_2101_: type_9;
+    var phi_2134_: type_9;
+    var phi_2152_: bool;
+    var phi_2153_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -243,786 +299,1020 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e86 = id_2;
-    let _e87 = n_2;
-    let _e88 = lane_2;
-    let _e100 = ((_e86.y * _e87.x) + _e86.x);
-    let _e103 = (_e87.x * _e87.y);
-    let _e106 = params.member.member_1.member_2;
-    let _e108 = work.member[0u];
-    if (_e106 < _e108) {
-        phi_196_ = _e106;
+    let _e94 = id_2;
+    let _e95 = n_2;
+    let _e96 = lane_2;
+    let _e108 = ((_e94.y * _e95.x) + _e94.x);
+    let _e111 = (_e95.x * _e95.y);
+    let _e114 = params.member.member_1.member_2;
+    let _e116 = work.member[0u];
+    if (_e114 < _e116) {
+        phi_202_ = _e114;
     } else {
-        phi_196_ = _e108;
+        phi_202_ = _e116;
     }
-    let _e111 = phi_196_;
-    let _e113 = params.member.member_1.member_1;
-    if (_e111 > _e113) {
-        let _e116 = params.member.member_1.member_1;
-        phi_206_ = (_e111 - _e116);
+    let _e119 = phi_202_;
+    let _e121 = params.member.member_1.member_1;
+    if (_e119 > _e121) {
+        let _e124 = params.member.member_1.member_1;
+        phi_212_ = (_e119 - _e124);
     } else {
-        phi_206_ = 0u;
+        phi_212_ = 0u;
     }
-    let _e119 = phi_206_;
-    let _e121 = params.member.member_1.member;
-    if (_e121 < _e119) {
-        phi_213_ = _e121;
+    let _e127 = phi_212_;
+    let _e129 = params.member.member_1.member;
+    if (_e129 < _e127) {
+        phi_219_ = _e129;
     } else {
-        phi_213_ = _e119;
+        phi_219_ = _e127;
     }
-    let _e124 = phi_213_;
-    let _e128 = params.member.member.member_2[3u];
+    let _e132 = phi_219_;
+    let _e136 = params.member.member.member_2[3u];
     if false {
-        phi_232_ = (_e124 + 1u);
+        phi_238_ = (_e132 + 1u);
     } else {
-        phi_232_ = _e124;
+        phi_238_ = _e132;
     }
-    let _e131 = phi_232_;
-    if (_e131 > _e100) {
-        let _e133 = (_e131 - _e100);
-        if (_e103 == 0u) {
+    let _e139 = phi_238_;
+    if (_e139 > _e108) {
+        let _e141 = (_e139 - _e108);
+        if (_e111 == 0u) {
             return;
         }
-        let _e135 = (_e133 / _e103);
-        if (_e103 == 0u) {
+        let _e143 = (_e141 / _e111);
+        if (_e111 == 0u) {
             return;
         }
-        if ((_e133 % _e103) > 0u) {
-            phi_253_ = (_e135 + 1u);
+        if ((_e141 % _e111) > 0u) {
+            phi_259_ = (_e143 + 1u);
         } else {
-            phi_253_ = _e135;
+            phi_259_ = _e143;
         }
-        let _e141 = phi_253_;
-        phi_254_ = _e141;
+        let _e149 = phi_259_;
+        phi_260_ = _e149;
     } else {
-        phi_254_ = 0u;
+        phi_260_ = 0u;
     }
-    let _e143 = phi_254_;
-    phi_257_ = type_9(0u, _e143);
+    let _e151 = phi_260_;
+    phi_263_ = type_9(0u, _e151);
     loop {
-        let _e146 = phi_257_;
-        if (_e146.member < _e146.member_1) {
-            phi_258_ = type_9((_e146.member + 1u), _e146.member_1);
-            phi_281_ = type_9(1u, _e146.member);
+        let _e154 = phi_263_;
+        if (_e154.member < _e154.member_1) {
+            phi_264_ = type_9((_e154.member + 1u), _e154.member_1);
+            phi_287_ = type_9(1u, _e154.member);
         } else {
-            phi_258_ = _e146;
-            phi_281_ = type_9(0u, type_9().member_1);
+            phi_264_ = _e154;
+            phi_287_ = type_9(0u, type_9().member_1);
         }
-        let _e158 = phi_258_;
-        let _e160 = phi_281_;
-        let _e164 = (bitcast<i32>(_e160.member) != 0i);
-        if _e164 {
-            let _e167 = params.member.member_1.member_1;
-            let _e171 = (2u * ((_e167 + _e100) + (_e160.member_1 * _e103)));
-            let _e174 = work.member[(4u + _e171)];
-            let _e177 = work.member[(_e171 + 5u)];
-            let _e179 = (_e174 >> bitcast<u32>(24i));
-            let _e183 = (_e174 & 16777215u);
-            let _e187 = params.member.member_2.member;
-            let _e190 = params.member.member_2.member_1;
-            if (_e190 == 0u) {
-                phi_337_ = array<u32, 2>(0u, 2u);
+        let _e166 = phi_264_;
+        let _e168 = phi_287_;
+        let _e172 = (bitcast<i32>(_e168.member) != 0i);
+        if _e172 {
+            let _e175 = params.member.member_1.member_1;
+            let _e179 = (2u * ((_e175 + _e108) + (_e168.member_1 * _e111)));
+            let _e182 = work.member[(4u + _e179)];
+            let _e185 = work.member[(_e179 + 5u)];
+            let _e187 = (_e182 >> bitcast<u32>(24i));
+            let _e191 = (_e182 & 16777215u);
+            let _e195 = params.member.member_2.member;
+            let _e198 = params.member.member_2.member_1;
+            if (_e198 == 0u) {
+                phi_343_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_337_ = array<u32, 2>(1u, 1u);
+                phi_343_ = array<u32, 2>(1u, 1u);
             }
-            let _e193 = phi_337_;
-            if (_e187 == 2u) {
-                phi_344_ = 8u;
+            let _e201 = phi_343_;
+            if (_e195 == 2u) {
+                phi_350_ = 8u;
             } else {
-                phi_344_ = 1u;
+                phi_350_ = 1u;
             }
-            let _e198 = phi_344_;
-            if (_e187 == 2u) {
-                phi_349_ = 10u;
+            let _e206 = phi_350_;
+            if (_e195 == 2u) {
+                phi_355_ = 10u;
             } else {
-                phi_349_ = 1u;
+                phi_355_ = 1u;
             }
-            let _e201 = phi_349_;
-            if (_e179 >= (_e198 * _e201)) {
-                phi_357_ = array<u32, 2>(_e193[1], _e193[0]);
+            let _e209 = phi_355_;
+            if (_e187 >= (_e206 * _e209)) {
+                phi_363_ = array<u32, 2>(_e201[1], _e201[0]);
             } else {
-                phi_357_ = _e193;
+                phi_363_ = _e201;
             }
-            let _e206 = phi_357_;
-            let _e209 = ((_e183 * 128u) + _e88);
-            let _e213 = params.member.member.member_2[_e206[0]];
-            let _e214 = (_e213 + _e209);
-            let _e218 = params.member.member.member[_e206[0]];
-            let _e219 = (_e209 < _e218);
-            if _e219 {
-                let _e222 = params.member.member_2.member;
-                let _e225 = params.member.member_2.member_1;
-                if (_e225 == 0u) {
-                    phi_395_ = array<u32, 2>(0u, 2u);
+            let _e214 = phi_363_;
+            let _e217 = ((_e191 * 128u) + _e96);
+            let _e221 = params.member.member.member_2[_e214[0]];
+            let _e222 = (_e221 + _e217);
+            let _e226 = params.member.member.member[_e214[0]];
+            let _e227 = (_e217 < _e226);
+            if _e227 {
+                let _e230 = params.member.member_2.member;
+                let _e233 = params.member.member_2.member_1;
+                if (_e233 == 0u) {
+                    phi_401_ = array<u32, 2>(0u, 2u);
                 } else {
-                    phi_395_ = array<u32, 2>(1u, 1u);
+                    phi_401_ = array<u32, 2>(1u, 1u);
                 }
-                let _e228 = phi_395_;
-                if (_e222 == 2u) {
-                    phi_402_ = 8u;
+                let _e236 = phi_401_;
+                if (_e230 == 2u) {
+                    phi_408_ = 8u;
                 } else {
-                    phi_402_ = 1u;
+                    phi_408_ = 1u;
                 }
-                let _e233 = phi_402_;
-                if (_e222 == 2u) {
-                    phi_407_ = 10u;
+                let _e241 = phi_408_;
+                if (_e230 == 2u) {
+                    phi_413_ = 10u;
                 } else {
-                    phi_407_ = 1u;
+                    phi_413_ = 1u;
                 }
-                let _e236 = phi_407_;
-                if (_e179 >= (_e233 * _e236)) {
-                    phi_415_ = array<u32, 2>(_e228[1], _e228[0]);
+                let _e244 = phi_413_;
+                if (_e187 >= (_e241 * _e244)) {
+                    phi_421_ = array<u32, 2>(_e236[1], _e236[0]);
                 } else {
-                    phi_415_ = _e228;
+                    phi_421_ = _e236;
                 }
-                let _e241 = phi_415_;
-                let _e244 = keys.member[_e214];
-                let _e246 = sorted.member[_e214];
-                local_7 = type_16(array<f32, 3>(_e246.member[0], _e246.member[1], _e246.member[2]), array<f32, 3>(_e246.member_1[0], _e246.member_1[1], _e246.member_1[2]));
-                if (_e222 == 2u) {
-                    phi_460_ = ((_e179 % 80u) / 10u);
-                } else {
-                    phi_460_ = 0u;
-                }
-                let _e262 = phi_460_;
-                if (_e262 == 0u) {
-                    if (_e222 == 2u) {
-                        phi_469_ = 8u;
+                let _e249 = phi_421_;
+                let _e252 = keys.member[_e222];
+                let _e254 = sorted.member[_e222];
+                local_7 = type_18(array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]));
+                let _e267 = ((_e187 % 80u) / 10u);
+                if (_e267 == 0u) {
+                    if (_e230 == 2u) {
+                        phi_468_ = 8u;
                     } else {
-                        phi_469_ = 1u;
+                        phi_468_ = 1u;
                     }
-                    let _e266 = phi_469_;
-                    if (_e222 == 2u) {
-                        phi_474_ = 10u;
+                    let _e271 = phi_468_;
+                    if (_e230 == 2u) {
+                        phi_473_ = 10u;
                     } else {
-                        phi_474_ = 1u;
+                        phi_473_ = 1u;
                     }
-                    let _e269 = phi_474_;
-                    phi_477_ = (_e179 >= (_e266 * _e269));
+                    let _e274 = phi_473_;
+                    phi_476_ = (_e187 >= (_e271 * _e274));
                 } else {
-                    phi_477_ = false;
+                    phi_476_ = false;
                 }
-                let _e273 = phi_477_;
-                if (_e222 != 2u) {
-                    phi_494_ = u32();
-                    phi_495_ = true;
+                let _e278 = phi_476_;
+                if (_e230 != 2u) {
+                    phi_493_ = u32();
+                    phi_494_ = true;
                 } else {
-                    if _e273 {
-                        phi_493_ = u32();
+                    if _e278 {
+                        phi_492_ = u32();
                     } else {
-                        let _e278 = (((_e244 >> bitcast<u32>(27u)) % 8u) + _e262);
-                        if (_e278 < 8u) {
-                            phi_492_ = _e278;
+                        let _e283 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e267);
+                        if (_e283 < 8u) {
+                            phi_491_ = _e283;
                         } else {
-                            phi_492_ = 8u;
+                            phi_491_ = 8u;
                         }
-                        let _e281 = phi_492_;
-                        phi_493_ = _e281;
+                        let _e286 = phi_491_;
+                        phi_492_ = _e286;
                     }
-                    let _e283 = phi_493_;
-                    phi_494_ = _e283;
-                    phi_495_ = _e273;
+                    let _e288 = phi_492_;
+                    phi_493_ = _e288;
+                    phi_494_ = _e278;
                 }
-                let _e285 = phi_494_;
-                let _e287 = phi_495_;
-                if _e287 {
-                    phi_499_ = 8u;
+                let _e290 = phi_493_;
+                let _e292 = phi_494_;
+                if _e292 {
+                    phi_498_ = 8u;
                 } else {
-                    phi_499_ = _e285;
+                    phi_498_ = _e290;
                 }
-                let _e289 = phi_499_;
-                if (_e222 == 2u) {
-                    let _e292 = survey.member[6u];
-                    if ((_e292 >> bitcast<u32>(31i)) == 1u) {
-                        phi_521_ = (_e292 & 2147483647u);
-                    } else {
-                        phi_521_ = ~(_e292);
-                    }
-                    let _e299 = phi_521_;
-                    let _e300 = bitcast<f32>(_e299);
-                    let _e302 = survey.member[7u];
-                    if ((_e302 >> bitcast<u32>(31i)) == 1u) {
-                        phi_540_ = (_e302 & 2147483647u);
-                    } else {
-                        phi_540_ = ~(_e302);
-                    }
-                    let _e309 = phi_540_;
-                    let _e310 = bitcast<f32>(_e309);
-                    let _e312 = survey.member[8u];
-                    if ((_e312 >> bitcast<u32>(31i)) == 1u) {
-                        phi_559_ = (_e312 & 2147483647u);
-                    } else {
-                        phi_559_ = ~(_e312);
-                    }
-                    let _e319 = phi_559_;
-                    let _e320 = bitcast<f32>(_e319);
-                    local_5 = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                    phi_564_ = type_9(0u, 3u);
+                let _e294 = phi_498_;
+                if (_e294 < 8u) {
+                    let _e300 = ((_e249[1] << bitcast<u32>(30u)) + (_e294 << bitcast<u32>(27u)));
+                    let _e304 = params.member.member.member_2[3u];
+                    phi_515_ = type_15(0i, 32i);
+                    phi_518_ = 0u;
+                    phi_520_ = _e304;
                     loop {
-                        let _e322 = phi_564_;
-                        if (_e322.member < _e322.member_1) {
-                            phi_565_ = type_9((_e322.member + 1u), _e322.member_1);
-                            phi_588_ = type_9(1u, _e322.member);
+                        let _e307 = phi_515_;
+                        let _e309 = phi_518_;
+                        let _e311 = phi_520_;
+                        local_8 = _e309;
+                        if (_e307.member < _e307.member_1) {
+                            let _e318 = (_e307.member + 1i);
+                            if ((false == (_e318 > _e307.member)) != false) {
+                                phi_541_ = true;
+                            } else {
+                                phi_541_ = false;
+                            }
+                            let _e323 = phi_541_;
+                            if _e323 {
+                                phi_547_ = type_16(0u, type_16().member_1);
+                            } else {
+                                phi_547_ = type_16(1u, _e318);
+                            }
+                            let _e328 = phi_547_;
+                            phi_516_ = type_15(_e328.member_1, _e307.member_1);
+                            phi_561_ = type_16(1u, _e307.member);
                         } else {
-                            phi_565_ = _e322;
-                            phi_588_ = type_9(0u, type_9().member_1);
+                            phi_516_ = _e307;
+                            phi_561_ = type_16(0u, type_16().member_1);
                         }
-                        let _e334 = phi_565_;
-                        let _e336 = phi_588_;
-                        let _e340 = (bitcast<i32>(_e336.member) != 0i);
-                        if _e340 {
-                            let _e342 = survey.member[_e336.member_1];
-                            let _e343 = ~(_e342);
-                            if ((_e343 >> bitcast<u32>(31i)) == 1u) {
-                                phi_614_ = (_e343 & 2147483647u);
+                        let _e334 = phi_516_;
+                        let _e336 = phi_561_;
+                        if (bitcast<i32>(_e336.member) != 0i) {
+                            if (_e309 >= _e311) {
+                                phi_592_ = u32();
+                                phi_593_ = u32();
+                                phi_594_ = false;
                             } else {
-                                phi_614_ = ~(_e343);
+                                let _e343 = (_e309 + ((_e311 - _e309) / 2u));
+                                let _e345 = keys.member[_e343];
+                                if (_e345 < (_e300 + 134217728u)) {
+                                    phi_590_ = (_e343 + 1u);
+                                    phi_591_ = _e311;
+                                } else {
+                                    phi_590_ = _e309;
+                                    phi_591_ = _e343;
+                                }
+                                let _e349 = phi_590_;
+                                let _e351 = phi_591_;
+                                phi_592_ = _e349;
+                                phi_593_ = _e351;
+                                phi_594_ = true;
                             }
-                            let _e350 = phi_614_;
-                            local_5.member[_e336.member_1] = bitcast<f32>(_e350);
-                            let _e356 = survey.member[(3u + _e336.member_1)];
-                            if ((_e356 >> bitcast<u32>(31i)) == 1u) {
-                                phi_640_ = (_e356 & 2147483647u);
-                            } else {
-                                phi_640_ = ~(_e356);
-                            }
-                            let _e363 = phi_640_;
-                            local_5.member_1[_e336.member_1] = bitcast<f32>(_e363);
+                            let _e353 = phi_592_;
+                            let _e355 = phi_593_;
+                            let _e357 = phi_594_;
+                            phi_519_ = _e353;
+                            phi_521_ = _e355;
+                            phi_595_ = _e357;
+                        } else {
+                            phi_519_ = u32();
+                            phi_521_ = u32();
+                            phi_595_ = false;
                         }
+                        let _e359 = phi_519_;
+                        let _e361 = phi_521_;
+                        let _e363 = phi_595_;
                         continue;
                         continuing {
-                            phi_564_ = _e334;
-                            break if !(_e340);
+                            phi_515_ = _e334;
+                            phi_518_ = _e359;
+                            phi_520_ = _e361;
+                            break if !(_e363);
                         }
                     }
-                    let _e368 = local_5;
-                    local_6 = type_21(_e368, array<f32, 3>(_e300, _e310, _e320));
-                    if (_e262 == 0u) {
-                        let _e672 = (_e244 & 134217727u);
-                        phi_1157_ = array<u32, 3>((_e672 & 511u), ((_e672 >> bitcast<u32>(9u)) & 511u), (_e672 >> bitcast<u32>(18u)));
-                    } else {
-                        let _e389 = local_6.member.member_1[0u];
-                        let _e393 = local_6.member.member[0u];
-                        let _e398 = local_6.member.member_1[1u];
-                        let _e402 = local_6.member.member[1u];
-                        let _e407 = local_6.member.member_1[2u];
-                        let _e411 = local_6.member.member[2u];
-                        local_3 = array<f32, 3>(((_e389 * 0.5f) - (_e393 * 0.5f)), ((_e398 * 0.5f) - (_e402 * 0.5f)), ((_e407 * 0.5f) - (_e411 * 0.5f)));
-                        phi_773_ = type_9(0u, 9u);
-                        phi_776_ = type_25(type_21(type_16(array<f32, 3>(_e368.member[0], _e368.member[1], _e368.member[2]), array<f32, 3>(_e368.member_1[0], _e368.member_1[1], _e368.member_1[2])), array<f32, 3>(_e300, _e310, _e320)), 0u);
-                        loop {
-                            let _e416 = phi_773_;
-                            let _e418 = phi_776_;
-                            local_9 = _e418;
-                            local_10 = _e418;
-                            local_11 = _e418;
-                            local_12 = _e418;
-                            local_13 = _e418;
-                            local_14 = _e418;
-                            local_15 = _e418;
-                            if (_e416.member < _e416.member_1) {
-                                phi_774_ = type_9((_e416.member + 1u), _e416.member_1);
-                                phi_799_ = type_9(1u, _e416.member);
+                    phi_600_ = type_15(0i, 32i);
+                    phi_603_ = 0u;
+                    phi_605_ = _e304;
+                    loop {
+                        let _e366 = phi_600_;
+                        let _e368 = phi_603_;
+                        let _e370 = phi_605_;
+                        local_9 = _e368;
+                        if (_e366.member < _e366.member_1) {
+                            let _e377 = (_e366.member + 1i);
+                            if ((false == (_e377 > _e366.member)) != false) {
+                                phi_626_ = true;
                             } else {
-                                phi_774_ = _e416;
-                                phi_799_ = type_9(0u, type_9().member_1);
+                                phi_626_ = false;
                             }
-                            let _e430 = phi_774_;
-                            let _e432 = phi_799_;
-                            if (bitcast<i32>(_e432.member) != 0i) {
-                                phi_809_ = type_9(0u, 3u);
-                                phi_812_ = true;
-                                loop {
-                                    let _e438 = phi_809_;
-                                    let _e440 = phi_812_;
-                                    local_8 = _e440;
-                                    if (_e438.member < _e438.member_1) {
-                                        phi_810_ = type_9((_e438.member + 1u), _e438.member_1);
-                                        phi_835_ = type_9(1u, _e438.member);
-                                    } else {
-                                        phi_810_ = _e438;
-                                        phi_835_ = type_9(0u, type_9().member_1);
-                                    }
-                                    let _e452 = phi_810_;
-                                    let _e454 = phi_835_;
-                                    let _e458 = (bitcast<i32>(_e454.member) != 0i);
-                                    if _e458 {
-                                        let _e460 = local_3[_e454.member_1];
-                                        let _e462 = (_e460 * (1f / 512f));
-                                        if (_e462 > 0.000000000000000000000000000006310887f) {
-                                            phi_857_ = _e462;
-                                        } else {
-                                            phi_857_ = 0.000000000000000000000000000006310887f;
-                                        }
-                                        let _e465 = phi_857_;
-                                        let _e468 = local_6.member_1[_e454.member_1];
-                                        if ((_e468 * bitcast<f32>(((127u - _e432.member_1) << bitcast<u32>(23i)))) > _e465) {
-                                            phi_874_ = false;
-                                        } else {
-                                            phi_874_ = _e440;
-                                        }
-                                        let _e476 = phi_874_;
-                                        phi_813_ = _e476;
-                                    } else {
-                                        phi_813_ = bool();
-                                    }
-                                    let _e478 = phi_813_;
-                                    continue;
-                                    continuing {
-                                        phi_809_ = _e452;
-                                        phi_812_ = _e478;
-                                        break if !(_e458);
-                                    }
-                                }
-                                let _e481 = local_8;
-                                if _e481 {
-                                    phi_880_ = type_25();
-                                    phi_881_ = false;
-                                } else {
-                                    phi_880_ = type_25(_e418.member, (_e432.member_1 + 1u));
-                                    phi_881_ = true;
-                                }
-                                let _e486 = phi_880_;
-                                let _e488 = phi_881_;
-                                phi_777_ = _e486;
-                                phi_882_ = _e488;
+                            let _e382 = phi_626_;
+                            if _e382 {
+                                phi_632_ = type_16(0u, type_16().member_1);
                             } else {
-                                phi_777_ = type_25();
-                                phi_882_ = false;
+                                phi_632_ = type_16(1u, _e377);
                             }
-                            let _e490 = phi_777_;
-                            let _e492 = phi_882_;
-                            continue;
-                            continuing {
-                                phi_773_ = _e430;
-                                phi_776_ = _e490;
-                                break if !(_e492);
-                            }
-                        }
-                        let _e497 = (((_e244 >> bitcast<u32>(27u)) % 8u) + _e262);
-                        if (_e497 < 8u) {
-                            phi_890_ = _e497;
+                            let _e387 = phi_632_;
+                            phi_601_ = type_15(_e387.member_1, _e366.member_1);
+                            phi_646_ = type_16(1u, _e366.member);
                         } else {
-                            phi_890_ = 8u;
+                            phi_601_ = _e366;
+                            phi_646_ = type_16(0u, type_16().member_1);
                         }
-                        let _e500 = phi_890_;
-                        let _e502 = local_9;
-                        let _e507 = local_10;
-                        if (_e507.member_1 < 8u) {
-                            let _e511 = local_11;
-                            phi_900_ = (_e511.member_1 + 1u);
-                        } else {
-                            phi_900_ = 8u;
-                        }
-                        let _e515 = phi_900_;
-                        if ((_e500 + 1u) >= _e515) {
-                            phi_907_ = 0u;
-                        } else {
-                            let _e518 = local_12;
-                            phi_907_ = (_e518.member_1 - _e500);
-                        }
-                        let _e522 = phi_907_;
-                        let _e526 = bitcast<f32>(((127u - _e522) << bitcast<u32>(23i)));
-                        let _e528 = local_13;
-                        let _e534 = local_14;
-                        let _e540 = local_15;
-                        local_2.member = type_16(array<f32, 3>(_e502.member.member.member[0], _e502.member.member.member[1], _e502.member.member.member[2]), array<f32, 3>(_e502.member.member.member_1[0], _e502.member.member.member_1[1], _e502.member.member.member_1[2]));
-                        local_2.member_1 = array<f32, 3>((_e528.member.member_1[0] * _e526), (_e534.member.member_1[1] * _e526), (_e540.member.member_1[2] * _e526));
-                        local_1.member = array<f32, 3>(0f, 0f, 0f);
-                        local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
-                        phi_939_ = type_9(0u, 3u);
-                        loop {
-                            let _e562 = phi_939_;
-                            if (_e562.member < _e562.member_1) {
-                                phi_940_ = type_9((_e562.member + 1u), _e562.member_1);
-                                phi_963_ = type_9(1u, _e562.member);
+                        let _e393 = phi_601_;
+                        let _e395 = phi_646_;
+                        if (bitcast<i32>(_e395.member) != 0i) {
+                            if (_e368 >= _e370) {
+                                phi_677_ = u32();
+                                phi_678_ = u32();
+                                phi_679_ = false;
                             } else {
-                                phi_940_ = _e562;
-                                phi_963_ = type_9(0u, type_9().member_1);
-                            }
-                            let _e574 = phi_940_;
-                            let _e576 = phi_963_;
-                            let _e580 = (bitcast<i32>(_e576.member) != 0i);
-                            if _e580 {
-                                let _e584 = local_2.member.member[_e576.member_1];
-                                let _e588 = local_2.member.member_1[_e576.member_1];
-                                let _e593 = (((_e588 * 0.5f) - (_e584 * 0.5f)) * (1f / 512f));
-                                let _e596 = local_2.member_1[_e576.member_1];
-                                let _e599 = local_2.member_1[_e576.member_1];
-                                let _e601 = (_e596 + (_e599 * 0.00390625f));
-                                if (_e593 > _e601) {
-                                    phi_1014_ = _e593;
+                                let _e402 = (_e368 + ((_e370 - _e368) / 2u));
+                                let _e404 = keys.member[_e402];
+                                if (_e404 < _e300) {
+                                    phi_675_ = (_e402 + 1u);
+                                    phi_676_ = _e370;
                                 } else {
-                                    phi_1014_ = _e601;
+                                    phi_675_ = _e368;
+                                    phi_676_ = _e402;
                                 }
-                                let _e604 = phi_1014_;
-                                if (0.000000000000000000000000000006310887f > _e604) {
-                                    phi_1019_ = 0.000000000000000000000000000006310887f;
-                                } else {
-                                    phi_1019_ = _e604;
-                                }
-                                let _e607 = phi_1019_;
-                                local_1.member[_e576.member_1] = (_e584 * 0.25f);
-                                local_1.member_1[_e576.member_1] = (1f / _e607);
+                                let _e408 = phi_675_;
+                                let _e410 = phi_676_;
+                                phi_677_ = _e408;
+                                phi_678_ = _e410;
+                                phi_679_ = true;
                             }
-                            continue;
-                            continuing {
-                                phi_939_ = _e574;
-                                break if !(_e580);
-                            }
+                            let _e412 = phi_677_;
+                            let _e414 = phi_678_;
+                            let _e416 = phi_679_;
+                            phi_604_ = _e412;
+                            phi_606_ = _e414;
+                            phi_680_ = _e416;
+                        } else {
+                            phi_604_ = u32();
+                            phi_606_ = u32();
+                            phi_680_ = false;
                         }
-                        let _e615 = local_1;
-                        local_4 = _e615;
-                        local = array<u32, 3>(0u, 0u, 0u);
-                        phi_1060_ = type_9(0u, 3u);
-                        loop {
-                            let _e617 = phi_1060_;
-                            if (_e617.member < _e617.member_1) {
-                                phi_1061_ = type_9((_e617.member + 1u), _e617.member_1);
-                                phi_1084_ = type_9(1u, _e617.member);
-                            } else {
-                                phi_1061_ = _e617;
-                                phi_1084_ = type_9(0u, type_9().member_1);
-                            }
-                            let _e629 = phi_1061_;
-                            let _e631 = phi_1084_;
-                            let _e635 = (bitcast<i32>(_e631.member) != 0i);
-                            if _e635 {
-                                let _e638 = local_4.member[_e631.member_1];
-                                let _e641 = local_7.member[_e631.member_1];
-                                let _e646 = local_7.member_1[_e631.member_1];
-                                let _e652 = local_4.member_1[_e631.member_1];
-                                let _e653 = ((((_e641 * 0.25f) - _e638) + ((_e646 * 0.25f) - _e638)) * _e652);
-                                if (_e653 >= 511f) {
-                                    phi_1145_ = 511u;
-                                } else {
-                                    if (_e653 > 0f) {
-                                        phi_1144_ = select(select(u32(_e653), 0u, (_e653 < 0f)), 4294967295u, (_e653 > 4294967000f));
-                                    } else {
-                                        phi_1144_ = 0u;
-                                    }
-                                    let _e662 = phi_1144_;
-                                    phi_1145_ = _e662;
-                                }
-                                let _e664 = phi_1145_;
-                                local[_e631.member_1] = _e664;
-                            }
-                            continue;
-                            continuing {
-                                phi_1060_ = _e629;
-                                break if !(_e635);
-                            }
+                        let _e418 = phi_604_;
+                        let _e420 = phi_606_;
+                        let _e422 = phi_680_;
+                        continue;
+                        continuing {
+                            phi_600_ = _e393;
+                            phi_603_ = _e418;
+                            phi_605_ = _e420;
+                            break if !(_e422);
                         }
-                        let _e667 = local;
-                        phi_1157_ = array<u32, 3>(_e667[0], _e667[1], _e667[2]);
                     }
-                    let _e681 = phi_1157_;
-                    phi_1158_ = _e681;
+                    let _e425 = local_8;
+                    let _e427 = local_9;
+                    phi_682_ = (_e425 - _e427);
                 } else {
-                    phi_1158_ = array<u32, 3>(0u, 0u, 0u);
+                    phi_682_ = 0u;
                 }
-                let _e683 = phi_1158_;
-                let _e685 = (_e241[1] << bitcast<u32>(30u));
-                if (_e222 == 1u) {
-                    let _e807 = survey.member[6u];
-                    if (_e807 == 0u) {
-                        let _e817 = local_7.member_1[0u];
-                        phi_1193_ = _e817;
-                    } else {
-                        if (_e807 == 1u) {
-                            let _e813 = local_7.member_1[1u];
-                            phi_1192_ = _e813;
-                        } else {
-                            let _e811 = local_7.member_1[2u];
-                            phi_1192_ = _e811;
-                        }
-                        let _e815 = phi_1192_;
-                        phi_1193_ = _e815;
-                    }
-                    let _e819 = phi_1193_;
-                    let _e820 = bitcast<u32>(_e819);
-                    if (_e820 == 2147483648u) {
-                        phi_1199_ = 0u;
-                    } else {
-                        phi_1199_ = _e820;
-                    }
-                    let _e823 = phi_1199_;
-                    let _e825 = bitcast<u32>(bitcast<f32>(_e823));
-                    if ((_e825 >> bitcast<u32>(31i)) == 1u) {
-                        phi_1209_ = ~(_e825);
-                    } else {
-                        phi_1209_ = (_e825 | 2147483648u);
-                    }
-                    let _e832 = phi_1209_;
-                    phi_1356_ = array<u32, 2>(((_e685 | (_e244 & 1073741823u)) + _e179), (_e685 | (_e832 >> bitcast<u32>(2i))));
+                let _e430 = phi_682_;
+                if (_e230 != 2u) {
+                    phi_710_ = true;
                 } else {
-                    if (_e222 == 2u) {
-                        let _e689 = (_e179 % 80u);
-                        let _e691 = (_e689 % 10u);
-                        if (_e225 == 1u) {
-                            phi_1225_ = ((_e689 / 10u) == 0u);
+                    if (_e430 == 0u) {
+                        phi_699_ = array<u32, 2>(0u, 0u);
+                    } else {
+                        if (_e430 <= 256u) {
+                            phi_698_ = array<u32, 2>(9u, 10u);
                         } else {
-                            phi_1225_ = false;
+                            phi_698_ = array<u32, 2>(0u, 9u);
                         }
-                        let _e695 = phi_1225_;
-                        if (_e289 >= 8u) {
-                            phi_1342_ = array<u32, 2>();
-                            phi_1343_ = true;
+                        let _e435 = phi_698_;
+                        phi_699_ = _e435;
+                    }
+                    let _e437 = phi_699_;
+                    let _e441 = ((_e187 % 80u) % 10u);
+                    if (_e437[0] <= _e441) {
+                        phi_709_ = (_e441 < _e437[1]);
+                    } else {
+                        phi_709_ = false;
+                    }
+                    let _e445 = phi_709_;
+                    phi_710_ = _e445;
+                }
+                let _e447 = phi_710_;
+                if _e447 {
+                    if (_e230 == 2u) {
+                        phi_722_ = ((_e187 % 80u) / 10u);
+                    } else {
+                        phi_722_ = 0u;
+                    }
+                    let _e452 = phi_722_;
+                    if (_e452 == 0u) {
+                        if (_e230 == 2u) {
+                            phi_731_ = 8u;
                         } else {
-                            if _e695 {
-                                if (_e691 < 4u) {
-                                    phi_1237_ = false;
-                                } else {
-                                    phi_1237_ = true;
-                                }
-                                let _e699 = phi_1237_;
-                                phi_1238_ = _e699;
+                            phi_731_ = 1u;
+                        }
+                        let _e456 = phi_731_;
+                        if (_e230 == 2u) {
+                            phi_736_ = 10u;
+                        } else {
+                            phi_736_ = 1u;
+                        }
+                        let _e459 = phi_736_;
+                        phi_739_ = (_e187 >= (_e456 * _e459));
+                    } else {
+                        phi_739_ = false;
+                    }
+                    let _e463 = phi_739_;
+                    if (_e230 != 2u) {
+                        phi_756_ = u32();
+                        phi_757_ = true;
+                    } else {
+                        if _e463 {
+                            phi_755_ = u32();
+                        } else {
+                            let _e468 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e452);
+                            if (_e468 < 8u) {
+                                phi_754_ = _e468;
                             } else {
-                                phi_1238_ = true;
+                                phi_754_ = 8u;
                             }
-                            let _e701 = phi_1238_;
-                            if _e701 {
-                                if (_e691 == 9u) {
-                                    phi_1332_ = array<u32, 2>(0u, 134217727u);
+                            let _e471 = phi_754_;
+                            phi_755_ = _e471;
+                        }
+                        let _e473 = phi_755_;
+                        phi_756_ = _e473;
+                        phi_757_ = _e463;
+                    }
+                    let _e475 = phi_756_;
+                    let _e477 = phi_757_;
+                    if _e477 {
+                        phi_761_ = 8u;
+                    } else {
+                        phi_761_ = _e475;
+                    }
+                    let _e479 = phi_761_;
+                    if (_e230 == 2u) {
+                        let _e482 = survey.member[6u];
+                        if ((_e482 >> bitcast<u32>(31i)) == 1u) {
+                            phi_783_ = (_e482 & 2147483647u);
+                        } else {
+                            phi_783_ = ~(_e482);
+                        }
+                        let _e489 = phi_783_;
+                        let _e490 = bitcast<f32>(_e489);
+                        let _e492 = survey.member[7u];
+                        if ((_e492 >> bitcast<u32>(31i)) == 1u) {
+                            phi_802_ = (_e492 & 2147483647u);
+                        } else {
+                            phi_802_ = ~(_e492);
+                        }
+                        let _e499 = phi_802_;
+                        let _e500 = bitcast<f32>(_e499);
+                        let _e502 = survey.member[8u];
+                        if ((_e502 >> bitcast<u32>(31i)) == 1u) {
+                            phi_821_ = (_e502 & 2147483647u);
+                        } else {
+                            phi_821_ = ~(_e502);
+                        }
+                        let _e509 = phi_821_;
+                        let _e510 = bitcast<f32>(_e509);
+                        local_5 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_826_ = type_9(0u, 3u);
+                        loop {
+                            let _e512 = phi_826_;
+                            if (_e512.member < _e512.member_1) {
+                                phi_827_ = type_9((_e512.member + 1u), _e512.member_1);
+                                phi_850_ = type_9(1u, _e512.member);
+                            } else {
+                                phi_827_ = _e512;
+                                phi_850_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e524 = phi_827_;
+                            let _e526 = phi_850_;
+                            let _e530 = (bitcast<i32>(_e526.member) != 0i);
+                            if _e530 {
+                                let _e532 = survey.member[_e526.member_1];
+                                let _e533 = ~(_e532);
+                                if ((_e533 >> bitcast<u32>(31i)) == 1u) {
+                                    phi_876_ = (_e533 & 2147483647u);
                                 } else {
-                                    let _e705 = (_e683[1] + (_e691 % 3u));
-                                    let _e708 = (_e683[2] + (_e691 / 3u));
-                                    if (_e705 < 1u) {
-                                        phi_1325_ = array<u32, 2>();
-                                        phi_1326_ = true;
-                                    } else {
-                                        if (_e708 < 1u) {
-                                            phi_1323_ = array<u32, 2>();
-                                            phi_1324_ = true;
+                                    phi_876_ = ~(_e533);
+                                }
+                                let _e540 = phi_876_;
+                                local_5.member[_e526.member_1] = bitcast<f32>(_e540);
+                                let _e546 = survey.member[(3u + _e526.member_1)];
+                                if ((_e546 >> bitcast<u32>(31i)) == 1u) {
+                                    phi_902_ = (_e546 & 2147483647u);
+                                } else {
+                                    phi_902_ = ~(_e546);
+                                }
+                                let _e553 = phi_902_;
+                                local_5.member_1[_e526.member_1] = bitcast<f32>(_e553);
+                            }
+                            continue;
+                            continuing {
+                                phi_826_ = _e524;
+                                break if !(_e530);
+                            }
+                        }
+                        let _e558 = local_5;
+                        local_6 = type_23(_e558, array<f32, 3>(_e490, _e500, _e510));
+                        if (_e452 == 0u) {
+                            let _e862 = (_e252 & 134217727u);
+                            phi_1419_ = array<u32, 3>((_e862 & 511u), ((_e862 >> bitcast<u32>(9u)) & 511u), (_e862 >> bitcast<u32>(18u)));
+                        } else {
+                            let _e579 = local_6.member.member_1[0u];
+                            let _e583 = local_6.member.member[0u];
+                            let _e588 = local_6.member.member_1[1u];
+                            let _e592 = local_6.member.member[1u];
+                            let _e597 = local_6.member.member_1[2u];
+                            let _e601 = local_6.member.member[2u];
+                            local_3 = array<f32, 3>(((_e579 * 0.5f) - (_e583 * 0.5f)), ((_e588 * 0.5f) - (_e592 * 0.5f)), ((_e597 * 0.5f) - (_e601 * 0.5f)));
+                            phi_1035_ = type_9(0u, 9u);
+                            phi_1038_ = type_27(type_23(type_18(array<f32, 3>(_e558.member[0], _e558.member[1], _e558.member[2]), array<f32, 3>(_e558.member_1[0], _e558.member_1[1], _e558.member_1[2])), array<f32, 3>(_e490, _e500, _e510)), 0u);
+                            loop {
+                                let _e606 = phi_1035_;
+                                let _e608 = phi_1038_;
+                                local_11 = _e608;
+                                local_12 = _e608;
+                                local_13 = _e608;
+                                local_14 = _e608;
+                                local_15 = _e608;
+                                local_16 = _e608;
+                                local_17 = _e608;
+                                if (_e606.member < _e606.member_1) {
+                                    phi_1036_ = type_9((_e606.member + 1u), _e606.member_1);
+                                    phi_1061_ = type_9(1u, _e606.member);
+                                } else {
+                                    phi_1036_ = _e606;
+                                    phi_1061_ = type_9(0u, type_9().member_1);
+                                }
+                                let _e620 = phi_1036_;
+                                let _e622 = phi_1061_;
+                                if (bitcast<i32>(_e622.member) != 0i) {
+                                    phi_1071_ = type_9(0u, 3u);
+                                    phi_1074_ = true;
+                                    loop {
+                                        let _e628 = phi_1071_;
+                                        let _e630 = phi_1074_;
+                                        local_10 = _e630;
+                                        if (_e628.member < _e628.member_1) {
+                                            phi_1072_ = type_9((_e628.member + 1u), _e628.member_1);
+                                            phi_1097_ = type_9(1u, _e628.member);
                                         } else {
-                                            if (_e705 > 512u) {
-                                                phi_1321_ = array<u32, 2>();
-                                                phi_1322_ = true;
+                                            phi_1072_ = _e628;
+                                            phi_1097_ = type_9(0u, type_9().member_1);
+                                        }
+                                        let _e642 = phi_1072_;
+                                        let _e644 = phi_1097_;
+                                        let _e648 = (bitcast<i32>(_e644.member) != 0i);
+                                        if _e648 {
+                                            let _e650 = local_3[_e644.member_1];
+                                            let _e652 = (_e650 * (1f / 512f));
+                                            if (_e652 > 0.000000000000000000000000000006310887f) {
+                                                phi_1119_ = _e652;
                                             } else {
-                                                let _e712 = (_e708 > 512u);
-                                                if _e712 {
-                                                    phi_1320_ = array<u32, 2>();
-                                                } else {
-                                                    if (_e683[0] > 0u) {
-                                                        if _e695 {
-                                                            if (_e691 == 4u) {
-                                                                phi_1281_ = false;
-                                                            } else {
-                                                                phi_1281_ = true;
-                                                            }
-                                                            let _e717 = phi_1281_;
-                                                            phi_1282_ = _e717;
-                                                        } else {
-                                                            phi_1282_ = true;
-                                                        }
-                                                        let _e719 = phi_1282_;
-                                                        if _e719 {
-                                                            phi_1288_ = (_e683[0] - 1u);
-                                                            phi_1289_ = false;
-                                                        } else {
-                                                            phi_1288_ = u32();
-                                                            phi_1289_ = true;
-                                                        }
-                                                        let _e723 = phi_1288_;
-                                                        let _e725 = phi_1289_;
-                                                        phi_1290_ = _e723;
-                                                        phi_1291_ = _e725;
-                                                    } else {
-                                                        phi_1290_ = u32();
-                                                        phi_1291_ = true;
-                                                    }
-                                                    let _e727 = phi_1290_;
-                                                    let _e729 = phi_1291_;
-                                                    if _e729 {
-                                                        phi_1296_ = _e683[0];
-                                                    } else {
-                                                        phi_1296_ = _e727;
-                                                    }
-                                                    let _e732 = phi_1296_;
-                                                    if ((_e683[0] + 1u) < 512u) {
-                                                        phi_1306_ = (_e683[0] + 1u);
-                                                    } else {
-                                                        phi_1306_ = _e683[0];
-                                                    }
-                                                    let _e740 = phi_1306_;
-                                                    phi_1320_ = array<u32, 2>(((((_e708 - 1u) << bitcast<u32>(18u)) | ((_e705 - 1u) << bitcast<u32>(9u))) | _e732), ((((_e708 - 1u) << bitcast<u32>(18u)) | ((_e705 - 1u) << bitcast<u32>(9u))) | _e740));
-                                                }
-                                                let _e759 = phi_1320_;
-                                                phi_1321_ = _e759;
-                                                phi_1322_ = _e712;
+                                                phi_1119_ = 0.000000000000000000000000000006310887f;
                                             }
-                                            let _e761 = phi_1321_;
-                                            let _e763 = phi_1322_;
-                                            phi_1323_ = _e761;
-                                            phi_1324_ = _e763;
+                                            let _e655 = phi_1119_;
+                                            let _e658 = local_6.member_1[_e644.member_1];
+                                            if ((_e658 * bitcast<f32>(((127u - _e622.member_1) << bitcast<u32>(23i)))) > _e655) {
+                                                phi_1136_ = false;
+                                            } else {
+                                                phi_1136_ = _e630;
+                                            }
+                                            let _e666 = phi_1136_;
+                                            phi_1075_ = _e666;
+                                        } else {
+                                            phi_1075_ = bool();
                                         }
-                                        let _e765 = phi_1323_;
-                                        let _e767 = phi_1324_;
-                                        phi_1325_ = _e765;
-                                        phi_1326_ = _e767;
+                                        let _e668 = phi_1075_;
+                                        continue;
+                                        continuing {
+                                            phi_1071_ = _e642;
+                                            phi_1074_ = _e668;
+                                            break if !(_e648);
+                                        }
                                     }
-                                    let _e769 = phi_1325_;
-                                    let _e771 = phi_1326_;
-                                    if _e771 {
-                                        phi_1331_ = array<u32, 2>(1u, 0u);
+                                    let _e671 = local_10;
+                                    if _e671 {
+                                        phi_1142_ = type_27();
+                                        phi_1143_ = false;
                                     } else {
-                                        phi_1331_ = _e769;
+                                        phi_1142_ = type_27(_e608.member, (_e622.member_1 + 1u));
+                                        phi_1143_ = true;
                                     }
-                                    let _e773 = phi_1331_;
-                                    phi_1332_ = _e773;
+                                    let _e676 = phi_1142_;
+                                    let _e678 = phi_1143_;
+                                    phi_1039_ = _e676;
+                                    phi_1144_ = _e678;
+                                } else {
+                                    phi_1039_ = type_27();
+                                    phi_1144_ = false;
                                 }
-                                let _e775 = phi_1332_;
-                                phi_1340_ = array<u32, 2>(((_e289 << bitcast<u32>(27u)) | _e775[0]), ((_e289 << bitcast<u32>(27u)) | _e775[1]));
-                                phi_1341_ = false;
-                            } else {
-                                phi_1340_ = array<u32, 2>();
-                                phi_1341_ = true;
+                                let _e680 = phi_1039_;
+                                let _e682 = phi_1144_;
+                                continue;
+                                continuing {
+                                    phi_1035_ = _e620;
+                                    phi_1038_ = _e680;
+                                    break if !(_e682);
+                                }
                             }
-                            let _e786 = phi_1340_;
-                            let _e788 = phi_1341_;
-                            phi_1342_ = _e786;
-                            phi_1343_ = _e788;
+                            let _e687 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e452);
+                            if (_e687 < 8u) {
+                                phi_1152_ = _e687;
+                            } else {
+                                phi_1152_ = 8u;
+                            }
+                            let _e690 = phi_1152_;
+                            let _e692 = local_11;
+                            let _e697 = local_12;
+                            if (_e697.member_1 < 8u) {
+                                let _e701 = local_13;
+                                phi_1162_ = (_e701.member_1 + 1u);
+                            } else {
+                                phi_1162_ = 8u;
+                            }
+                            let _e705 = phi_1162_;
+                            if ((_e690 + 1u) >= _e705) {
+                                phi_1169_ = 0u;
+                            } else {
+                                let _e708 = local_14;
+                                phi_1169_ = (_e708.member_1 - _e690);
+                            }
+                            let _e712 = phi_1169_;
+                            let _e716 = bitcast<f32>(((127u - _e712) << bitcast<u32>(23i)));
+                            let _e718 = local_15;
+                            let _e724 = local_16;
+                            let _e730 = local_17;
+                            local_2.member = type_18(array<f32, 3>(_e692.member.member.member[0], _e692.member.member.member[1], _e692.member.member.member[2]), array<f32, 3>(_e692.member.member.member_1[0], _e692.member.member.member_1[1], _e692.member.member.member_1[2]));
+                            local_2.member_1 = array<f32, 3>((_e718.member.member_1[0] * _e716), (_e724.member.member_1[1] * _e716), (_e730.member.member_1[2] * _e716));
+                            local_1.member = array<f32, 3>(0f, 0f, 0f);
+                            local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
+                            phi_1201_ = type_9(0u, 3u);
+                            loop {
+                                let _e752 = phi_1201_;
+                                if (_e752.member < _e752.member_1) {
+                                    phi_1202_ = type_9((_e752.member + 1u), _e752.member_1);
+                                    phi_1225_ = type_9(1u, _e752.member);
+                                } else {
+                                    phi_1202_ = _e752;
+                                    phi_1225_ = type_9(0u, type_9().member_1);
+                                }
+                                let _e764 = phi_1202_;
+                                let _e766 = phi_1225_;
+                                let _e770 = (bitcast<i32>(_e766.member) != 0i);
+                                if _e770 {
+                                    let _e774 = local_2.member.member[_e766.member_1];
+                                    let _e778 = local_2.member.member_1[_e766.member_1];
+                                    let _e783 = (((_e778 * 0.5f) - (_e774 * 0.5f)) * (1f / 512f));
+                                    let _e786 = local_2.member_1[_e766.member_1];
+                                    let _e789 = local_2.member_1[_e766.member_1];
+                                    let _e791 = (_e786 + (_e789 * 0.00390625f));
+                                    if (_e783 > _e791) {
+                                        phi_1276_ = _e783;
+                                    } else {
+                                        phi_1276_ = _e791;
+                                    }
+                                    let _e794 = phi_1276_;
+                                    if (0.000000000000000000000000000006310887f > _e794) {
+                                        phi_1281_ = 0.000000000000000000000000000006310887f;
+                                    } else {
+                                        phi_1281_ = _e794;
+                                    }
+                                    let _e797 = phi_1281_;
+                                    local_1.member[_e766.member_1] = (_e774 * 0.25f);
+                                    local_1.member_1[_e766.member_1] = (1f / _e797);
+                                }
+                                continue;
+                                continuing {
+                                    phi_1201_ = _e764;
+                                    break if !(_e770);
+                                }
+                            }
+                            let _e805 = local_1;
+                            local_4 = _e805;
+                            local = array<u32, 3>(0u, 0u, 0u);
+                            phi_1322_ = type_9(0u, 3u);
+                            loop {
+                                let _e807 = phi_1322_;
+                                if (_e807.member < _e807.member_1) {
+                                    phi_1323_ = type_9((_e807.member + 1u), _e807.member_1);
+                                    phi_1346_ = type_9(1u, _e807.member);
+                                } else {
+                                    phi_1323_ = _e807;
+                                    phi_1346_ = type_9(0u, type_9().member_1);
+                                }
+                                let _e819 = phi_1323_;
+                                let _e821 = phi_1346_;
+                                let _e825 = (bitcast<i32>(_e821.member) != 0i);
+                                if _e825 {
+                                    let _e828 = local_4.member[_e821.member_1];
+                                    let _e831 = local_7.member[_e821.member_1];
+                                    let _e836 = local_7.member_1[_e821.member_1];
+                                    let _e842 = local_4.member_1[_e821.member_1];
+                                    let _e843 = ((((_e831 * 0.25f) - _e828) + ((_e836 * 0.25f) - _e828)) * _e842);
+                                    if (_e843 >= 511f) {
+                                        phi_1407_ = 511u;
+                                    } else {
+                                        if (_e843 > 0f) {
+                                            phi_1406_ = select(select(u32(_e843), 0u, (_e843 < 0f)), 4294967295u, (_e843 > 4294967000f));
+                                        } else {
+                                            phi_1406_ = 0u;
+                                        }
+                                        let _e852 = phi_1406_;
+                                        phi_1407_ = _e852;
+                                    }
+                                    let _e854 = phi_1407_;
+                                    local[_e821.member_1] = _e854;
+                                }
+                                continue;
+                                continuing {
+                                    phi_1322_ = _e819;
+                                    break if !(_e825);
+                                }
+                            }
+                            let _e857 = local;
+                            phi_1419_ = array<u32, 3>(_e857[0], _e857[1], _e857[2]);
                         }
-                        let _e790 = phi_1342_;
-                        let _e792 = phi_1343_;
-                        if _e792 {
-                            phi_1348_ = array<u32, 2>(1u, 0u);
+                        let _e871 = phi_1419_;
+                        phi_1420_ = _e871;
+                    } else {
+                        phi_1420_ = array<u32, 3>(0u, 0u, 0u);
+                    }
+                    let _e873 = phi_1420_;
+                    let _e875 = (_e249[1] << bitcast<u32>(30u));
+                    if (_e230 == 1u) {
+                        let _e997 = survey.member[6u];
+                        if (_e997 == 0u) {
+                            let _e1007 = local_7.member_1[0u];
+                            phi_1455_ = _e1007;
                         } else {
-                            phi_1348_ = _e790;
+                            if (_e997 == 1u) {
+                                let _e1003 = local_7.member_1[1u];
+                                phi_1454_ = _e1003;
+                            } else {
+                                let _e1001 = local_7.member_1[2u];
+                                phi_1454_ = _e1001;
+                            }
+                            let _e1005 = phi_1454_;
+                            phi_1455_ = _e1005;
                         }
-                        let _e794 = phi_1348_;
-                        phi_1355_ = array<u32, 2>((_e685 | _e794[0]), (_e685 | _e794[1]));
+                        let _e1009 = phi_1455_;
+                        let _e1010 = bitcast<u32>(_e1009);
+                        if (_e1010 == 2147483648u) {
+                            phi_1461_ = 0u;
+                        } else {
+                            phi_1461_ = _e1010;
+                        }
+                        let _e1013 = phi_1461_;
+                        let _e1015 = bitcast<u32>(bitcast<f32>(_e1013));
+                        if ((_e1015 >> bitcast<u32>(31i)) == 1u) {
+                            phi_1471_ = ~(_e1015);
+                        } else {
+                            phi_1471_ = (_e1015 | 2147483648u);
+                        }
+                        let _e1022 = phi_1471_;
+                        phi_1618_ = array<u32, 2>(((_e875 | (_e252 & 1073741823u)) + _e187), (_e875 | (_e1022 >> bitcast<u32>(2i))));
                     } else {
-                        phi_1355_ = array<u32, 2>(_e685, _e685);
+                        if (_e230 == 2u) {
+                            let _e879 = (_e187 % 80u);
+                            let _e881 = (_e879 % 10u);
+                            if (_e233 == 1u) {
+                                phi_1487_ = ((_e879 / 10u) == 0u);
+                            } else {
+                                phi_1487_ = false;
+                            }
+                            let _e885 = phi_1487_;
+                            if (_e479 >= 8u) {
+                                phi_1604_ = array<u32, 2>();
+                                phi_1605_ = true;
+                            } else {
+                                if _e885 {
+                                    if (_e881 < 4u) {
+                                        phi_1499_ = false;
+                                    } else {
+                                        phi_1499_ = true;
+                                    }
+                                    let _e889 = phi_1499_;
+                                    phi_1500_ = _e889;
+                                } else {
+                                    phi_1500_ = true;
+                                }
+                                let _e891 = phi_1500_;
+                                if _e891 {
+                                    if (_e881 == 9u) {
+                                        phi_1594_ = array<u32, 2>(0u, 134217727u);
+                                    } else {
+                                        let _e895 = (_e873[1] + (_e881 % 3u));
+                                        let _e898 = (_e873[2] + (_e881 / 3u));
+                                        if (_e895 < 1u) {
+                                            phi_1587_ = array<u32, 2>();
+                                            phi_1588_ = true;
+                                        } else {
+                                            if (_e898 < 1u) {
+                                                phi_1585_ = array<u32, 2>();
+                                                phi_1586_ = true;
+                                            } else {
+                                                if (_e895 > 512u) {
+                                                    phi_1583_ = array<u32, 2>();
+                                                    phi_1584_ = true;
+                                                } else {
+                                                    let _e902 = (_e898 > 512u);
+                                                    if _e902 {
+                                                        phi_1582_ = array<u32, 2>();
+                                                    } else {
+                                                        if (_e873[0] > 0u) {
+                                                            if _e885 {
+                                                                if (_e881 == 4u) {
+                                                                    phi_1543_ = false;
+                                                                } else {
+                                                                    phi_1543_ = true;
+                                                                }
+                                                                let _e907 = phi_1543_;
+                                                                phi_1544_ = _e907;
+                                                            } else {
+                                                                phi_1544_ = true;
+                                                            }
+                                                            let _e909 = phi_1544_;
+                                                            if _e909 {
+                                                                phi_1550_ = (_e873[0] - 1u);
+                                                                phi_1551_ = false;
+                                                            } else {
+                                                                phi_1550_ = u32();
+                                                                phi_1551_ = true;
+                                                            }
+                                                            let _e913 = phi_1550_;
+                                                            let _e915 = phi_1551_;
+                                                            phi_1552_ = _e913;
+                                                            phi_1553_ = _e915;
+                                                        } else {
+                                                            phi_1552_ = u32();
+                                                            phi_1553_ = true;
+                                                        }
+                                                        let _e917 = phi_1552_;
+                                                        let _e919 = phi_1553_;
+                                                        if _e919 {
+                                                            phi_1558_ = _e873[0];
+                                                        } else {
+                                                            phi_1558_ = _e917;
+                                                        }
+                                                        let _e922 = phi_1558_;
+                                                        if ((_e873[0] + 1u) < 512u) {
+                                                            phi_1568_ = (_e873[0] + 1u);
+                                                        } else {
+                                                            phi_1568_ = _e873[0];
+                                                        }
+                                                        let _e930 = phi_1568_;
+                                                        phi_1582_ = array<u32, 2>(((((_e898 - 1u) << bitcast<u32>(18u)) | ((_e895 - 1u) << bitcast<u32>(9u))) | _e922), ((((_e898 - 1u) << bitcast<u32>(18u)) | ((_e895 - 1u) << bitcast<u32>(9u))) | _e930));
+                                                    }
+                                                    let _e949 = phi_1582_;
+                                                    phi_1583_ = _e949;
+                                                    phi_1584_ = _e902;
+                                                }
+                                                let _e951 = phi_1583_;
+                                                let _e953 = phi_1584_;
+                                                phi_1585_ = _e951;
+                                                phi_1586_ = _e953;
+                                            }
+                                            let _e955 = phi_1585_;
+                                            let _e957 = phi_1586_;
+                                            phi_1587_ = _e955;
+                                            phi_1588_ = _e957;
+                                        }
+                                        let _e959 = phi_1587_;
+                                        let _e961 = phi_1588_;
+                                        if _e961 {
+                                            phi_1593_ = array<u32, 2>(1u, 0u);
+                                        } else {
+                                            phi_1593_ = _e959;
+                                        }
+                                        let _e963 = phi_1593_;
+                                        phi_1594_ = _e963;
+                                    }
+                                    let _e965 = phi_1594_;
+                                    phi_1602_ = array<u32, 2>(((_e479 << bitcast<u32>(27u)) | _e965[0]), ((_e479 << bitcast<u32>(27u)) | _e965[1]));
+                                    phi_1603_ = false;
+                                } else {
+                                    phi_1602_ = array<u32, 2>();
+                                    phi_1603_ = true;
+                                }
+                                let _e976 = phi_1602_;
+                                let _e978 = phi_1603_;
+                                phi_1604_ = _e976;
+                                phi_1605_ = _e978;
+                            }
+                            let _e980 = phi_1604_;
+                            let _e982 = phi_1605_;
+                            if _e982 {
+                                phi_1610_ = array<u32, 2>(1u, 0u);
+                            } else {
+                                phi_1610_ = _e980;
+                            }
+                            let _e984 = phi_1610_;
+                            phi_1617_ = array<u32, 2>((_e875 | _e984[0]), (_e875 | _e984[1]));
+                        } else {
+                            phi_1617_ = array<u32, 2>(_e875, _e875);
+                        }
+                        let _e991 = phi_1617_;
+                        phi_1618_ = _e991;
                     }
-                    let _e801 = phi_1355_;
-                    phi_1356_ = _e801;
-                }
-                let _e838 = phi_1356_;
-                if (_e225 == 1u) {
-                    phi_1364_ = (_e214 + 1u);
+                    let _e1028 = phi_1618_;
+                    if (_e233 == 1u) {
+                        phi_1626_ = (_e222 + 1u);
+                    } else {
+                        phi_1626_ = 0u;
+                    }
+                    let _e1034 = phi_1626_;
+                    phi_1629_ = array<u32, 3>(_e1028[0], _e1028[1], _e1034);
                 } else {
-                    phi_1364_ = 0u;
+                    phi_1629_ = array<u32, 3>(4294967295u, 0u, 0u);
                 }
-                let _e844 = phi_1364_;
-                phi_1367_ = array<u32, 3>(_e838[0], _e838[1], _e844);
+                let _e1037 = phi_1629_;
+                phi_1631_ = _e1037;
             } else {
-                phi_1367_ = array<u32, 3>(4294967295u, 0u, 0u);
+                phi_1631_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e847 = phi_1367_;
-            if _e219 {
-                let _e852 = sorted.member[_e214];
-                phi_1384_ = _e852;
+            let _e1039 = phi_1631_;
+            if _e227 {
+                let _e1044 = sorted.member[_e222];
+                phi_1648_ = _e1044;
             } else {
-                phi_1384_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_1648_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e854 = phi_1384_;
-            phi_1387_ = type_9(0u, ((_e177 >> bitcast<u32>(29i)) + 1u));
+            let _e1046 = phi_1648_;
+            phi_1651_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
             loop {
-                let _e857 = phi_1387_;
-                if (_e857.member < _e857.member_1) {
-                    phi_1388_ = type_9((_e857.member + 1u), _e857.member_1);
-                    phi_1411_ = type_9(1u, _e857.member);
+                let _e1049 = phi_1651_;
+                if (_e1049.member < _e1049.member_1) {
+                    phi_1652_ = type_9((_e1049.member + 1u), _e1049.member_1);
+                    phi_1675_ = type_9(1u, _e1049.member);
                 } else {
-                    phi_1388_ = _e857;
-                    phi_1411_ = type_9(0u, type_9().member_1);
+                    phi_1652_ = _e1049;
+                    phi_1675_ = type_9(0u, type_9().member_1);
                 }
-                let _e869 = phi_1388_;
-                let _e871 = phi_1411_;
-                let _e875 = (bitcast<i32>(_e871.member) != 0i);
-                if _e875 {
-                    let _e877 = ((_e177 & 536870911u) + (_e871.member_1 * 128u));
-                    let _e878 = (_e877 + _e88);
-                    if (_e878 < _e128) {
-                        let _e881 = keys.member[_e878];
-                        let _e883 = sorted.member[_e878];
-                        phi_1446_ = _e883;
-                        phi_1447_ = _e881;
+                let _e1061 = phi_1652_;
+                let _e1063 = phi_1675_;
+                let _e1067 = (bitcast<i32>(_e1063.member) != 0i);
+                if _e1067 {
+                    let _e1069 = ((_e185 & 536870911u) + (_e1063.member_1 * 128u));
+                    let _e1070 = (_e1069 + _e96);
+                    if (_e1070 < _e136) {
+                        let _e1073 = keys.member[_e1070];
+                        let _e1075 = sorted.member[_e1070];
+                        phi_1710_ = _e1075;
+                        phi_1711_ = _e1073;
                     } else {
-                        phi_1446_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_1447_ = 4294967295u;
+                        phi_1710_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_1711_ = 4294967295u;
                     }
-                    let _e885 = phi_1446_;
-                    let _e887 = phi_1447_;
-                    names[_e88] = _e887;
-                    boxes[_e88] = type_16(array<f32, 3>(_e885.member[0], _e885.member[1], _e885.member[2]), array<f32, 3>(_e885.member_1[0], _e885.member_1[1], _e885.member_1[2]));
-                    if (_e88 == 0u) {
+                    let _e1077 = phi_1710_;
+                    let _e1079 = phi_1711_;
+                    names[_e96] = _e1079;
+                    boxes[_e96] = type_18(array<f32, 3>(_e1077.member[0], _e1077.member[1], _e1077.member[2]), array<f32, 3>(_e1077.member_1[0], _e1077.member_1[1], _e1077.member_1[2]));
+                    if (_e96 == 0u) {
                         atomicStore((&counters[0u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_1468_ = type_9(0u, 128u);
+                    phi_1732_ = type_9(0u, 128u);
                     loop {
-                        let _e904 = phi_1468_;
-                        if (_e904.member < _e904.member_1) {
-                            phi_1469_ = type_9((_e904.member + 1u), _e904.member_1);
-                            phi_1492_ = type_9(1u, _e904.member);
+                        let _e1096 = phi_1732_;
+                        if (_e1096.member < _e1096.member_1) {
+                            phi_1733_ = type_9((_e1096.member + 1u), _e1096.member_1);
+                            phi_1756_ = type_9(1u, _e1096.member);
                         } else {
-                            phi_1469_ = _e904;
-                            phi_1492_ = type_9(0u, type_9().member_1);
+                            phi_1733_ = _e1096;
+                            phi_1756_ = type_9(0u, type_9().member_1);
                         }
-                        let _e916 = phi_1469_;
-                        let _e918 = phi_1492_;
-                        let _e922 = (bitcast<i32>(_e918.member) != 0i);
-                        if _e922 {
-                            let _e924 = names[_e918.member_1];
-                            if (_e924 >= _e847[0]) {
-                                if (_e924 <= _e847[1]) {
-                                    if ((_e877 + _e918.member_1) >= _e847[2]) {
-                                        let _e930 = boxes[_e918.member_1];
-                                        if ((((((_e854.member[0] <= _e930.member_1[0]) && (_e930.member[0] <= _e854.member_1[0])) && (_e854.member[1] <= _e930.member_1[1])) && (_e930.member[1] <= _e854.member_1[1])) && (_e854.member[2] <= _e930.member_1[2])) && (_e930.member[2] <= _e854.member_1[2])) {
-                                            let _e963 = atomicAdd((&counters[0u]), 1u);
-                                            if (_e963 < 2048u) {
-                                                hits[_e963] = ((_e88 << bitcast<u32>(7i)) | _e918.member_1);
+                        let _e1108 = phi_1733_;
+                        let _e1110 = phi_1756_;
+                        let _e1114 = (bitcast<i32>(_e1110.member) != 0i);
+                        if _e1114 {
+                            let _e1116 = names[_e1110.member_1];
+                            if (_e1116 >= _e1039[0]) {
+                                if (_e1116 <= _e1039[1]) {
+                                    if ((_e1069 + _e1110.member_1) >= _e1039[2]) {
+                                        let _e1122 = boxes[_e1110.member_1];
+                                        if ((((((_e1046.member[0] <= _e1122.member_1[0]) && (_e1122.member[0] <= _e1046.member_1[0])) && (_e1046.member[1] <= _e1122.member_1[1])) && (_e1122.member[1] <= _e1046.member_1[1])) && (_e1046.member[2] <= _e1122.member_1[2])) && (_e1122.member[2] <= _e1046.member_1[2])) {
+                                            let _e1155 = atomicAdd((&counters[0u]), 1u);
+                                            if (_e1155 < 2048u) {
+                                                hits[_e1155] = ((_e96 << bitcast<u32>(7i)) | _e1110.member_1);
                                             } else {
-                                                let _e967 = order.member[_e214];
-                                                let _e969 = order.member[(_e877 + _e918.member_1)];
-                                                let _e972 = params.member.member_2.member_1;
-                                                if (_e972 == 1u) {
-                                                    let _e1002 = params.member.member.member_2[1u];
-                                                    let _e1003 = (_e967 - _e1002);
-                                                    let _e1007 = params.member.member.member_2[1u];
-                                                    let _e1008 = (_e969 - _e1007);
-                                                    if (_e1003 < _e1008) {
-                                                        phi_1605_ = type_9(_e1003, _e1008);
+                                                let _e1159 = order.member[_e222];
+                                                let _e1161 = order.member[(_e1069 + _e1110.member_1)];
+                                                let _e1164 = params.member.member_2.member_1;
+                                                if (_e1164 == 1u) {
+                                                    let _e1194 = params.member.member.member_2[1u];
+                                                    let _e1195 = (_e1159 - _e1194);
+                                                    let _e1199 = params.member.member.member_2[1u];
+                                                    let _e1200 = (_e1161 - _e1199);
+                                                    if (_e1195 < _e1200) {
+                                                        phi_1869_ = type_9(_e1195, _e1200);
                                                     } else {
-                                                        phi_1605_ = type_9(_e1008, _e1003);
+                                                        phi_1869_ = type_9(_e1200, _e1195);
                                                     }
-                                                    let _e1013 = phi_1605_;
-                                                    phi_1638_ = _e1013;
+                                                    let _e1205 = phi_1869_;
+                                                    phi_1902_ = _e1205;
                                                 } else {
-                                                    let _e976 = params.member.member_2.member;
-                                                    if (_e976 == 2u) {
-                                                        phi_1616_ = 8u;
+                                                    let _e1168 = params.member.member_2.member;
+                                                    if (_e1168 == 2u) {
+                                                        phi_1880_ = 8u;
                                                     } else {
-                                                        phi_1616_ = 1u;
+                                                        phi_1880_ = 1u;
                                                     }
-                                                    let _e979 = phi_1616_;
-                                                    if (_e976 == 2u) {
-                                                        phi_1621_ = 10u;
+                                                    let _e1171 = phi_1880_;
+                                                    if (_e1168 == 2u) {
+                                                        phi_1885_ = 10u;
                                                     } else {
-                                                        phi_1621_ = 1u;
+                                                        phi_1885_ = 1u;
                                                     }
-                                                    let _e982 = phi_1621_;
-                                                    if (_e179 >= (_e979 * _e982)) {
-                                                        let _e994 = params.member.member.member_2[2u];
-                                                        phi_1637_ = type_9(_e969, (_e967 - _e994));
+                                                    let _e1174 = phi_1885_;
+                                                    if (_e187 >= (_e1171 * _e1174)) {
+                                                        let _e1186 = params.member.member.member_2[2u];
+                                                        phi_1901_ = type_9(_e1161, (_e1159 - _e1186));
                                                     } else {
-                                                        let _e988 = params.member.member.member_2[2u];
-                                                        phi_1637_ = type_9(_e967, (_e969 - _e988));
+                                                        let _e1180 = params.member.member.member_2[2u];
+                                                        phi_1901_ = type_9(_e1159, (_e1161 - _e1180));
                                                     }
-                                                    let _e998 = phi_1637_;
-                                                    phi_1638_ = _e998;
+                                                    let _e1190 = phi_1901_;
+                                                    phi_1902_ = _e1190;
                                                 }
-                                                let _e1015 = phi_1638_;
-                                                let _e1020 = params.member.member_1.member_3;
-                                                let _e1022 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e1022 + 1u) < _e1022) {
-                                                    let _e1026 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e1207 = phi_1902_;
+                                                let _e1212 = params.member.member_1.member_3;
+                                                let _e1214 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e1214 + 1u) < _e1214) {
+                                                    let _e1218 = atomicAdd((&pairs.member[2u]), 1u);
                                                 }
-                                                if (_e1022 < _e1020) {
-                                                    let _e1028 = (2u * _e1022);
-                                                    atomicStore((&pairs.member[(4u + _e1028)]), _e1015.member);
-                                                    atomicStore((&pairs.member[(_e1028 + 5u)]), _e1015.member_1);
+                                                if (_e1214 < _e1212) {
+                                                    let _e1220 = (2u * _e1214);
+                                                    atomicStore((&pairs.member[(4u + _e1220)]), _e1207.member);
+                                                    atomicStore((&pairs.member[(_e1220 + 5u)]), _e1207.member_1);
                                                 }
                                             }
                                         }
@@ -1032,148 +1322,148 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_1468_ = _e916;
-                            break if !(_e922);
+                            phi_1732_ = _e1108;
+                            break if !(_e1114);
                         }
                     }
                     workgroupBarrier();
-                    let _e1039 = atomicLoad((&counters[0u]));
-                    if (2048u < _e1039) {
-                        phi_1673_ = 2048u;
+                    let _e1231 = atomicLoad((&counters[0u]));
+                    if (2048u < _e1231) {
+                        phi_1937_ = 2048u;
                     } else {
-                        phi_1673_ = _e1039;
+                        phi_1937_ = _e1231;
                     }
-                    let _e1042 = phi_1673_;
-                    if (_e88 == 0u) {
-                        if (_e1042 > 0u) {
-                            let _e1046 = atomicAdd((&pairs.member[0u]), _e1042);
-                            if ((_e1046 + _e1042) < _e1046) {
-                                let _e1050 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1234 = phi_1937_;
+                    if (_e96 == 0u) {
+                        if (_e1234 > 0u) {
+                            let _e1238 = atomicAdd((&pairs.member[0u]), _e1234);
+                            if ((_e1238 + _e1234) < _e1238) {
+                                let _e1242 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[1u]), _e1046);
+                            atomicStore((&counters[1u]), _e1238);
                         }
                     }
                     workgroupBarrier();
-                    let _e1053 = atomicLoad((&counters[1u]));
-                    phi_1699_ = type_9(0u, 16u);
+                    let _e1245 = atomicLoad((&counters[1u]));
+                    phi_1963_ = type_9(0u, 16u);
                     loop {
-                        let _e1055 = phi_1699_;
-                        if (_e1055.member < _e1055.member_1) {
-                            phi_1700_ = type_9((_e1055.member + 1u), _e1055.member_1);
-                            phi_1723_ = type_9(1u, _e1055.member);
+                        let _e1247 = phi_1963_;
+                        if (_e1247.member < _e1247.member_1) {
+                            phi_1964_ = type_9((_e1247.member + 1u), _e1247.member_1);
+                            phi_1987_ = type_9(1u, _e1247.member);
                         } else {
-                            phi_1700_ = _e1055;
-                            phi_1723_ = type_9(0u, type_9().member_1);
+                            phi_1964_ = _e1247;
+                            phi_1987_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1067 = phi_1700_;
-                        let _e1069 = phi_1723_;
-                        if (bitcast<i32>(_e1069.member) != 0i) {
-                            let _e1075 = ((_e1069.member_1 * 128u) + _e88);
-                            if (_e1075 >= _e1042) {
-                                phi_1888_ = false;
+                        let _e1259 = phi_1964_;
+                        let _e1261 = phi_1987_;
+                        if (bitcast<i32>(_e1261.member) != 0i) {
+                            let _e1267 = ((_e1261.member_1 * 128u) + _e96);
+                            if (_e1267 >= _e1234) {
+                                phi_2152_ = false;
                             } else {
-                                let _e1078 = hits[_e1075];
-                                let _e1083 = params.member.member_2.member;
-                                let _e1086 = params.member.member_2.member_1;
-                                if (_e1086 == 0u) {
-                                    phi_1754_ = array<u32, 2>(0u, 2u);
+                                let _e1270 = hits[_e1267];
+                                let _e1275 = params.member.member_2.member;
+                                let _e1278 = params.member.member_2.member_1;
+                                if (_e1278 == 0u) {
+                                    phi_2018_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_1754_ = array<u32, 2>(1u, 1u);
+                                    phi_2018_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e1089 = phi_1754_;
-                                if (_e1083 == 2u) {
-                                    phi_1761_ = 8u;
+                                let _e1281 = phi_2018_;
+                                if (_e1275 == 2u) {
+                                    phi_2025_ = 8u;
                                 } else {
-                                    phi_1761_ = 1u;
+                                    phi_2025_ = 1u;
                                 }
-                                let _e1094 = phi_1761_;
-                                if (_e1083 == 2u) {
-                                    phi_1766_ = 10u;
+                                let _e1286 = phi_2025_;
+                                if (_e1275 == 2u) {
+                                    phi_2030_ = 10u;
                                 } else {
-                                    phi_1766_ = 1u;
+                                    phi_2030_ = 1u;
                                 }
-                                let _e1097 = phi_1766_;
-                                if (_e179 >= (_e1094 * _e1097)) {
-                                    phi_1774_ = array<u32, 2>(_e1089[1], _e1089[0]);
+                                let _e1289 = phi_2030_;
+                                if (_e187 >= (_e1286 * _e1289)) {
+                                    phi_2038_ = array<u32, 2>(_e1281[1], _e1281[0]);
                                 } else {
-                                    phi_1774_ = _e1089;
+                                    phi_2038_ = _e1281;
                                 }
-                                let _e1102 = phi_1774_;
-                                let _e1109 = params.member.member.member_2[_e1102[0]];
-                                let _e1114 = order.member[(_e1109 + ((_e183 * 128u) + (_e1078 >> bitcast<u32>(7i))))];
-                                let _e1116 = order.member[(_e877 + (_e1078 % 128u))];
-                                let _e1119 = params.member.member_2.member_1;
-                                if (_e1119 == 1u) {
-                                    let _e1149 = params.member.member.member_2[1u];
-                                    let _e1150 = (_e1114 - _e1149);
-                                    let _e1154 = params.member.member.member_2[1u];
-                                    let _e1155 = (_e1116 - _e1154);
-                                    if (_e1150 < _e1155) {
-                                        phi_1837_ = type_9(_e1150, _e1155);
+                                let _e1294 = phi_2038_;
+                                let _e1301 = params.member.member.member_2[_e1294[0]];
+                                let _e1306 = order.member[(_e1301 + ((_e191 * 128u) + (_e1270 >> bitcast<u32>(7i))))];
+                                let _e1308 = order.member[(_e1069 + (_e1270 % 128u))];
+                                let _e1311 = params.member.member_2.member_1;
+                                if (_e1311 == 1u) {
+                                    let _e1341 = params.member.member.member_2[1u];
+                                    let _e1342 = (_e1306 - _e1341);
+                                    let _e1346 = params.member.member.member_2[1u];
+                                    let _e1347 = (_e1308 - _e1346);
+                                    if (_e1342 < _e1347) {
+                                        phi_2101_ = type_9(_e1342, _e1347);
                                     } else {
-                                        phi_1837_ = type_9(_e1155, _e1150);
+                                        phi_2101_ = type_9(_e1347, _e1342);
                                     }
-                                    let _e1160 = phi_1837_;
-                                    phi_1870_ = _e1160;
+                                    let _e1352 = phi_2101_;
+                                    phi_2134_ = _e1352;
                                 } else {
-                                    let _e1123 = params.member.member_2.member;
-                                    if (_e1123 == 2u) {
-                                        phi_1848_ = 8u;
+                                    let _e1315 = params.member.member_2.member;
+                                    if (_e1315 == 2u) {
+                                        phi_2112_ = 8u;
                                     } else {
-                                        phi_1848_ = 1u;
+                                        phi_2112_ = 1u;
                                     }
-                                    let _e1126 = phi_1848_;
-                                    if (_e1123 == 2u) {
-                                        phi_1853_ = 10u;
+                                    let _e1318 = phi_2112_;
+                                    if (_e1315 == 2u) {
+                                        phi_2117_ = 10u;
                                     } else {
-                                        phi_1853_ = 1u;
+                                        phi_2117_ = 1u;
                                     }
-                                    let _e1129 = phi_1853_;
-                                    if (_e179 >= (_e1126 * _e1129)) {
-                                        let _e1141 = params.member.member.member_2[2u];
-                                        phi_1869_ = type_9(_e1116, (_e1114 - _e1141));
+                                    let _e1321 = phi_2117_;
+                                    if (_e187 >= (_e1318 * _e1321)) {
+                                        let _e1333 = params.member.member.member_2[2u];
+                                        phi_2133_ = type_9(_e1308, (_e1306 - _e1333));
                                     } else {
-                                        let _e1135 = params.member.member.member_2[2u];
-                                        phi_1869_ = type_9(_e1114, (_e1116 - _e1135));
+                                        let _e1327 = params.member.member.member_2[2u];
+                                        phi_2133_ = type_9(_e1306, (_e1308 - _e1327));
                                     }
-                                    let _e1145 = phi_1869_;
-                                    phi_1870_ = _e1145;
+                                    let _e1337 = phi_2133_;
+                                    phi_2134_ = _e1337;
                                 }
-                                let _e1162 = phi_1870_;
-                                let _e1167 = params.member.member_1.member_3;
-                                let _e1168 = (_e1053 + _e1075);
-                                if (_e1168 < _e1167) {
-                                    let _e1170 = (2u * _e1168);
-                                    atomicStore((&pairs.member[(4u + _e1170)]), _e1162.member);
-                                    atomicStore((&pairs.member[(_e1170 + 5u)]), _e1162.member_1);
+                                let _e1354 = phi_2134_;
+                                let _e1359 = params.member.member_1.member_3;
+                                let _e1360 = (_e1245 + _e1267);
+                                if (_e1360 < _e1359) {
+                                    let _e1362 = (2u * _e1360);
+                                    atomicStore((&pairs.member[(4u + _e1362)]), _e1354.member);
+                                    atomicStore((&pairs.member[(_e1362 + 5u)]), _e1354.member_1);
                                 }
-                                phi_1888_ = true;
+                                phi_2152_ = true;
                             }
-                            let _e1176 = phi_1888_;
-                            phi_1889_ = _e1176;
+                            let _e1368 = phi_2152_;
+                            phi_2153_ = _e1368;
                         } else {
-                            phi_1889_ = false;
+                            phi_2153_ = false;
                         }
-                        let _e1178 = phi_1889_;
+                        let _e1370 = phi_2153_;
                         continue;
                         continuing {
-                            phi_1699_ = _e1067;
-                            break if !(_e1178);
+                            phi_1963_ = _e1259;
+                            break if !(_e1370);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1387_ = _e869;
-                    break if !(_e875);
+                    phi_1651_ = _e1061;
+                    break if !(_e1067);
                 }
             }
         }
         continue;
         continuing {
-            phi_257_ = _e158;
-            break if !(_e164);
+            phi_263_ = _e166;
+            break if !(_e172);
         }
     }
     return;

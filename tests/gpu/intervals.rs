@@ -248,4 +248,18 @@ fn check_sizes(device: &Device) {
     }
     let mut grid = ccd::gpu::BroadPhase::new(device, BroadPhaseMethod::UniformGrid).unwrap();
     check_pairs("by the grid", brute::self_pairs(&boxes), grid.self_pairs(&boxes).unwrap());
+    // Seven and a half groups of small boxes, a few larger ones in one place, many large ones: a
+    // group of three levels, of which that in between is one row.
+    let sized = |n: usize, by: f32| uniform_boxes(n).into_iter().map(move |b| b.inflated(by));
+    let mut boxes: Vec<Aabb> = sized(960, 0.001).collect();
+    let middle = Aabb { min: [0.45; 3], max: [0.55; 3] };
+    boxes.extend((0..20).map(|k| middle.inflated(0.001 * k as f32)));
+    boxes.extend(sized(400, 0.2));
+    let (a, b) = boxes.split_at(970);
+    let within = sorted(device, UNIFORM_GRID, [&[], &boxes, &[]]);
+    let want = brute::self_pairs(&boxes);
+    check_pairs("within a group of levels", want, found(device, UNIFORM_GRID, 1, &within));
+    let between = sorted(device, UNIFORM_GRID, [a, &[], b]);
+    let want = brute::pairs(a, b);
+    check_pairs("between groups of levels", want, found(device, UNIFORM_GRID, 0, &between));
 }

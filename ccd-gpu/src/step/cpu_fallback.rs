@@ -9,6 +9,8 @@ use ccd_core::model::mesh::Mesh;
 
 /// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
 const MIN_SHARE: usize = 256;
+/// Contacts that `f64` left open, of the same; some take tens of microseconds.
+const MIN_OPEN: usize = 8;
 
 /// Decides pairs on all cores and appends those that touch or stay undecided.
 pub fn decide<T: Real>(
@@ -61,7 +63,7 @@ pub fn settle<T: Real>(
             }
         }
     };
-    let share = contacts.len().div_ceil(n_open.div_ceil(MIN_SHARE).min(cores()));
+    let share = contacts.len().div_ceil(n_open.div_ceil(MIN_OPEN).min(cores()));
     std::thread::scope(|scope| {
         let mut parts = contacts.chunks_mut(share);
         let own = parts.next();

@@ -10,9 +10,9 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::set_of;
 use ccd_core::backend::broad_phase::grid_rows::{CELL_BITS, LEVELS};
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, BITS, CHUNK, FOUND, GROUP, POOL, asked_cell,
-    asked_level, asks, interval, interval_around, is_second_turn, lower_bound, pack, rows_a_step,
-    rows_taken, steps, unpack,
+    self, BITS, CHUNK, FOUND, GROUP, POOL, asked_cell, asked_level,
+    asked_level_of, asks, interval, interval_around, is_second_turn, is_taken, lower_bound, pack,
+    rows_a_step, rows_taken, steps, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::order_key;
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
@@ -155,6 +155,18 @@ impl Sorted<'_> {
         let (method, kind) = (self.params.args.method, self.params.args.kind);
         let [_, asked] = asks(method, kind, row);
         let (key, b) = (at(self.keys, place as usize), at(self.boxes, place as usize));
+        // A group may have boxes of several levels, and a row be one of some of them alone.
+        let level = asked_level_of(method, row, key);
+        let mut n_boxes = 0;
+        if level < LEVELS {
+            let first = (asked << BITS) + (level << CELL_BITS);
+            let n_keys = self.params.frame.start[3];
+            n_boxes = lower_bound(self.keys, n_keys, first + (1 << CELL_BITS))
+                - lower_bound(self.keys, n_keys, first);
+        }
+        if !is_taken(method, row, n_boxes) {
+            return [u32::MAX, 0, 0];
+        }
         let [from, to] = interval(method, kind, row, asked, key, &b, self.survey);
         [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
     }

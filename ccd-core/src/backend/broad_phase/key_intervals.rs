@@ -86,6 +86,17 @@ pub fn rows_taken(method: u32, n_boxes: u32) -> [u32; 2] {
     if method == UNIFORM_GRID { grid_rows::rows_taken(n_boxes) } else { [0, 1] }
 }
 
+/// Whether a row is one of those of a level with so many boxes.
+#[inline(always)]
+pub fn is_taken(method: u32, row: u32, n_boxes: u32) -> bool {
+    if method != UNIFORM_GRID {
+        return true;
+    }
+    let [first, end] = grid_rows::rows_taken(n_boxes);
+    let row = grid_rows::step_and_row(row)[1];
+    first <= row && row < end
+}
+
 /// Rows in which the boxes of one set ask.
 #[inline(always)]
 pub fn rows_a_turn(method: u32) -> u32 {
@@ -138,6 +149,12 @@ pub fn asked_level(method: u32, row: u32, step: u32, key: u32) -> u32 {
     // In the own level the first set has found what there is.
     let none = step == 0 && is_second_turn(method, row);
     if method != UNIFORM_GRID || none { LEVELS } else { grid_rows::asked_level(key, step) }
+}
+
+/// As [`asked_level`], in the step of a row.
+#[inline(always)]
+pub fn asked_level_of(method: u32, row: u32, key: u32) -> u32 {
+    asked_level(method, row, grid_rows::step_and_row(row)[0], key)
 }
 
 /// The cell of that level around which the box asks.
