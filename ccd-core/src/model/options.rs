@@ -24,9 +24,9 @@ use crate::narrow_phase::search::Search;
 pub enum Mode {
     /// A time of impact is never late, and early by the tolerance at most.
     ///
-    /// A pair that `f64` certifies neither as a contact nor as none is decided exactly, on the CPU,
-    /// and a contact of it has its exact time. With a minimum distance, and where integers do not
-    /// hold the pair, it is a contact of state
+    /// A pair that `f64` certifies neither as a contact nor as none is decided exactly, on the CPU:
+    /// also its time is early by the tolerance at most. With a minimum distance, and where integers
+    /// do not hold the pair, it is a contact of state
     /// [`State::Undecided`](super::contact::State::Undecided) instead.
     #[default]
     Conservative,
