@@ -6,7 +6,7 @@ use crate::status::{CcdStatus, Failure, guard, guard_value};
 use ccd::positions::{AsPositions, PositionView, Precision, Strided};
 use ccd::{Coordinate, Mesh};
 use std::ffi::c_void;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 use std::sync::Arc;
 
 /// Topology of a triangle mesh, which stays the same while vertices move. Not changed once it is
@@ -56,14 +56,9 @@ pub unsafe extern "C" fn ccd_mesh_create(
     triangle_stride: usize,
     mesh: *mut *mut CcdMesh,
 ) -> CcdStatus {
-    guard(|| {
-        // SAFETY: the caller's pointers, by the header's first comment.
-        unsafe {
-            write(mesh, "mesh", null_mut())?;
-            let triangles = rows(triangles, triangle_count, triangle_stride, "triangles")?;
-            write(mesh, "mesh", boxed(Mesh::new(vertex_count, &triangles)?))
-        }
-    })
+    let (n, stride) = (triangle_count, triangle_stride);
+    // SAFETY: the caller's pointers, by the header's first comment.
+    unsafe { ccd_mesh_create_with_edges(vertex_count, triangles, n, stride, null(), 0, 0, mesh) }
 }
 
 /// Makes a mesh with edges that no triangle has (rods, wires) besides those of the triangles: two

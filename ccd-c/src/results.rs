@@ -232,7 +232,7 @@ impl From<Hit> for CcdHit {
 
 impl Results {
     pub fn new() -> Self {
-        let [none, nothing] = [CcdPairs::EMPTY, CcdPairs::EMPTY];
+        let none = CcdPairs::EMPTY;
         Self {
             contacts: Vec::new(),
             report: report(&Report::default(), &[]),
@@ -242,8 +242,8 @@ impl Results {
             candidates: CcdCandidates {
                 vertex_face: none,
                 edge_edge: none,
-                vertex_edge: nothing,
-                vertex_vertex: nothing,
+                vertex_edge: none,
+                vertex_vertex: none,
             },
         }
     }

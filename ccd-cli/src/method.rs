@@ -51,7 +51,7 @@ pub struct MethodOptions {
     #[arg(long, value_parser = choice(ON_OFF), hide_short_help = true)]
     orphans: Option<bool>,
     /// Whether --pipeline triangles skips regions that certainly do not touch themselves: their
-    /// pairs are no candidates, and none of them is undecided
+    /// pairs are no candidates
     #[arg(long, value_parser = choice(ON_OFF), hide_short_help = true)]
     free_regions: Option<bool>,
     /// Whether --pipeline triangles tests a vertex or an edge once; off: all 15 tests of each pair,

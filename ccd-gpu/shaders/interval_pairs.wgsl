@@ -129,169 +129,161 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_408_: u32;
     var phi_413_: u32;
     var phi_421_: array<u32, 2>;
-    var phi_468_: u32;
+    var phi_464_: u32;
     var phi_473_: u32;
-    var phi_476_: bool;
-    var phi_491_: u32;
-    var phi_492_: u32;
-    var phi_493_: u32;
-    var phi_494_: bool;
+    var phi_478_: u32;
+    var phi_481_: bool;
+    var phi_496_: u32;
+    var phi_497_: u32;
     var phi_498_: u32;
-    var phi_515_: type_15;
-    var phi_518_: u32;
-    var phi_520_: u32;
-    var phi_541_: bool;
-    var phi_547_: type_16;
-    var phi_516_: type_15;
-    var phi_561_: type_16;
-    var phi_590_: u32;
-    var phi_591_: u32;
-    var phi_592_: u32;
-    var phi_593_: u32;
-    var phi_594_: bool;
-    var phi_519_: u32;
-    var phi_521_: u32;
-    var phi_595_: bool;
-    var phi_600_: type_15;
-    var phi_603_: u32;
-    var phi_605_: u32;
-    var phi_626_: bool;
-    var phi_632_: type_16;
-    var phi_601_: type_15;
-    var phi_646_: type_16;
-    var phi_675_: u32;
-    var phi_676_: u32;
-    var phi_677_: u32;
-    var phi_678_: u32;
-    var phi_679_: bool;
-    var phi_604_: u32;
-    var phi_606_: u32;
-    var phi_680_: bool;
+    var phi_499_: bool;
+    var phi_503_: u32;
+    var phi_520_: type_15;
+    var phi_523_: u32;
+    var phi_525_: u32;
+    var phi_546_: bool;
+    var phi_552_: type_16;
+    var phi_521_: type_15;
+    var phi_566_: type_16;
+    var phi_595_: u32;
+    var phi_596_: u32;
+    var phi_597_: u32;
+    var phi_598_: u32;
+    var phi_599_: bool;
+    var phi_524_: u32;
+    var phi_526_: u32;
+    var phi_600_: bool;
+    var phi_605_: type_15;
+    var phi_608_: u32;
+    var phi_610_: u32;
+    var phi_631_: bool;
+    var phi_637_: type_16;
+    var phi_606_: type_15;
+    var phi_651_: type_16;
+    var phi_680_: u32;
+    var phi_681_: u32;
+    var phi_682_: u32;
+    var phi_683_: u32;
+    var phi_684_: bool;
+    var phi_609_: u32;
+    var phi_611_: u32;
+    var phi_685_: bool;
     var local_8: u32;
     var local_9: u32;
-    var phi_682_: u32;
-    var phi_698_: array<u32, 2>;
-    var phi_699_: array<u32, 2>;
-    var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_722_: u32;
-    var phi_731_: u32;
-    var phi_736_: u32;
-    var phi_739_: bool;
-    var phi_754_: u32;
-    var phi_755_: u32;
-    var phi_756_: u32;
-    var phi_757_: bool;
+    var phi_687_: u32;
+    var phi_703_: array<u32, 2>;
+    var phi_704_: array<u32, 2>;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_742_: u32;
     var phi_761_: u32;
-    var phi_783_: u32;
-    var phi_802_: u32;
-    var phi_821_: u32;
-    var phi_826_: type_9;
-    var phi_827_: type_9;
-    var phi_850_: type_9;
-    var phi_876_: u32;
-    var phi_902_: u32;
-    var phi_1035_: type_9;
-    var phi_1038_: type_27;
-    var phi_1036_: type_9;
-    var phi_1061_: type_9;
-    var phi_1071_: type_9;
-    var phi_1074_: bool;
-    var phi_1072_: type_9;
-    var phi_1097_: type_9;
-    var phi_1119_: f32;
-    var phi_1136_: bool;
-    var phi_1075_: bool;
+    var phi_780_: u32;
+    var phi_785_: type_9;
+    var phi_786_: type_9;
+    var phi_809_: type_9;
+    var phi_835_: u32;
+    var phi_861_: u32;
+    var phi_994_: type_9;
+    var phi_997_: type_27;
+    var phi_995_: type_9;
+    var phi_1020_: type_9;
+    var phi_1030_: type_9;
+    var phi_1033_: bool;
+    var phi_1031_: type_9;
+    var phi_1056_: type_9;
+    var phi_1078_: f32;
+    var phi_1095_: bool;
+    var phi_1034_: bool;
     var local_10: bool;
-    var phi_1142_: type_27;
-    var phi_1143_: bool;
-    var phi_1039_: type_27;
-    var phi_1144_: bool;
-    var phi_1152_: u32;
+    var phi_1101_: type_27;
+    var phi_1102_: bool;
+    var phi_998_: type_27;
+    var phi_1103_: bool;
+    var phi_1111_: u32;
     var local_11: type_27;
     var local_12: type_27;
     var local_13: type_27;
-    var phi_1162_: u32;
+    var phi_1121_: u32;
     var local_14: type_27;
-    var phi_1169_: u32;
+    var phi_1128_: u32;
     var local_15: type_27;
     var local_16: type_27;
     var local_17: type_27;
-    var phi_1201_: type_9;
-    var phi_1202_: type_9;
-    var phi_1225_: type_9;
-    var phi_1276_: f32;
-    var phi_1281_: f32;
-    var phi_1322_: type_9;
-    var phi_1323_: type_9;
-    var phi_1346_: type_9;
-    var phi_1406_: u32;
-    var phi_1407_: u32;
-    var phi_1419_: array<u32, 3>;
-    var phi_1420_: array<u32, 3>;
-    var phi_1487_: bool;
-    var phi_1499_: bool;
-    var phi_1500_: bool;
-    var phi_1543_: bool;
-    var phi_1544_: bool;
-    var phi_1550_: u32;
-    var phi_1551_: bool;
-    var phi_1552_: u32;
-    var phi_1553_: bool;
-    var phi_1558_: u32;
-    var phi_1568_: u32;
-    var phi_1582_: array<u32, 2>;
-    var phi_1583_: array<u32, 2>;
-    var phi_1584_: bool;
-    var phi_1585_: array<u32, 2>;
-    var phi_1586_: bool;
-    var phi_1587_: array<u32, 2>;
-    var phi_1588_: bool;
-    var phi_1593_: array<u32, 2>;
-    var phi_1594_: array<u32, 2>;
-    var phi_1602_: array<u32, 2>;
-    var phi_1603_: bool;
-    var phi_1604_: array<u32, 2>;
-    var phi_1605_: bool;
-    var phi_1610_: array<u32, 2>;
-    var phi_1617_: array<u32, 2>;
-    var phi_1454_: f32;
-    var phi_1455_: f32;
-    var phi_1461_: u32;
-    var phi_1471_: u32;
-    var phi_1618_: array<u32, 2>;
-    var phi_1626_: u32;
-    var phi_1629_: array<u32, 3>;
-    var phi_1631_: array<u32, 3>;
-    var phi_1648_: type_18;
-    var phi_1651_: type_9;
-    var phi_1652_: type_9;
-    var phi_1675_: type_9;
-    var phi_1710_: type_18;
-    var phi_1711_: u32;
-    var phi_1732_: type_9;
-    var phi_1733_: type_9;
-    var phi_1756_: type_9;
-    var phi_1880_: u32;
-    var phi_1885_: u32;
-    var phi_1901_: type_9;
-    var phi_1869_: type_9;
-    var phi_1902_: type_9;
-    var phi_1937_: u32;
-    var phi_1963_: type_9;
-    var phi_1964_: type_9;
-    var phi_1987_: type_9;
-    var phi_2018_: array<u32, 2>;
-    var phi_2025_: u32;
-    var phi_2030_: u32;
-    var phi_2038_: array<u32, 2>;
-    var phi_2112_: u32;
-    var phi_2117_: u32;
-    var phi_2133_: type_9;
-    var phi_2101_: type_9;
-    var phi_2134_: type_9;
-    var phi_2152_: bool;
-    var phi_2153_: bool;
+    var phi_1160_: type_9;
+    var phi_1161_: type_9;
+    var phi_1184_: type_9;
+    var phi_1235_: f32;
+    var phi_1240_: f32;
+    var phi_1281_: type_9;
+    var phi_1282_: type_9;
+    var phi_1305_: type_9;
+    var phi_1365_: u32;
+    var phi_1366_: u32;
+    var phi_1378_: array<u32, 3>;
+    var phi_1379_: array<u32, 3>;
+    var phi_1448_: bool;
+    var phi_1460_: bool;
+    var phi_1461_: bool;
+    var phi_1504_: bool;
+    var phi_1505_: bool;
+    var phi_1511_: u32;
+    var phi_1512_: bool;
+    var phi_1513_: u32;
+    var phi_1514_: bool;
+    var phi_1519_: u32;
+    var phi_1529_: u32;
+    var phi_1543_: array<u32, 2>;
+    var phi_1544_: array<u32, 2>;
+    var phi_1545_: bool;
+    var phi_1546_: array<u32, 2>;
+    var phi_1547_: bool;
+    var phi_1548_: array<u32, 2>;
+    var phi_1549_: bool;
+    var phi_1554_: array<u32, 2>;
+    var phi_1555_: array<u32, 2>;
+    var phi_1563_: array<u32, 2>;
+    var phi_1564_: bool;
+    var phi_1565_: array<u32, 2>;
+    var phi_1566_: bool;
+    var phi_1571_: array<u32, 2>;
+    var phi_1578_: array<u32, 2>;
+    var phi_1415_: f32;
+    var phi_1416_: f32;
+    var phi_1422_: u32;
+    var phi_1432_: u32;
+    var phi_1579_: array<u32, 2>;
+    var phi_1587_: u32;
+    var phi_1590_: array<u32, 3>;
+    var phi_1592_: array<u32, 3>;
+    var phi_1609_: type_18;
+    var phi_1612_: type_9;
+    var phi_1613_: type_9;
+    var phi_1636_: type_9;
+    var phi_1671_: type_18;
+    var phi_1672_: u32;
+    var phi_1693_: type_9;
+    var phi_1694_: type_9;
+    var phi_1717_: type_9;
+    var phi_1841_: u32;
+    var phi_1846_: u32;
+    var phi_1862_: type_9;
+    var phi_1830_: type_9;
+    var phi_1863_: type_9;
+    var phi_1898_: u32;
+    var phi_1924_: type_9;
+    var phi_1925_: type_9;
+    var phi_1948_: type_9;
+    var phi_1979_: array<u32, 2>;
+    var phi_1986_: u32;
+    var phi_1991_: u32;
+    var phi_1999_: array<u32, 2>;
+    var phi_2073_: u32;
+    var phi_2078_: u32;
+    var phi_2094_: type_9;
+    var phi_2062_: type_9;
+    var phi_2095_: type_9;
+    var phi_2113_: bool;
+    var phi_2114_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -435,884 +427,837 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e252 = keys.member[_e222];
                 let _e254 = sorted.member[_e222];
                 local_7 = type_18(array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]));
-                let _e267 = ((_e187 % 80u) / 10u);
-                if (_e267 == 0u) {
+                if (_e230 == 2u) {
+                    phi_464_ = ((_e187 % 80u) / 10u);
+                } else {
+                    phi_464_ = 0u;
+                }
+                let _e270 = phi_464_;
+                if (_e270 == 0u) {
                     if (_e230 == 2u) {
-                        phi_468_ = 8u;
-                    } else {
-                        phi_468_ = 1u;
-                    }
-                    let _e271 = phi_468_;
-                    if (_e230 == 2u) {
-                        phi_473_ = 10u;
+                        phi_473_ = 8u;
                     } else {
                         phi_473_ = 1u;
                     }
                     let _e274 = phi_473_;
-                    phi_476_ = (_e187 >= (_e271 * _e274));
-                } else {
-                    phi_476_ = false;
-                }
-                let _e278 = phi_476_;
-                if (_e230 != 2u) {
-                    phi_493_ = u32();
-                    phi_494_ = true;
-                } else {
-                    if _e278 {
-                        phi_492_ = u32();
+                    if (_e230 == 2u) {
+                        phi_478_ = 10u;
                     } else {
-                        let _e283 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e267);
-                        if (_e283 < 8u) {
-                            phi_491_ = _e283;
-                        } else {
-                            phi_491_ = 8u;
-                        }
-                        let _e286 = phi_491_;
-                        phi_492_ = _e286;
+                        phi_478_ = 1u;
                     }
-                    let _e288 = phi_492_;
-                    phi_493_ = _e288;
-                    phi_494_ = _e278;
-                }
-                let _e290 = phi_493_;
-                let _e292 = phi_494_;
-                if _e292 {
-                    phi_498_ = 8u;
+                    let _e277 = phi_478_;
+                    phi_481_ = (_e187 >= (_e274 * _e277));
                 } else {
-                    phi_498_ = _e290;
+                    phi_481_ = false;
                 }
-                let _e294 = phi_498_;
-                if (_e294 < 8u) {
-                    let _e300 = ((_e249[1] << bitcast<u32>(30u)) + (_e294 << bitcast<u32>(27u)));
-                    let _e304 = params.member.member.member_2[3u];
-                    phi_515_ = type_15(0i, 32i);
-                    phi_518_ = 0u;
-                    phi_520_ = _e304;
-                    loop {
-                        let _e307 = phi_515_;
-                        let _e309 = phi_518_;
-                        let _e311 = phi_520_;
-                        local_8 = _e309;
-                        if (_e307.member < _e307.member_1) {
-                            let _e318 = (_e307.member + 1i);
-                            if ((false == (_e318 > _e307.member)) != false) {
-                                phi_541_ = true;
-                            } else {
-                                phi_541_ = false;
-                            }
-                            let _e323 = phi_541_;
-                            if _e323 {
-                                phi_547_ = type_16(0u, type_16().member_1);
-                            } else {
-                                phi_547_ = type_16(1u, _e318);
-                            }
-                            let _e328 = phi_547_;
-                            phi_516_ = type_15(_e328.member_1, _e307.member_1);
-                            phi_561_ = type_16(1u, _e307.member);
+                let _e281 = phi_481_;
+                if (_e230 != 2u) {
+                    phi_498_ = u32();
+                    phi_499_ = true;
+                } else {
+                    if _e281 {
+                        phi_497_ = u32();
+                    } else {
+                        let _e286 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e270);
+                        if (_e286 < 8u) {
+                            phi_496_ = _e286;
                         } else {
-                            phi_516_ = _e307;
-                            phi_561_ = type_16(0u, type_16().member_1);
+                            phi_496_ = 8u;
                         }
-                        let _e334 = phi_516_;
-                        let _e336 = phi_561_;
-                        if (bitcast<i32>(_e336.member) != 0i) {
-                            if (_e309 >= _e311) {
-                                phi_592_ = u32();
-                                phi_593_ = u32();
-                                phi_594_ = false;
-                            } else {
-                                let _e343 = (_e309 + ((_e311 - _e309) / 2u));
-                                let _e345 = keys.member[_e343];
-                                if (_e345 < (_e300 + 134217728u)) {
-                                    phi_590_ = (_e343 + 1u);
-                                    phi_591_ = _e311;
-                                } else {
-                                    phi_590_ = _e309;
-                                    phi_591_ = _e343;
-                                }
-                                let _e349 = phi_590_;
-                                let _e351 = phi_591_;
-                                phi_592_ = _e349;
-                                phi_593_ = _e351;
-                                phi_594_ = true;
-                            }
-                            let _e353 = phi_592_;
-                            let _e355 = phi_593_;
-                            let _e357 = phi_594_;
-                            phi_519_ = _e353;
-                            phi_521_ = _e355;
-                            phi_595_ = _e357;
-                        } else {
-                            phi_519_ = u32();
-                            phi_521_ = u32();
-                            phi_595_ = false;
-                        }
-                        let _e359 = phi_519_;
-                        let _e361 = phi_521_;
-                        let _e363 = phi_595_;
-                        continue;
-                        continuing {
-                            phi_515_ = _e334;
-                            phi_518_ = _e359;
-                            phi_520_ = _e361;
-                            break if !(_e363);
-                        }
+                        let _e289 = phi_496_;
+                        phi_497_ = _e289;
                     }
-                    phi_600_ = type_15(0i, 32i);
-                    phi_603_ = 0u;
-                    phi_605_ = _e304;
+                    let _e291 = phi_497_;
+                    phi_498_ = _e291;
+                    phi_499_ = _e281;
+                }
+                let _e293 = phi_498_;
+                let _e295 = phi_499_;
+                if _e295 {
+                    phi_503_ = 8u;
+                } else {
+                    phi_503_ = _e293;
+                }
+                let _e297 = phi_503_;
+                if (_e297 < 8u) {
+                    let _e303 = ((_e249[1] << bitcast<u32>(30u)) + (_e297 << bitcast<u32>(27u)));
+                    let _e307 = params.member.member.member_2[3u];
+                    phi_520_ = type_15(0i, 32i);
+                    phi_523_ = 0u;
+                    phi_525_ = _e307;
                     loop {
+                        let _e310 = phi_520_;
+                        let _e312 = phi_523_;
+                        let _e314 = phi_525_;
+                        local_8 = _e312;
+                        if (_e310.member < _e310.member_1) {
+                            let _e321 = (_e310.member + 1i);
+                            if ((false == (_e321 > _e310.member)) != false) {
+                                phi_546_ = true;
+                            } else {
+                                phi_546_ = false;
+                            }
+                            let _e326 = phi_546_;
+                            if _e326 {
+                                phi_552_ = type_16(0u, type_16().member_1);
+                            } else {
+                                phi_552_ = type_16(1u, _e321);
+                            }
+                            let _e331 = phi_552_;
+                            phi_521_ = type_15(_e331.member_1, _e310.member_1);
+                            phi_566_ = type_16(1u, _e310.member);
+                        } else {
+                            phi_521_ = _e310;
+                            phi_566_ = type_16(0u, type_16().member_1);
+                        }
+                        let _e337 = phi_521_;
+                        let _e339 = phi_566_;
+                        if (bitcast<i32>(_e339.member) != 0i) {
+                            if (_e312 >= _e314) {
+                                phi_597_ = u32();
+                                phi_598_ = u32();
+                                phi_599_ = false;
+                            } else {
+                                let _e346 = (_e312 + ((_e314 - _e312) / 2u));
+                                let _e348 = keys.member[_e346];
+                                if (_e348 < (_e303 + 134217728u)) {
+                                    phi_595_ = (_e346 + 1u);
+                                    phi_596_ = _e314;
+                                } else {
+                                    phi_595_ = _e312;
+                                    phi_596_ = _e346;
+                                }
+                                let _e352 = phi_595_;
+                                let _e354 = phi_596_;
+                                phi_597_ = _e352;
+                                phi_598_ = _e354;
+                                phi_599_ = true;
+                            }
+                            let _e356 = phi_597_;
+                            let _e358 = phi_598_;
+                            let _e360 = phi_599_;
+                            phi_524_ = _e356;
+                            phi_526_ = _e358;
+                            phi_600_ = _e360;
+                        } else {
+                            phi_524_ = u32();
+                            phi_526_ = u32();
+                            phi_600_ = false;
+                        }
+                        let _e362 = phi_524_;
+                        let _e364 = phi_526_;
                         let _e366 = phi_600_;
-                        let _e368 = phi_603_;
-                        let _e370 = phi_605_;
-                        local_9 = _e368;
-                        if (_e366.member < _e366.member_1) {
-                            let _e377 = (_e366.member + 1i);
-                            if ((false == (_e377 > _e366.member)) != false) {
-                                phi_626_ = true;
-                            } else {
-                                phi_626_ = false;
-                            }
-                            let _e382 = phi_626_;
-                            if _e382 {
-                                phi_632_ = type_16(0u, type_16().member_1);
-                            } else {
-                                phi_632_ = type_16(1u, _e377);
-                            }
-                            let _e387 = phi_632_;
-                            phi_601_ = type_15(_e387.member_1, _e366.member_1);
-                            phi_646_ = type_16(1u, _e366.member);
-                        } else {
-                            phi_601_ = _e366;
-                            phi_646_ = type_16(0u, type_16().member_1);
-                        }
-                        let _e393 = phi_601_;
-                        let _e395 = phi_646_;
-                        if (bitcast<i32>(_e395.member) != 0i) {
-                            if (_e368 >= _e370) {
-                                phi_677_ = u32();
-                                phi_678_ = u32();
-                                phi_679_ = false;
-                            } else {
-                                let _e402 = (_e368 + ((_e370 - _e368) / 2u));
-                                let _e404 = keys.member[_e402];
-                                if (_e404 < _e300) {
-                                    phi_675_ = (_e402 + 1u);
-                                    phi_676_ = _e370;
-                                } else {
-                                    phi_675_ = _e368;
-                                    phi_676_ = _e402;
-                                }
-                                let _e408 = phi_675_;
-                                let _e410 = phi_676_;
-                                phi_677_ = _e408;
-                                phi_678_ = _e410;
-                                phi_679_ = true;
-                            }
-                            let _e412 = phi_677_;
-                            let _e414 = phi_678_;
-                            let _e416 = phi_679_;
-                            phi_604_ = _e412;
-                            phi_606_ = _e414;
-                            phi_680_ = _e416;
-                        } else {
-                            phi_604_ = u32();
-                            phi_606_ = u32();
-                            phi_680_ = false;
-                        }
-                        let _e418 = phi_604_;
-                        let _e420 = phi_606_;
-                        let _e422 = phi_680_;
                         continue;
                         continuing {
-                            phi_600_ = _e393;
-                            phi_603_ = _e418;
-                            phi_605_ = _e420;
-                            break if !(_e422);
+                            phi_520_ = _e337;
+                            phi_523_ = _e362;
+                            phi_525_ = _e364;
+                            break if !(_e366);
                         }
                     }
-                    let _e425 = local_8;
-                    let _e427 = local_9;
-                    phi_682_ = (_e425 - _e427);
+                    phi_605_ = type_15(0i, 32i);
+                    phi_608_ = 0u;
+                    phi_610_ = _e307;
+                    loop {
+                        let _e369 = phi_605_;
+                        let _e371 = phi_608_;
+                        let _e373 = phi_610_;
+                        local_9 = _e371;
+                        if (_e369.member < _e369.member_1) {
+                            let _e380 = (_e369.member + 1i);
+                            if ((false == (_e380 > _e369.member)) != false) {
+                                phi_631_ = true;
+                            } else {
+                                phi_631_ = false;
+                            }
+                            let _e385 = phi_631_;
+                            if _e385 {
+                                phi_637_ = type_16(0u, type_16().member_1);
+                            } else {
+                                phi_637_ = type_16(1u, _e380);
+                            }
+                            let _e390 = phi_637_;
+                            phi_606_ = type_15(_e390.member_1, _e369.member_1);
+                            phi_651_ = type_16(1u, _e369.member);
+                        } else {
+                            phi_606_ = _e369;
+                            phi_651_ = type_16(0u, type_16().member_1);
+                        }
+                        let _e396 = phi_606_;
+                        let _e398 = phi_651_;
+                        if (bitcast<i32>(_e398.member) != 0i) {
+                            if (_e371 >= _e373) {
+                                phi_682_ = u32();
+                                phi_683_ = u32();
+                                phi_684_ = false;
+                            } else {
+                                let _e405 = (_e371 + ((_e373 - _e371) / 2u));
+                                let _e407 = keys.member[_e405];
+                                if (_e407 < _e303) {
+                                    phi_680_ = (_e405 + 1u);
+                                    phi_681_ = _e373;
+                                } else {
+                                    phi_680_ = _e371;
+                                    phi_681_ = _e405;
+                                }
+                                let _e411 = phi_680_;
+                                let _e413 = phi_681_;
+                                phi_682_ = _e411;
+                                phi_683_ = _e413;
+                                phi_684_ = true;
+                            }
+                            let _e415 = phi_682_;
+                            let _e417 = phi_683_;
+                            let _e419 = phi_684_;
+                            phi_609_ = _e415;
+                            phi_611_ = _e417;
+                            phi_685_ = _e419;
+                        } else {
+                            phi_609_ = u32();
+                            phi_611_ = u32();
+                            phi_685_ = false;
+                        }
+                        let _e421 = phi_609_;
+                        let _e423 = phi_611_;
+                        let _e425 = phi_685_;
+                        continue;
+                        continuing {
+                            phi_605_ = _e396;
+                            phi_608_ = _e421;
+                            phi_610_ = _e423;
+                            break if !(_e425);
+                        }
+                    }
+                    let _e428 = local_8;
+                    let _e430 = local_9;
+                    phi_687_ = (_e428 - _e430);
                 } else {
-                    phi_682_ = 0u;
+                    phi_687_ = 0u;
                 }
-                let _e430 = phi_682_;
+                let _e433 = phi_687_;
                 if (_e230 != 2u) {
-                    phi_710_ = true;
+                    phi_715_ = true;
                 } else {
-                    if (_e430 == 0u) {
-                        phi_699_ = array<u32, 2>(0u, 0u);
+                    if (_e433 == 0u) {
+                        phi_704_ = array<u32, 2>(0u, 0u);
                     } else {
-                        if (_e430 <= 256u) {
-                            phi_698_ = array<u32, 2>(9u, 10u);
+                        if (_e433 <= 256u) {
+                            phi_703_ = array<u32, 2>(9u, 10u);
                         } else {
-                            phi_698_ = array<u32, 2>(0u, 9u);
+                            phi_703_ = array<u32, 2>(0u, 9u);
                         }
-                        let _e435 = phi_698_;
-                        phi_699_ = _e435;
+                        let _e438 = phi_703_;
+                        phi_704_ = _e438;
                     }
-                    let _e437 = phi_699_;
-                    let _e441 = ((_e187 % 80u) % 10u);
-                    if (_e437[0] <= _e441) {
-                        phi_709_ = (_e441 < _e437[1]);
+                    let _e440 = phi_704_;
+                    let _e444 = ((_e187 % 80u) % 10u);
+                    if (_e440[0] <= _e444) {
+                        phi_714_ = (_e444 < _e440[1]);
                     } else {
-                        phi_709_ = false;
+                        phi_714_ = false;
                     }
-                    let _e445 = phi_709_;
-                    phi_710_ = _e445;
+                    let _e448 = phi_714_;
+                    phi_715_ = _e448;
                 }
-                let _e447 = phi_710_;
-                if _e447 {
+                let _e450 = phi_715_;
+                if _e450 {
                     if (_e230 == 2u) {
-                        phi_722_ = ((_e187 % 80u) / 10u);
-                    } else {
-                        phi_722_ = 0u;
-                    }
-                    let _e452 = phi_722_;
-                    if (_e452 == 0u) {
-                        if (_e230 == 2u) {
-                            phi_731_ = 8u;
+                        let _e453 = survey.member[6u];
+                        if ((_e453 >> bitcast<u32>(31i)) == 1u) {
+                            phi_742_ = (_e453 & 2147483647u);
                         } else {
-                            phi_731_ = 1u;
+                            phi_742_ = ~(_e453);
                         }
-                        let _e456 = phi_731_;
-                        if (_e230 == 2u) {
-                            phi_736_ = 10u;
+                        let _e460 = phi_742_;
+                        let _e461 = bitcast<f32>(_e460);
+                        let _e463 = survey.member[7u];
+                        if ((_e463 >> bitcast<u32>(31i)) == 1u) {
+                            phi_761_ = (_e463 & 2147483647u);
                         } else {
-                            phi_736_ = 1u;
+                            phi_761_ = ~(_e463);
                         }
-                        let _e459 = phi_736_;
-                        phi_739_ = (_e187 >= (_e456 * _e459));
-                    } else {
-                        phi_739_ = false;
-                    }
-                    let _e463 = phi_739_;
-                    if (_e230 != 2u) {
-                        phi_756_ = u32();
-                        phi_757_ = true;
-                    } else {
-                        if _e463 {
-                            phi_755_ = u32();
+                        let _e470 = phi_761_;
+                        let _e471 = bitcast<f32>(_e470);
+                        let _e473 = survey.member[8u];
+                        if ((_e473 >> bitcast<u32>(31i)) == 1u) {
+                            phi_780_ = (_e473 & 2147483647u);
                         } else {
-                            let _e468 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e452);
-                            if (_e468 < 8u) {
-                                phi_754_ = _e468;
-                            } else {
-                                phi_754_ = 8u;
-                            }
-                            let _e471 = phi_754_;
-                            phi_755_ = _e471;
+                            phi_780_ = ~(_e473);
                         }
-                        let _e473 = phi_755_;
-                        phi_756_ = _e473;
-                        phi_757_ = _e463;
-                    }
-                    let _e475 = phi_756_;
-                    let _e477 = phi_757_;
-                    if _e477 {
-                        phi_761_ = 8u;
-                    } else {
-                        phi_761_ = _e475;
-                    }
-                    let _e479 = phi_761_;
-                    if (_e230 == 2u) {
-                        let _e482 = survey.member[6u];
-                        if ((_e482 >> bitcast<u32>(31i)) == 1u) {
-                            phi_783_ = (_e482 & 2147483647u);
-                        } else {
-                            phi_783_ = ~(_e482);
-                        }
-                        let _e489 = phi_783_;
-                        let _e490 = bitcast<f32>(_e489);
-                        let _e492 = survey.member[7u];
-                        if ((_e492 >> bitcast<u32>(31i)) == 1u) {
-                            phi_802_ = (_e492 & 2147483647u);
-                        } else {
-                            phi_802_ = ~(_e492);
-                        }
-                        let _e499 = phi_802_;
-                        let _e500 = bitcast<f32>(_e499);
-                        let _e502 = survey.member[8u];
-                        if ((_e502 >> bitcast<u32>(31i)) == 1u) {
-                            phi_821_ = (_e502 & 2147483647u);
-                        } else {
-                            phi_821_ = ~(_e502);
-                        }
-                        let _e509 = phi_821_;
-                        let _e510 = bitcast<f32>(_e509);
+                        let _e480 = phi_780_;
+                        let _e481 = bitcast<f32>(_e480);
                         local_5 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_826_ = type_9(0u, 3u);
+                        phi_785_ = type_9(0u, 3u);
                         loop {
-                            let _e512 = phi_826_;
-                            if (_e512.member < _e512.member_1) {
-                                phi_827_ = type_9((_e512.member + 1u), _e512.member_1);
-                                phi_850_ = type_9(1u, _e512.member);
+                            let _e483 = phi_785_;
+                            if (_e483.member < _e483.member_1) {
+                                phi_786_ = type_9((_e483.member + 1u), _e483.member_1);
+                                phi_809_ = type_9(1u, _e483.member);
                             } else {
-                                phi_827_ = _e512;
-                                phi_850_ = type_9(0u, type_9().member_1);
+                                phi_786_ = _e483;
+                                phi_809_ = type_9(0u, type_9().member_1);
                             }
-                            let _e524 = phi_827_;
-                            let _e526 = phi_850_;
-                            let _e530 = (bitcast<i32>(_e526.member) != 0i);
-                            if _e530 {
-                                let _e532 = survey.member[_e526.member_1];
-                                let _e533 = ~(_e532);
-                                if ((_e533 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_876_ = (_e533 & 2147483647u);
+                            let _e495 = phi_786_;
+                            let _e497 = phi_809_;
+                            let _e501 = (bitcast<i32>(_e497.member) != 0i);
+                            if _e501 {
+                                let _e503 = survey.member[_e497.member_1];
+                                let _e504 = ~(_e503);
+                                if ((_e504 >> bitcast<u32>(31i)) == 1u) {
+                                    phi_835_ = (_e504 & 2147483647u);
                                 } else {
-                                    phi_876_ = ~(_e533);
+                                    phi_835_ = ~(_e504);
                                 }
-                                let _e540 = phi_876_;
-                                local_5.member[_e526.member_1] = bitcast<f32>(_e540);
-                                let _e546 = survey.member[(3u + _e526.member_1)];
-                                if ((_e546 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_902_ = (_e546 & 2147483647u);
+                                let _e511 = phi_835_;
+                                local_5.member[_e497.member_1] = bitcast<f32>(_e511);
+                                let _e517 = survey.member[(3u + _e497.member_1)];
+                                if ((_e517 >> bitcast<u32>(31i)) == 1u) {
+                                    phi_861_ = (_e517 & 2147483647u);
                                 } else {
-                                    phi_902_ = ~(_e546);
+                                    phi_861_ = ~(_e517);
                                 }
-                                let _e553 = phi_902_;
-                                local_5.member_1[_e526.member_1] = bitcast<f32>(_e553);
+                                let _e524 = phi_861_;
+                                local_5.member_1[_e497.member_1] = bitcast<f32>(_e524);
                             }
                             continue;
                             continuing {
-                                phi_826_ = _e524;
-                                break if !(_e530);
+                                phi_785_ = _e495;
+                                break if !(_e501);
                             }
                         }
-                        let _e558 = local_5;
-                        local_6 = type_23(_e558, array<f32, 3>(_e490, _e500, _e510));
-                        if (_e452 == 0u) {
-                            let _e862 = (_e252 & 134217727u);
-                            phi_1419_ = array<u32, 3>((_e862 & 511u), ((_e862 >> bitcast<u32>(9u)) & 511u), (_e862 >> bitcast<u32>(18u)));
+                        let _e529 = local_5;
+                        local_6 = type_23(_e529, array<f32, 3>(_e461, _e471, _e481));
+                        if (_e270 == 0u) {
+                            let _e833 = (_e252 & 134217727u);
+                            phi_1378_ = array<u32, 3>((_e833 & 511u), ((_e833 >> bitcast<u32>(9u)) & 511u), (_e833 >> bitcast<u32>(18u)));
                         } else {
-                            let _e579 = local_6.member.member_1[0u];
-                            let _e583 = local_6.member.member[0u];
-                            let _e588 = local_6.member.member_1[1u];
-                            let _e592 = local_6.member.member[1u];
-                            let _e597 = local_6.member.member_1[2u];
-                            let _e601 = local_6.member.member[2u];
-                            local_3 = array<f32, 3>(((_e579 * 0.5f) - (_e583 * 0.5f)), ((_e588 * 0.5f) - (_e592 * 0.5f)), ((_e597 * 0.5f) - (_e601 * 0.5f)));
-                            phi_1035_ = type_9(0u, 9u);
-                            phi_1038_ = type_27(type_23(type_18(array<f32, 3>(_e558.member[0], _e558.member[1], _e558.member[2]), array<f32, 3>(_e558.member_1[0], _e558.member_1[1], _e558.member_1[2])), array<f32, 3>(_e490, _e500, _e510)), 0u);
+                            let _e550 = local_6.member.member_1[0u];
+                            let _e554 = local_6.member.member[0u];
+                            let _e559 = local_6.member.member_1[1u];
+                            let _e563 = local_6.member.member[1u];
+                            let _e568 = local_6.member.member_1[2u];
+                            let _e572 = local_6.member.member[2u];
+                            local_3 = array<f32, 3>(((_e550 * 0.5f) - (_e554 * 0.5f)), ((_e559 * 0.5f) - (_e563 * 0.5f)), ((_e568 * 0.5f) - (_e572 * 0.5f)));
+                            phi_994_ = type_9(0u, 9u);
+                            phi_997_ = type_27(type_23(type_18(array<f32, 3>(_e529.member[0], _e529.member[1], _e529.member[2]), array<f32, 3>(_e529.member_1[0], _e529.member_1[1], _e529.member_1[2])), array<f32, 3>(_e461, _e471, _e481)), 0u);
                             loop {
-                                let _e606 = phi_1035_;
-                                let _e608 = phi_1038_;
-                                local_11 = _e608;
-                                local_12 = _e608;
-                                local_13 = _e608;
-                                local_14 = _e608;
-                                local_15 = _e608;
-                                local_16 = _e608;
-                                local_17 = _e608;
-                                if (_e606.member < _e606.member_1) {
-                                    phi_1036_ = type_9((_e606.member + 1u), _e606.member_1);
-                                    phi_1061_ = type_9(1u, _e606.member);
+                                let _e577 = phi_994_;
+                                let _e579 = phi_997_;
+                                local_11 = _e579;
+                                local_12 = _e579;
+                                local_13 = _e579;
+                                local_14 = _e579;
+                                local_15 = _e579;
+                                local_16 = _e579;
+                                local_17 = _e579;
+                                if (_e577.member < _e577.member_1) {
+                                    phi_995_ = type_9((_e577.member + 1u), _e577.member_1);
+                                    phi_1020_ = type_9(1u, _e577.member);
                                 } else {
-                                    phi_1036_ = _e606;
-                                    phi_1061_ = type_9(0u, type_9().member_1);
+                                    phi_995_ = _e577;
+                                    phi_1020_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e620 = phi_1036_;
-                                let _e622 = phi_1061_;
-                                if (bitcast<i32>(_e622.member) != 0i) {
-                                    phi_1071_ = type_9(0u, 3u);
-                                    phi_1074_ = true;
+                                let _e591 = phi_995_;
+                                let _e593 = phi_1020_;
+                                if (bitcast<i32>(_e593.member) != 0i) {
+                                    phi_1030_ = type_9(0u, 3u);
+                                    phi_1033_ = true;
                                     loop {
-                                        let _e628 = phi_1071_;
-                                        let _e630 = phi_1074_;
-                                        local_10 = _e630;
-                                        if (_e628.member < _e628.member_1) {
-                                            phi_1072_ = type_9((_e628.member + 1u), _e628.member_1);
-                                            phi_1097_ = type_9(1u, _e628.member);
+                                        let _e599 = phi_1030_;
+                                        let _e601 = phi_1033_;
+                                        local_10 = _e601;
+                                        if (_e599.member < _e599.member_1) {
+                                            phi_1031_ = type_9((_e599.member + 1u), _e599.member_1);
+                                            phi_1056_ = type_9(1u, _e599.member);
                                         } else {
-                                            phi_1072_ = _e628;
-                                            phi_1097_ = type_9(0u, type_9().member_1);
+                                            phi_1031_ = _e599;
+                                            phi_1056_ = type_9(0u, type_9().member_1);
                                         }
-                                        let _e642 = phi_1072_;
-                                        let _e644 = phi_1097_;
-                                        let _e648 = (bitcast<i32>(_e644.member) != 0i);
-                                        if _e648 {
-                                            let _e650 = local_3[_e644.member_1];
-                                            let _e652 = (_e650 * (1f / 512f));
-                                            if (_e652 > 0.000000000000000000000000000006310887f) {
-                                                phi_1119_ = _e652;
+                                        let _e613 = phi_1031_;
+                                        let _e615 = phi_1056_;
+                                        let _e619 = (bitcast<i32>(_e615.member) != 0i);
+                                        if _e619 {
+                                            let _e621 = local_3[_e615.member_1];
+                                            let _e623 = (_e621 * (1f / 512f));
+                                            if (_e623 > 0.000000000000000000000000000006310887f) {
+                                                phi_1078_ = _e623;
                                             } else {
-                                                phi_1119_ = 0.000000000000000000000000000006310887f;
+                                                phi_1078_ = 0.000000000000000000000000000006310887f;
                                             }
-                                            let _e655 = phi_1119_;
-                                            let _e658 = local_6.member_1[_e644.member_1];
-                                            if ((_e658 * bitcast<f32>(((127u - _e622.member_1) << bitcast<u32>(23i)))) > _e655) {
-                                                phi_1136_ = false;
+                                            let _e626 = phi_1078_;
+                                            let _e629 = local_6.member_1[_e615.member_1];
+                                            if ((_e629 * bitcast<f32>(((127u - _e593.member_1) << bitcast<u32>(23i)))) > _e626) {
+                                                phi_1095_ = false;
                                             } else {
-                                                phi_1136_ = _e630;
+                                                phi_1095_ = _e601;
                                             }
-                                            let _e666 = phi_1136_;
-                                            phi_1075_ = _e666;
+                                            let _e637 = phi_1095_;
+                                            phi_1034_ = _e637;
                                         } else {
-                                            phi_1075_ = bool();
+                                            phi_1034_ = bool();
                                         }
-                                        let _e668 = phi_1075_;
+                                        let _e639 = phi_1034_;
                                         continue;
                                         continuing {
-                                            phi_1071_ = _e642;
-                                            phi_1074_ = _e668;
-                                            break if !(_e648);
+                                            phi_1030_ = _e613;
+                                            phi_1033_ = _e639;
+                                            break if !(_e619);
                                         }
                                     }
-                                    let _e671 = local_10;
-                                    if _e671 {
-                                        phi_1142_ = type_27();
-                                        phi_1143_ = false;
+                                    let _e642 = local_10;
+                                    if _e642 {
+                                        phi_1101_ = type_27();
+                                        phi_1102_ = false;
                                     } else {
-                                        phi_1142_ = type_27(_e608.member, (_e622.member_1 + 1u));
-                                        phi_1143_ = true;
+                                        phi_1101_ = type_27(_e579.member, (_e593.member_1 + 1u));
+                                        phi_1102_ = true;
                                     }
-                                    let _e676 = phi_1142_;
-                                    let _e678 = phi_1143_;
-                                    phi_1039_ = _e676;
-                                    phi_1144_ = _e678;
+                                    let _e647 = phi_1101_;
+                                    let _e649 = phi_1102_;
+                                    phi_998_ = _e647;
+                                    phi_1103_ = _e649;
                                 } else {
-                                    phi_1039_ = type_27();
-                                    phi_1144_ = false;
+                                    phi_998_ = type_27();
+                                    phi_1103_ = false;
                                 }
-                                let _e680 = phi_1039_;
-                                let _e682 = phi_1144_;
+                                let _e651 = phi_998_;
+                                let _e653 = phi_1103_;
                                 continue;
                                 continuing {
-                                    phi_1035_ = _e620;
-                                    phi_1038_ = _e680;
-                                    break if !(_e682);
+                                    phi_994_ = _e591;
+                                    phi_997_ = _e651;
+                                    break if !(_e653);
                                 }
                             }
-                            let _e687 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e452);
-                            if (_e687 < 8u) {
-                                phi_1152_ = _e687;
+                            let _e658 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e270);
+                            if (_e658 < 8u) {
+                                phi_1111_ = _e658;
                             } else {
-                                phi_1152_ = 8u;
+                                phi_1111_ = 8u;
                             }
-                            let _e690 = phi_1152_;
-                            let _e692 = local_11;
-                            let _e697 = local_12;
-                            if (_e697.member_1 < 8u) {
-                                let _e701 = local_13;
-                                phi_1162_ = (_e701.member_1 + 1u);
+                            let _e661 = phi_1111_;
+                            let _e663 = local_11;
+                            let _e668 = local_12;
+                            if (_e668.member_1 < 8u) {
+                                let _e672 = local_13;
+                                phi_1121_ = (_e672.member_1 + 1u);
                             } else {
-                                phi_1162_ = 8u;
+                                phi_1121_ = 8u;
                             }
-                            let _e705 = phi_1162_;
-                            if ((_e690 + 1u) >= _e705) {
-                                phi_1169_ = 0u;
+                            let _e676 = phi_1121_;
+                            if ((_e661 + 1u) >= _e676) {
+                                phi_1128_ = 0u;
                             } else {
-                                let _e708 = local_14;
-                                phi_1169_ = (_e708.member_1 - _e690);
+                                let _e679 = local_14;
+                                phi_1128_ = (_e679.member_1 - _e661);
                             }
-                            let _e712 = phi_1169_;
-                            let _e716 = bitcast<f32>(((127u - _e712) << bitcast<u32>(23i)));
-                            let _e718 = local_15;
-                            let _e724 = local_16;
-                            let _e730 = local_17;
-                            local_2.member = type_18(array<f32, 3>(_e692.member.member.member[0], _e692.member.member.member[1], _e692.member.member.member[2]), array<f32, 3>(_e692.member.member.member_1[0], _e692.member.member.member_1[1], _e692.member.member.member_1[2]));
-                            local_2.member_1 = array<f32, 3>((_e718.member.member_1[0] * _e716), (_e724.member.member_1[1] * _e716), (_e730.member.member_1[2] * _e716));
+                            let _e683 = phi_1128_;
+                            let _e687 = bitcast<f32>(((127u - _e683) << bitcast<u32>(23i)));
+                            let _e689 = local_15;
+                            let _e695 = local_16;
+                            let _e701 = local_17;
+                            local_2.member = type_18(array<f32, 3>(_e663.member.member.member[0], _e663.member.member.member[1], _e663.member.member.member[2]), array<f32, 3>(_e663.member.member.member_1[0], _e663.member.member.member_1[1], _e663.member.member.member_1[2]));
+                            local_2.member_1 = array<f32, 3>((_e689.member.member_1[0] * _e687), (_e695.member.member_1[1] * _e687), (_e701.member.member_1[2] * _e687));
                             local_1.member = array<f32, 3>(0f, 0f, 0f);
                             local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
-                            phi_1201_ = type_9(0u, 3u);
+                            phi_1160_ = type_9(0u, 3u);
                             loop {
-                                let _e752 = phi_1201_;
-                                if (_e752.member < _e752.member_1) {
-                                    phi_1202_ = type_9((_e752.member + 1u), _e752.member_1);
-                                    phi_1225_ = type_9(1u, _e752.member);
+                                let _e723 = phi_1160_;
+                                if (_e723.member < _e723.member_1) {
+                                    phi_1161_ = type_9((_e723.member + 1u), _e723.member_1);
+                                    phi_1184_ = type_9(1u, _e723.member);
                                 } else {
-                                    phi_1202_ = _e752;
-                                    phi_1225_ = type_9(0u, type_9().member_1);
+                                    phi_1161_ = _e723;
+                                    phi_1184_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e764 = phi_1202_;
-                                let _e766 = phi_1225_;
-                                let _e770 = (bitcast<i32>(_e766.member) != 0i);
-                                if _e770 {
-                                    let _e774 = local_2.member.member[_e766.member_1];
-                                    let _e778 = local_2.member.member_1[_e766.member_1];
-                                    let _e783 = (((_e778 * 0.5f) - (_e774 * 0.5f)) * (1f / 512f));
-                                    let _e786 = local_2.member_1[_e766.member_1];
-                                    let _e789 = local_2.member_1[_e766.member_1];
-                                    let _e791 = (_e786 + (_e789 * 0.00390625f));
-                                    if (_e783 > _e791) {
-                                        phi_1276_ = _e783;
+                                let _e735 = phi_1161_;
+                                let _e737 = phi_1184_;
+                                let _e741 = (bitcast<i32>(_e737.member) != 0i);
+                                if _e741 {
+                                    let _e745 = local_2.member.member[_e737.member_1];
+                                    let _e749 = local_2.member.member_1[_e737.member_1];
+                                    let _e754 = (((_e749 * 0.5f) - (_e745 * 0.5f)) * (1f / 512f));
+                                    let _e757 = local_2.member_1[_e737.member_1];
+                                    let _e760 = local_2.member_1[_e737.member_1];
+                                    let _e762 = (_e757 + (_e760 * 0.00390625f));
+                                    if (_e754 > _e762) {
+                                        phi_1235_ = _e754;
                                     } else {
-                                        phi_1276_ = _e791;
+                                        phi_1235_ = _e762;
                                     }
-                                    let _e794 = phi_1276_;
-                                    if (0.000000000000000000000000000006310887f > _e794) {
-                                        phi_1281_ = 0.000000000000000000000000000006310887f;
+                                    let _e765 = phi_1235_;
+                                    if (0.000000000000000000000000000006310887f > _e765) {
+                                        phi_1240_ = 0.000000000000000000000000000006310887f;
                                     } else {
-                                        phi_1281_ = _e794;
+                                        phi_1240_ = _e765;
                                     }
-                                    let _e797 = phi_1281_;
-                                    local_1.member[_e766.member_1] = (_e774 * 0.25f);
-                                    local_1.member_1[_e766.member_1] = (1f / _e797);
+                                    let _e768 = phi_1240_;
+                                    local_1.member[_e737.member_1] = (_e745 * 0.25f);
+                                    local_1.member_1[_e737.member_1] = (1f / _e768);
                                 }
                                 continue;
                                 continuing {
-                                    phi_1201_ = _e764;
-                                    break if !(_e770);
+                                    phi_1160_ = _e735;
+                                    break if !(_e741);
                                 }
                             }
-                            let _e805 = local_1;
-                            local_4 = _e805;
+                            let _e776 = local_1;
+                            local_4 = _e776;
                             local = array<u32, 3>(0u, 0u, 0u);
-                            phi_1322_ = type_9(0u, 3u);
+                            phi_1281_ = type_9(0u, 3u);
                             loop {
-                                let _e807 = phi_1322_;
-                                if (_e807.member < _e807.member_1) {
-                                    phi_1323_ = type_9((_e807.member + 1u), _e807.member_1);
-                                    phi_1346_ = type_9(1u, _e807.member);
+                                let _e778 = phi_1281_;
+                                if (_e778.member < _e778.member_1) {
+                                    phi_1282_ = type_9((_e778.member + 1u), _e778.member_1);
+                                    phi_1305_ = type_9(1u, _e778.member);
                                 } else {
-                                    phi_1323_ = _e807;
-                                    phi_1346_ = type_9(0u, type_9().member_1);
+                                    phi_1282_ = _e778;
+                                    phi_1305_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e819 = phi_1323_;
-                                let _e821 = phi_1346_;
-                                let _e825 = (bitcast<i32>(_e821.member) != 0i);
-                                if _e825 {
-                                    let _e828 = local_4.member[_e821.member_1];
-                                    let _e831 = local_7.member[_e821.member_1];
-                                    let _e836 = local_7.member_1[_e821.member_1];
-                                    let _e842 = local_4.member_1[_e821.member_1];
-                                    let _e843 = ((((_e831 * 0.25f) - _e828) + ((_e836 * 0.25f) - _e828)) * _e842);
-                                    if (_e843 >= 511f) {
-                                        phi_1407_ = 511u;
+                                let _e790 = phi_1282_;
+                                let _e792 = phi_1305_;
+                                let _e796 = (bitcast<i32>(_e792.member) != 0i);
+                                if _e796 {
+                                    let _e799 = local_4.member[_e792.member_1];
+                                    let _e802 = local_7.member[_e792.member_1];
+                                    let _e807 = local_7.member_1[_e792.member_1];
+                                    let _e813 = local_4.member_1[_e792.member_1];
+                                    let _e814 = ((((_e802 * 0.25f) - _e799) + ((_e807 * 0.25f) - _e799)) * _e813);
+                                    if (_e814 >= 511f) {
+                                        phi_1366_ = 511u;
                                     } else {
-                                        if (_e843 > 0f) {
-                                            phi_1406_ = select(select(u32(_e843), 0u, (_e843 < 0f)), 4294967295u, (_e843 > 4294967000f));
+                                        if (_e814 > 0f) {
+                                            phi_1365_ = select(select(u32(_e814), 0u, (_e814 < 0f)), 4294967295u, (_e814 > 4294967000f));
                                         } else {
-                                            phi_1406_ = 0u;
+                                            phi_1365_ = 0u;
                                         }
-                                        let _e852 = phi_1406_;
-                                        phi_1407_ = _e852;
+                                        let _e823 = phi_1365_;
+                                        phi_1366_ = _e823;
                                     }
-                                    let _e854 = phi_1407_;
-                                    local[_e821.member_1] = _e854;
+                                    let _e825 = phi_1366_;
+                                    local[_e792.member_1] = _e825;
                                 }
                                 continue;
                                 continuing {
-                                    phi_1322_ = _e819;
-                                    break if !(_e825);
+                                    phi_1281_ = _e790;
+                                    break if !(_e796);
                                 }
                             }
-                            let _e857 = local;
-                            phi_1419_ = array<u32, 3>(_e857[0], _e857[1], _e857[2]);
+                            let _e828 = local;
+                            phi_1378_ = array<u32, 3>(_e828[0], _e828[1], _e828[2]);
                         }
-                        let _e871 = phi_1419_;
-                        phi_1420_ = _e871;
+                        let _e842 = phi_1378_;
+                        phi_1379_ = _e842;
                     } else {
-                        phi_1420_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_1379_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e873 = phi_1420_;
-                    let _e875 = (_e249[1] << bitcast<u32>(30u));
+                    let _e844 = phi_1379_;
+                    let _e846 = (_e249[1] << bitcast<u32>(30u));
                     if (_e230 == 1u) {
-                        let _e997 = survey.member[6u];
-                        if (_e997 == 0u) {
-                            let _e1007 = local_7.member_1[0u];
-                            phi_1455_ = _e1007;
+                        let _e968 = survey.member[6u];
+                        if (_e968 == 0u) {
+                            let _e978 = local_7.member_1[0u];
+                            phi_1416_ = _e978;
                         } else {
-                            if (_e997 == 1u) {
-                                let _e1003 = local_7.member_1[1u];
-                                phi_1454_ = _e1003;
+                            if (_e968 == 1u) {
+                                let _e974 = local_7.member_1[1u];
+                                phi_1415_ = _e974;
                             } else {
-                                let _e1001 = local_7.member_1[2u];
-                                phi_1454_ = _e1001;
+                                let _e972 = local_7.member_1[2u];
+                                phi_1415_ = _e972;
                             }
-                            let _e1005 = phi_1454_;
-                            phi_1455_ = _e1005;
+                            let _e976 = phi_1415_;
+                            phi_1416_ = _e976;
                         }
-                        let _e1009 = phi_1455_;
-                        let _e1010 = bitcast<u32>(_e1009);
-                        if (_e1010 == 2147483648u) {
-                            phi_1461_ = 0u;
+                        let _e980 = phi_1416_;
+                        let _e981 = bitcast<u32>(_e980);
+                        if (_e981 == 2147483648u) {
+                            phi_1422_ = 0u;
                         } else {
-                            phi_1461_ = _e1010;
+                            phi_1422_ = _e981;
                         }
-                        let _e1013 = phi_1461_;
-                        let _e1015 = bitcast<u32>(bitcast<f32>(_e1013));
-                        if ((_e1015 >> bitcast<u32>(31i)) == 1u) {
-                            phi_1471_ = ~(_e1015);
+                        let _e984 = phi_1422_;
+                        let _e986 = bitcast<u32>(bitcast<f32>(_e984));
+                        if ((_e986 >> bitcast<u32>(31i)) == 1u) {
+                            phi_1432_ = ~(_e986);
                         } else {
-                            phi_1471_ = (_e1015 | 2147483648u);
+                            phi_1432_ = (_e986 | 2147483648u);
                         }
-                        let _e1022 = phi_1471_;
-                        phi_1618_ = array<u32, 2>(((_e875 | (_e252 & 1073741823u)) + _e187), (_e875 | (_e1022 >> bitcast<u32>(2i))));
+                        let _e993 = phi_1432_;
+                        phi_1579_ = array<u32, 2>(((_e846 | (_e252 & 1073741823u)) + _e187), (_e846 | (_e993 >> bitcast<u32>(2i))));
                     } else {
                         if (_e230 == 2u) {
-                            let _e879 = (_e187 % 80u);
-                            let _e881 = (_e879 % 10u);
+                            let _e850 = (_e187 % 80u);
+                            let _e852 = (_e850 % 10u);
                             if (_e233 == 1u) {
-                                phi_1487_ = ((_e879 / 10u) == 0u);
+                                phi_1448_ = ((_e850 / 10u) == 0u);
                             } else {
-                                phi_1487_ = false;
+                                phi_1448_ = false;
                             }
-                            let _e885 = phi_1487_;
-                            if (_e479 >= 8u) {
-                                phi_1604_ = array<u32, 2>();
-                                phi_1605_ = true;
+                            let _e856 = phi_1448_;
+                            if (_e297 >= 8u) {
+                                phi_1565_ = array<u32, 2>();
+                                phi_1566_ = true;
                             } else {
-                                if _e885 {
-                                    if (_e881 < 4u) {
-                                        phi_1499_ = false;
+                                if _e856 {
+                                    if (_e852 < 4u) {
+                                        phi_1460_ = false;
                                     } else {
-                                        phi_1499_ = true;
+                                        phi_1460_ = true;
                                     }
-                                    let _e889 = phi_1499_;
-                                    phi_1500_ = _e889;
+                                    let _e860 = phi_1460_;
+                                    phi_1461_ = _e860;
                                 } else {
-                                    phi_1500_ = true;
+                                    phi_1461_ = true;
                                 }
-                                let _e891 = phi_1500_;
-                                if _e891 {
-                                    if (_e881 == 9u) {
-                                        phi_1594_ = array<u32, 2>(0u, 134217727u);
+                                let _e862 = phi_1461_;
+                                if _e862 {
+                                    if (_e852 == 9u) {
+                                        phi_1555_ = array<u32, 2>(0u, 134217727u);
                                     } else {
-                                        let _e895 = (_e873[1] + (_e881 % 3u));
-                                        let _e898 = (_e873[2] + (_e881 / 3u));
-                                        if (_e895 < 1u) {
-                                            phi_1587_ = array<u32, 2>();
-                                            phi_1588_ = true;
+                                        let _e866 = (_e844[1] + (_e852 % 3u));
+                                        let _e869 = (_e844[2] + (_e852 / 3u));
+                                        if (_e866 < 1u) {
+                                            phi_1548_ = array<u32, 2>();
+                                            phi_1549_ = true;
                                         } else {
-                                            if (_e898 < 1u) {
-                                                phi_1585_ = array<u32, 2>();
-                                                phi_1586_ = true;
+                                            if (_e869 < 1u) {
+                                                phi_1546_ = array<u32, 2>();
+                                                phi_1547_ = true;
                                             } else {
-                                                if (_e895 > 512u) {
-                                                    phi_1583_ = array<u32, 2>();
-                                                    phi_1584_ = true;
+                                                if (_e866 > 512u) {
+                                                    phi_1544_ = array<u32, 2>();
+                                                    phi_1545_ = true;
                                                 } else {
-                                                    let _e902 = (_e898 > 512u);
-                                                    if _e902 {
-                                                        phi_1582_ = array<u32, 2>();
+                                                    let _e873 = (_e869 > 512u);
+                                                    if _e873 {
+                                                        phi_1543_ = array<u32, 2>();
                                                     } else {
-                                                        if (_e873[0] > 0u) {
-                                                            if _e885 {
-                                                                if (_e881 == 4u) {
-                                                                    phi_1543_ = false;
+                                                        if (_e844[0] > 0u) {
+                                                            if _e856 {
+                                                                if (_e852 == 4u) {
+                                                                    phi_1504_ = false;
                                                                 } else {
-                                                                    phi_1543_ = true;
+                                                                    phi_1504_ = true;
                                                                 }
-                                                                let _e907 = phi_1543_;
-                                                                phi_1544_ = _e907;
+                                                                let _e878 = phi_1504_;
+                                                                phi_1505_ = _e878;
                                                             } else {
-                                                                phi_1544_ = true;
+                                                                phi_1505_ = true;
                                                             }
-                                                            let _e909 = phi_1544_;
-                                                            if _e909 {
-                                                                phi_1550_ = (_e873[0] - 1u);
-                                                                phi_1551_ = false;
+                                                            let _e880 = phi_1505_;
+                                                            if _e880 {
+                                                                phi_1511_ = (_e844[0] - 1u);
+                                                                phi_1512_ = false;
                                                             } else {
-                                                                phi_1550_ = u32();
-                                                                phi_1551_ = true;
+                                                                phi_1511_ = u32();
+                                                                phi_1512_ = true;
                                                             }
-                                                            let _e913 = phi_1550_;
-                                                            let _e915 = phi_1551_;
-                                                            phi_1552_ = _e913;
-                                                            phi_1553_ = _e915;
+                                                            let _e884 = phi_1511_;
+                                                            let _e886 = phi_1512_;
+                                                            phi_1513_ = _e884;
+                                                            phi_1514_ = _e886;
                                                         } else {
-                                                            phi_1552_ = u32();
-                                                            phi_1553_ = true;
+                                                            phi_1513_ = u32();
+                                                            phi_1514_ = true;
                                                         }
-                                                        let _e917 = phi_1552_;
-                                                        let _e919 = phi_1553_;
-                                                        if _e919 {
-                                                            phi_1558_ = _e873[0];
+                                                        let _e888 = phi_1513_;
+                                                        let _e890 = phi_1514_;
+                                                        if _e890 {
+                                                            phi_1519_ = _e844[0];
                                                         } else {
-                                                            phi_1558_ = _e917;
+                                                            phi_1519_ = _e888;
                                                         }
-                                                        let _e922 = phi_1558_;
-                                                        if ((_e873[0] + 1u) < 512u) {
-                                                            phi_1568_ = (_e873[0] + 1u);
+                                                        let _e893 = phi_1519_;
+                                                        if ((_e844[0] + 1u) < 512u) {
+                                                            phi_1529_ = (_e844[0] + 1u);
                                                         } else {
-                                                            phi_1568_ = _e873[0];
+                                                            phi_1529_ = _e844[0];
                                                         }
-                                                        let _e930 = phi_1568_;
-                                                        phi_1582_ = array<u32, 2>(((((_e898 - 1u) << bitcast<u32>(18u)) | ((_e895 - 1u) << bitcast<u32>(9u))) | _e922), ((((_e898 - 1u) << bitcast<u32>(18u)) | ((_e895 - 1u) << bitcast<u32>(9u))) | _e930));
+                                                        let _e901 = phi_1529_;
+                                                        phi_1543_ = array<u32, 2>(((((_e869 - 1u) << bitcast<u32>(18u)) | ((_e866 - 1u) << bitcast<u32>(9u))) | _e893), ((((_e869 - 1u) << bitcast<u32>(18u)) | ((_e866 - 1u) << bitcast<u32>(9u))) | _e901));
                                                     }
-                                                    let _e949 = phi_1582_;
-                                                    phi_1583_ = _e949;
-                                                    phi_1584_ = _e902;
+                                                    let _e920 = phi_1543_;
+                                                    phi_1544_ = _e920;
+                                                    phi_1545_ = _e873;
                                                 }
-                                                let _e951 = phi_1583_;
-                                                let _e953 = phi_1584_;
-                                                phi_1585_ = _e951;
-                                                phi_1586_ = _e953;
+                                                let _e922 = phi_1544_;
+                                                let _e924 = phi_1545_;
+                                                phi_1546_ = _e922;
+                                                phi_1547_ = _e924;
                                             }
-                                            let _e955 = phi_1585_;
-                                            let _e957 = phi_1586_;
-                                            phi_1587_ = _e955;
-                                            phi_1588_ = _e957;
+                                            let _e926 = phi_1546_;
+                                            let _e928 = phi_1547_;
+                                            phi_1548_ = _e926;
+                                            phi_1549_ = _e928;
                                         }
-                                        let _e959 = phi_1587_;
-                                        let _e961 = phi_1588_;
-                                        if _e961 {
-                                            phi_1593_ = array<u32, 2>(1u, 0u);
+                                        let _e930 = phi_1548_;
+                                        let _e932 = phi_1549_;
+                                        if _e932 {
+                                            phi_1554_ = array<u32, 2>(1u, 0u);
                                         } else {
-                                            phi_1593_ = _e959;
+                                            phi_1554_ = _e930;
                                         }
-                                        let _e963 = phi_1593_;
-                                        phi_1594_ = _e963;
+                                        let _e934 = phi_1554_;
+                                        phi_1555_ = _e934;
                                     }
-                                    let _e965 = phi_1594_;
-                                    phi_1602_ = array<u32, 2>(((_e479 << bitcast<u32>(27u)) | _e965[0]), ((_e479 << bitcast<u32>(27u)) | _e965[1]));
-                                    phi_1603_ = false;
+                                    let _e936 = phi_1555_;
+                                    phi_1563_ = array<u32, 2>(((_e297 << bitcast<u32>(27u)) | _e936[0]), ((_e297 << bitcast<u32>(27u)) | _e936[1]));
+                                    phi_1564_ = false;
                                 } else {
-                                    phi_1602_ = array<u32, 2>();
-                                    phi_1603_ = true;
+                                    phi_1563_ = array<u32, 2>();
+                                    phi_1564_ = true;
                                 }
-                                let _e976 = phi_1602_;
-                                let _e978 = phi_1603_;
-                                phi_1604_ = _e976;
-                                phi_1605_ = _e978;
+                                let _e947 = phi_1563_;
+                                let _e949 = phi_1564_;
+                                phi_1565_ = _e947;
+                                phi_1566_ = _e949;
                             }
-                            let _e980 = phi_1604_;
-                            let _e982 = phi_1605_;
-                            if _e982 {
-                                phi_1610_ = array<u32, 2>(1u, 0u);
+                            let _e951 = phi_1565_;
+                            let _e953 = phi_1566_;
+                            if _e953 {
+                                phi_1571_ = array<u32, 2>(1u, 0u);
                             } else {
-                                phi_1610_ = _e980;
+                                phi_1571_ = _e951;
                             }
-                            let _e984 = phi_1610_;
-                            phi_1617_ = array<u32, 2>((_e875 | _e984[0]), (_e875 | _e984[1]));
+                            let _e955 = phi_1571_;
+                            phi_1578_ = array<u32, 2>((_e846 | _e955[0]), (_e846 | _e955[1]));
                         } else {
-                            phi_1617_ = array<u32, 2>(_e875, _e875);
+                            phi_1578_ = array<u32, 2>(_e846, _e846);
                         }
-                        let _e991 = phi_1617_;
-                        phi_1618_ = _e991;
+                        let _e962 = phi_1578_;
+                        phi_1579_ = _e962;
                     }
-                    let _e1028 = phi_1618_;
+                    let _e999 = phi_1579_;
                     if (_e233 == 1u) {
-                        phi_1626_ = (_e222 + 1u);
+                        phi_1587_ = (_e222 + 1u);
                     } else {
-                        phi_1626_ = 0u;
+                        phi_1587_ = 0u;
                     }
-                    let _e1034 = phi_1626_;
-                    phi_1629_ = array<u32, 3>(_e1028[0], _e1028[1], _e1034);
+                    let _e1005 = phi_1587_;
+                    phi_1590_ = array<u32, 3>(_e999[0], _e999[1], _e1005);
                 } else {
-                    phi_1629_ = array<u32, 3>(4294967295u, 0u, 0u);
+                    phi_1590_ = array<u32, 3>(4294967295u, 0u, 0u);
                 }
-                let _e1037 = phi_1629_;
-                phi_1631_ = _e1037;
+                let _e1008 = phi_1590_;
+                phi_1592_ = _e1008;
             } else {
-                phi_1631_ = array<u32, 3>(4294967295u, 0u, 0u);
+                phi_1592_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e1039 = phi_1631_;
+            let _e1010 = phi_1592_;
             if _e227 {
-                let _e1044 = sorted.member[_e222];
-                phi_1648_ = _e1044;
+                let _e1015 = sorted.member[_e222];
+                phi_1609_ = _e1015;
             } else {
-                phi_1648_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_1609_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e1046 = phi_1648_;
-            phi_1651_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
+            let _e1017 = phi_1609_;
+            phi_1612_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
             loop {
-                let _e1049 = phi_1651_;
-                if (_e1049.member < _e1049.member_1) {
-                    phi_1652_ = type_9((_e1049.member + 1u), _e1049.member_1);
-                    phi_1675_ = type_9(1u, _e1049.member);
+                let _e1020 = phi_1612_;
+                if (_e1020.member < _e1020.member_1) {
+                    phi_1613_ = type_9((_e1020.member + 1u), _e1020.member_1);
+                    phi_1636_ = type_9(1u, _e1020.member);
                 } else {
-                    phi_1652_ = _e1049;
-                    phi_1675_ = type_9(0u, type_9().member_1);
+                    phi_1613_ = _e1020;
+                    phi_1636_ = type_9(0u, type_9().member_1);
                 }
-                let _e1061 = phi_1652_;
-                let _e1063 = phi_1675_;
-                let _e1067 = (bitcast<i32>(_e1063.member) != 0i);
-                if _e1067 {
-                    let _e1069 = ((_e185 & 536870911u) + (_e1063.member_1 * 128u));
-                    let _e1070 = (_e1069 + _e96);
-                    if (_e1070 < _e136) {
-                        let _e1073 = keys.member[_e1070];
-                        let _e1075 = sorted.member[_e1070];
-                        phi_1710_ = _e1075;
-                        phi_1711_ = _e1073;
+                let _e1032 = phi_1613_;
+                let _e1034 = phi_1636_;
+                let _e1038 = (bitcast<i32>(_e1034.member) != 0i);
+                if _e1038 {
+                    let _e1040 = ((_e185 & 536870911u) + (_e1034.member_1 * 128u));
+                    let _e1041 = (_e1040 + _e96);
+                    if (_e1041 < _e136) {
+                        let _e1044 = keys.member[_e1041];
+                        let _e1046 = sorted.member[_e1041];
+                        phi_1671_ = _e1046;
+                        phi_1672_ = _e1044;
                     } else {
-                        phi_1710_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_1711_ = 4294967295u;
+                        phi_1671_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_1672_ = 4294967295u;
                     }
-                    let _e1077 = phi_1710_;
-                    let _e1079 = phi_1711_;
-                    names[_e96] = _e1079;
-                    boxes[_e96] = type_18(array<f32, 3>(_e1077.member[0], _e1077.member[1], _e1077.member[2]), array<f32, 3>(_e1077.member_1[0], _e1077.member_1[1], _e1077.member_1[2]));
+                    let _e1048 = phi_1671_;
+                    let _e1050 = phi_1672_;
+                    names[_e96] = _e1050;
+                    boxes[_e96] = type_18(array<f32, 3>(_e1048.member[0], _e1048.member[1], _e1048.member[2]), array<f32, 3>(_e1048.member_1[0], _e1048.member_1[1], _e1048.member_1[2]));
                     if (_e96 == 0u) {
                         atomicStore((&counters[0u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_1732_ = type_9(0u, 128u);
+                    phi_1693_ = type_9(0u, 128u);
                     loop {
-                        let _e1096 = phi_1732_;
-                        if (_e1096.member < _e1096.member_1) {
-                            phi_1733_ = type_9((_e1096.member + 1u), _e1096.member_1);
-                            phi_1756_ = type_9(1u, _e1096.member);
+                        let _e1067 = phi_1693_;
+                        if (_e1067.member < _e1067.member_1) {
+                            phi_1694_ = type_9((_e1067.member + 1u), _e1067.member_1);
+                            phi_1717_ = type_9(1u, _e1067.member);
                         } else {
-                            phi_1733_ = _e1096;
-                            phi_1756_ = type_9(0u, type_9().member_1);
+                            phi_1694_ = _e1067;
+                            phi_1717_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1108 = phi_1733_;
-                        let _e1110 = phi_1756_;
-                        let _e1114 = (bitcast<i32>(_e1110.member) != 0i);
-                        if _e1114 {
-                            let _e1116 = names[_e1110.member_1];
-                            if (_e1116 >= _e1039[0]) {
-                                if (_e1116 <= _e1039[1]) {
-                                    if ((_e1069 + _e1110.member_1) >= _e1039[2]) {
-                                        let _e1122 = boxes[_e1110.member_1];
-                                        if ((((((_e1046.member[0] <= _e1122.member_1[0]) && (_e1122.member[0] <= _e1046.member_1[0])) && (_e1046.member[1] <= _e1122.member_1[1])) && (_e1122.member[1] <= _e1046.member_1[1])) && (_e1046.member[2] <= _e1122.member_1[2])) && (_e1122.member[2] <= _e1046.member_1[2])) {
-                                            let _e1155 = atomicAdd((&counters[0u]), 1u);
-                                            if (_e1155 < 2048u) {
-                                                hits[_e1155] = ((_e96 << bitcast<u32>(7i)) | _e1110.member_1);
+                        let _e1079 = phi_1694_;
+                        let _e1081 = phi_1717_;
+                        let _e1085 = (bitcast<i32>(_e1081.member) != 0i);
+                        if _e1085 {
+                            let _e1087 = names[_e1081.member_1];
+                            if (_e1087 >= _e1010[0]) {
+                                if (_e1087 <= _e1010[1]) {
+                                    if ((_e1040 + _e1081.member_1) >= _e1010[2]) {
+                                        let _e1093 = boxes[_e1081.member_1];
+                                        if ((((((_e1017.member[0] <= _e1093.member_1[0]) && (_e1093.member[0] <= _e1017.member_1[0])) && (_e1017.member[1] <= _e1093.member_1[1])) && (_e1093.member[1] <= _e1017.member_1[1])) && (_e1017.member[2] <= _e1093.member_1[2])) && (_e1093.member[2] <= _e1017.member_1[2])) {
+                                            let _e1126 = atomicAdd((&counters[0u]), 1u);
+                                            if (_e1126 < 2048u) {
+                                                hits[_e1126] = ((_e96 << bitcast<u32>(7i)) | _e1081.member_1);
                                             } else {
-                                                let _e1159 = order.member[_e222];
-                                                let _e1161 = order.member[(_e1069 + _e1110.member_1)];
-                                                let _e1164 = params.member.member_2.member_1;
-                                                if (_e1164 == 1u) {
-                                                    let _e1194 = params.member.member.member_2[1u];
-                                                    let _e1195 = (_e1159 - _e1194);
-                                                    let _e1199 = params.member.member.member_2[1u];
-                                                    let _e1200 = (_e1161 - _e1199);
-                                                    if (_e1195 < _e1200) {
-                                                        phi_1869_ = type_9(_e1195, _e1200);
+                                                let _e1130 = order.member[_e222];
+                                                let _e1132 = order.member[(_e1040 + _e1081.member_1)];
+                                                let _e1135 = params.member.member_2.member_1;
+                                                if (_e1135 == 1u) {
+                                                    let _e1165 = params.member.member.member_2[1u];
+                                                    let _e1166 = (_e1130 - _e1165);
+                                                    let _e1170 = params.member.member.member_2[1u];
+                                                    let _e1171 = (_e1132 - _e1170);
+                                                    if (_e1166 < _e1171) {
+                                                        phi_1830_ = type_9(_e1166, _e1171);
                                                     } else {
-                                                        phi_1869_ = type_9(_e1200, _e1195);
+                                                        phi_1830_ = type_9(_e1171, _e1166);
                                                     }
-                                                    let _e1205 = phi_1869_;
-                                                    phi_1902_ = _e1205;
+                                                    let _e1176 = phi_1830_;
+                                                    phi_1863_ = _e1176;
                                                 } else {
-                                                    let _e1168 = params.member.member_2.member;
-                                                    if (_e1168 == 2u) {
-                                                        phi_1880_ = 8u;
+                                                    let _e1139 = params.member.member_2.member;
+                                                    if (_e1139 == 2u) {
+                                                        phi_1841_ = 8u;
                                                     } else {
-                                                        phi_1880_ = 1u;
+                                                        phi_1841_ = 1u;
                                                     }
-                                                    let _e1171 = phi_1880_;
-                                                    if (_e1168 == 2u) {
-                                                        phi_1885_ = 10u;
+                                                    let _e1142 = phi_1841_;
+                                                    if (_e1139 == 2u) {
+                                                        phi_1846_ = 10u;
                                                     } else {
-                                                        phi_1885_ = 1u;
+                                                        phi_1846_ = 1u;
                                                     }
-                                                    let _e1174 = phi_1885_;
-                                                    if (_e187 >= (_e1171 * _e1174)) {
-                                                        let _e1186 = params.member.member.member_2[2u];
-                                                        phi_1901_ = type_9(_e1161, (_e1159 - _e1186));
+                                                    let _e1145 = phi_1846_;
+                                                    if (_e187 >= (_e1142 * _e1145)) {
+                                                        let _e1157 = params.member.member.member_2[2u];
+                                                        phi_1862_ = type_9(_e1132, (_e1130 - _e1157));
                                                     } else {
-                                                        let _e1180 = params.member.member.member_2[2u];
-                                                        phi_1901_ = type_9(_e1159, (_e1161 - _e1180));
+                                                        let _e1151 = params.member.member.member_2[2u];
+                                                        phi_1862_ = type_9(_e1130, (_e1132 - _e1151));
                                                     }
-                                                    let _e1190 = phi_1901_;
-                                                    phi_1902_ = _e1190;
+                                                    let _e1161 = phi_1862_;
+                                                    phi_1863_ = _e1161;
                                                 }
-                                                let _e1207 = phi_1902_;
-                                                let _e1212 = params.member.member_1.member_3;
-                                                let _e1214 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e1214 + 1u) < _e1214) {
-                                                    let _e1218 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e1178 = phi_1863_;
+                                                let _e1183 = params.member.member_1.member_3;
+                                                let _e1185 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e1185 + 1u) < _e1185) {
+                                                    let _e1189 = atomicAdd((&pairs.member[2u]), 1u);
                                                 }
-                                                if (_e1214 < _e1212) {
-                                                    let _e1220 = (2u * _e1214);
-                                                    atomicStore((&pairs.member[(4u + _e1220)]), _e1207.member);
-                                                    atomicStore((&pairs.member[(_e1220 + 5u)]), _e1207.member_1);
+                                                if (_e1185 < _e1183) {
+                                                    let _e1191 = (2u * _e1185);
+                                                    atomicStore((&pairs.member[(4u + _e1191)]), _e1178.member);
+                                                    atomicStore((&pairs.member[(_e1191 + 5u)]), _e1178.member_1);
                                                 }
                                             }
                                         }
@@ -1322,141 +1267,141 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_1732_ = _e1108;
-                            break if !(_e1114);
+                            phi_1693_ = _e1079;
+                            break if !(_e1085);
                         }
                     }
                     workgroupBarrier();
-                    let _e1231 = atomicLoad((&counters[0u]));
-                    if (2048u < _e1231) {
-                        phi_1937_ = 2048u;
+                    let _e1202 = atomicLoad((&counters[0u]));
+                    if (2048u < _e1202) {
+                        phi_1898_ = 2048u;
                     } else {
-                        phi_1937_ = _e1231;
+                        phi_1898_ = _e1202;
                     }
-                    let _e1234 = phi_1937_;
+                    let _e1205 = phi_1898_;
                     if (_e96 == 0u) {
-                        if (_e1234 > 0u) {
-                            let _e1238 = atomicAdd((&pairs.member[0u]), _e1234);
-                            if ((_e1238 + _e1234) < _e1238) {
-                                let _e1242 = atomicAdd((&pairs.member[2u]), 1u);
+                        if (_e1205 > 0u) {
+                            let _e1209 = atomicAdd((&pairs.member[0u]), _e1205);
+                            if ((_e1209 + _e1205) < _e1209) {
+                                let _e1213 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[1u]), _e1238);
+                            atomicStore((&counters[1u]), _e1209);
                         }
                     }
                     workgroupBarrier();
-                    let _e1245 = atomicLoad((&counters[1u]));
-                    phi_1963_ = type_9(0u, 16u);
+                    let _e1216 = atomicLoad((&counters[1u]));
+                    phi_1924_ = type_9(0u, 16u);
                     loop {
-                        let _e1247 = phi_1963_;
-                        if (_e1247.member < _e1247.member_1) {
-                            phi_1964_ = type_9((_e1247.member + 1u), _e1247.member_1);
-                            phi_1987_ = type_9(1u, _e1247.member);
+                        let _e1218 = phi_1924_;
+                        if (_e1218.member < _e1218.member_1) {
+                            phi_1925_ = type_9((_e1218.member + 1u), _e1218.member_1);
+                            phi_1948_ = type_9(1u, _e1218.member);
                         } else {
-                            phi_1964_ = _e1247;
-                            phi_1987_ = type_9(0u, type_9().member_1);
+                            phi_1925_ = _e1218;
+                            phi_1948_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1259 = phi_1964_;
-                        let _e1261 = phi_1987_;
-                        if (bitcast<i32>(_e1261.member) != 0i) {
-                            let _e1267 = ((_e1261.member_1 * 128u) + _e96);
-                            if (_e1267 >= _e1234) {
-                                phi_2152_ = false;
+                        let _e1230 = phi_1925_;
+                        let _e1232 = phi_1948_;
+                        if (bitcast<i32>(_e1232.member) != 0i) {
+                            let _e1238 = ((_e1232.member_1 * 128u) + _e96);
+                            if (_e1238 >= _e1205) {
+                                phi_2113_ = false;
                             } else {
-                                let _e1270 = hits[_e1267];
-                                let _e1275 = params.member.member_2.member;
-                                let _e1278 = params.member.member_2.member_1;
-                                if (_e1278 == 0u) {
-                                    phi_2018_ = array<u32, 2>(0u, 2u);
+                                let _e1241 = hits[_e1238];
+                                let _e1246 = params.member.member_2.member;
+                                let _e1249 = params.member.member_2.member_1;
+                                if (_e1249 == 0u) {
+                                    phi_1979_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_2018_ = array<u32, 2>(1u, 1u);
+                                    phi_1979_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e1281 = phi_2018_;
-                                if (_e1275 == 2u) {
-                                    phi_2025_ = 8u;
+                                let _e1252 = phi_1979_;
+                                if (_e1246 == 2u) {
+                                    phi_1986_ = 8u;
                                 } else {
-                                    phi_2025_ = 1u;
+                                    phi_1986_ = 1u;
                                 }
-                                let _e1286 = phi_2025_;
-                                if (_e1275 == 2u) {
-                                    phi_2030_ = 10u;
+                                let _e1257 = phi_1986_;
+                                if (_e1246 == 2u) {
+                                    phi_1991_ = 10u;
                                 } else {
-                                    phi_2030_ = 1u;
+                                    phi_1991_ = 1u;
                                 }
-                                let _e1289 = phi_2030_;
-                                if (_e187 >= (_e1286 * _e1289)) {
-                                    phi_2038_ = array<u32, 2>(_e1281[1], _e1281[0]);
+                                let _e1260 = phi_1991_;
+                                if (_e187 >= (_e1257 * _e1260)) {
+                                    phi_1999_ = array<u32, 2>(_e1252[1], _e1252[0]);
                                 } else {
-                                    phi_2038_ = _e1281;
+                                    phi_1999_ = _e1252;
                                 }
-                                let _e1294 = phi_2038_;
-                                let _e1301 = params.member.member.member_2[_e1294[0]];
-                                let _e1306 = order.member[(_e1301 + ((_e191 * 128u) + (_e1270 >> bitcast<u32>(7i))))];
-                                let _e1308 = order.member[(_e1069 + (_e1270 % 128u))];
-                                let _e1311 = params.member.member_2.member_1;
-                                if (_e1311 == 1u) {
-                                    let _e1341 = params.member.member.member_2[1u];
-                                    let _e1342 = (_e1306 - _e1341);
-                                    let _e1346 = params.member.member.member_2[1u];
-                                    let _e1347 = (_e1308 - _e1346);
-                                    if (_e1342 < _e1347) {
-                                        phi_2101_ = type_9(_e1342, _e1347);
+                                let _e1265 = phi_1999_;
+                                let _e1272 = params.member.member.member_2[_e1265[0]];
+                                let _e1277 = order.member[(_e1272 + ((_e191 * 128u) + (_e1241 >> bitcast<u32>(7i))))];
+                                let _e1279 = order.member[(_e1040 + (_e1241 % 128u))];
+                                let _e1282 = params.member.member_2.member_1;
+                                if (_e1282 == 1u) {
+                                    let _e1312 = params.member.member.member_2[1u];
+                                    let _e1313 = (_e1277 - _e1312);
+                                    let _e1317 = params.member.member.member_2[1u];
+                                    let _e1318 = (_e1279 - _e1317);
+                                    if (_e1313 < _e1318) {
+                                        phi_2062_ = type_9(_e1313, _e1318);
                                     } else {
-                                        phi_2101_ = type_9(_e1347, _e1342);
+                                        phi_2062_ = type_9(_e1318, _e1313);
                                     }
-                                    let _e1352 = phi_2101_;
-                                    phi_2134_ = _e1352;
+                                    let _e1323 = phi_2062_;
+                                    phi_2095_ = _e1323;
                                 } else {
-                                    let _e1315 = params.member.member_2.member;
-                                    if (_e1315 == 2u) {
-                                        phi_2112_ = 8u;
+                                    let _e1286 = params.member.member_2.member;
+                                    if (_e1286 == 2u) {
+                                        phi_2073_ = 8u;
                                     } else {
-                                        phi_2112_ = 1u;
+                                        phi_2073_ = 1u;
                                     }
-                                    let _e1318 = phi_2112_;
-                                    if (_e1315 == 2u) {
-                                        phi_2117_ = 10u;
+                                    let _e1289 = phi_2073_;
+                                    if (_e1286 == 2u) {
+                                        phi_2078_ = 10u;
                                     } else {
-                                        phi_2117_ = 1u;
+                                        phi_2078_ = 1u;
                                     }
-                                    let _e1321 = phi_2117_;
-                                    if (_e187 >= (_e1318 * _e1321)) {
-                                        let _e1333 = params.member.member.member_2[2u];
-                                        phi_2133_ = type_9(_e1308, (_e1306 - _e1333));
+                                    let _e1292 = phi_2078_;
+                                    if (_e187 >= (_e1289 * _e1292)) {
+                                        let _e1304 = params.member.member.member_2[2u];
+                                        phi_2094_ = type_9(_e1279, (_e1277 - _e1304));
                                     } else {
-                                        let _e1327 = params.member.member.member_2[2u];
-                                        phi_2133_ = type_9(_e1306, (_e1308 - _e1327));
+                                        let _e1298 = params.member.member.member_2[2u];
+                                        phi_2094_ = type_9(_e1277, (_e1279 - _e1298));
                                     }
-                                    let _e1337 = phi_2133_;
-                                    phi_2134_ = _e1337;
+                                    let _e1308 = phi_2094_;
+                                    phi_2095_ = _e1308;
                                 }
-                                let _e1354 = phi_2134_;
-                                let _e1359 = params.member.member_1.member_3;
-                                let _e1360 = (_e1245 + _e1267);
-                                if (_e1360 < _e1359) {
-                                    let _e1362 = (2u * _e1360);
-                                    atomicStore((&pairs.member[(4u + _e1362)]), _e1354.member);
-                                    atomicStore((&pairs.member[(_e1362 + 5u)]), _e1354.member_1);
+                                let _e1325 = phi_2095_;
+                                let _e1330 = params.member.member_1.member_3;
+                                let _e1331 = (_e1216 + _e1238);
+                                if (_e1331 < _e1330) {
+                                    let _e1333 = (2u * _e1331);
+                                    atomicStore((&pairs.member[(4u + _e1333)]), _e1325.member);
+                                    atomicStore((&pairs.member[(_e1333 + 5u)]), _e1325.member_1);
                                 }
-                                phi_2152_ = true;
+                                phi_2113_ = true;
                             }
-                            let _e1368 = phi_2152_;
-                            phi_2153_ = _e1368;
+                            let _e1339 = phi_2113_;
+                            phi_2114_ = _e1339;
                         } else {
-                            phi_2153_ = false;
+                            phi_2114_ = false;
                         }
-                        let _e1370 = phi_2153_;
+                        let _e1341 = phi_2114_;
                         continue;
                         continuing {
-                            phi_1963_ = _e1259;
-                            break if !(_e1370);
+                            phi_1924_ = _e1230;
+                            break if !(_e1341);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1651_ = _e1061;
-                    break if !(_e1067);
+                    phi_1612_ = _e1032;
+                    break if !(_e1038);
                 }
             }
         }

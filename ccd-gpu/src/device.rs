@@ -251,9 +251,10 @@ impl Device {
     /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few
     /// where a CPU plays one, because each costs it some time to start.
     ///
-    /// lavapipe (Mesa 22.3) ends all loops of a thread when it has gone round 65,535 times, and
-    /// what would come then is lost. So a dispatch has at most so many items a workgroup that it
-    /// does not; with the workgroups of a GPU that is more than any dispatch has.
+    /// lavapipe (gallivm's `LP_MAX_TGSI_LOOP_ITERATIONS`) ends the loops of a thread after 65,535
+    /// rounds of all of them together, and what would come then is lost. So a dispatch has so few
+    /// items a workgroup that this is not reached; with the workgroups of a GPU the bound is above
+    /// what any dispatch has.
     pub(crate) fn groups(&self) -> u32 {
         if self.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
     }

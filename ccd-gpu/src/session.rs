@@ -254,9 +254,10 @@ impl Engine {
         (report.toi, report.undecided) = cpu_fallback::summary(contacts);
         let settles = report.undecided > 0 && options.min_distance == 0.0;
         if settles {
+            let n_open = report.undecided as usize;
             match given {
-                Precision::F32(x) => cpu_fallback::settle(mesh, x, decider, contacts),
-                Precision::F64(x) => cpu_fallback::settle(mesh, x, decider, contacts),
+                Precision::F32(x) => cpu_fallback::settle(mesh, x, decider, n_open, contacts),
+                Precision::F64(x) => cpu_fallback::settle(mesh, x, decider, n_open, contacts),
             }
         }
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&open) {

@@ -57,14 +57,14 @@ impl Decider {
             Kind::VertexFace | Kind::EdgeEdge => self.of_patch(kind, ids, x),
             Kind::VertexEdge => {
                 let query = vertex_edge(ids, x);
-                self.stated(
+                self.codimensional(
                     |search| search_vertex_edge(&query, search),
                     |window| exact::vertex_edge(&query, window),
                 )
             }
             Kind::VertexVertex => {
                 let query = vertex_vertex(ids, x);
-                self.stated(
+                self.codimensional(
                     |search| search_vertex_vertex(&query, search),
                     |window| exact::vertex_vertex(&query, window),
                 )
@@ -107,22 +107,23 @@ impl Decider {
         found.map_or(answer, |found| self.settled(answer, found))
     }
 
-    /// The exact answer if the mode wants it or the search leaves the pair open, and integers hold
-    /// it; else that of the search.
-    fn stated(
+    /// The answer for a vertex and an edge, or two vertices: exact if the mode wants it or the
+    /// search leaves the pair open, and integers hold it; else that of the search.
+    fn codimensional(
         &self,
         certified: impl Fn(&Search<f64>) -> Answer<f64>,
         exact: impl Fn([f64; 2]) -> Option<Exact>,
     ) -> Answer<f64> {
-        let wanted = |wanted: bool| {
-            let found = (wanted && self.search.min_distance == 0.0).then(|| exact(self.window()));
-            found.flatten()
-        };
-        if let Some(found) = wanted(self.mode == Mode::Exact) {
+        let exactly = self.search.min_distance == 0.0;
+        if exactly
+            && self.mode == Mode::Exact
+            && let Some(found) = exact(self.window())
+        {
             return self.exact(found);
         }
         let answer = certified(&self.search);
-        wanted(answer.is_open()).map_or(answer, |found| self.settled(answer, found))
+        let found = if exactly && answer.is_open() { exact(self.window()) } else { None };
+        found.map_or(answer, |found| self.settled(answer, found))
     }
 
     /// What the search left open, decided: a contact keeps its time if that is early by the

@@ -27,7 +27,8 @@ pub const DISPATCH_LIMIT: u32 = 1 << 20;
 /// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
-/// Pairs that a workgroup takes at most, each up to some hundred rounds: see [`Device::groups`].
+/// Pairs that a workgroup takes at most: each takes a thread up to a hundred rounds of its loops,
+/// see [`Device::groups`].
 const PAIRS_A_GROUP: u32 = 512;
 
 /// A pass over a list of pairs of nodes.

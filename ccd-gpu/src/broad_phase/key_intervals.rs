@@ -24,8 +24,8 @@ use wgpu::BufferUsages as U;
 /// device, so that no driver thinks that it hangs.
 const DISPATCH_LIMIT: u32 = 1 << 14;
 
-/// Pieces of work that a workgroup takes at most, each up to 8 times 146 rounds: see
-/// [`Device::groups`].
+/// Pieces of work that a workgroup takes at most: each takes a thread up to 1,232 rounds of its
+/// loops, see [`Device::groups`].
 const WORK_A_GROUP: u32 = 48;
 
 /// Stages in which intervals are cut into pieces of work.

@@ -41,21 +41,18 @@ pub fn decide<T: Real>(
     });
 }
 
-/// Decides again, in place, what a device left undecided, and drops what is no contact.
+/// Decides again, in place, the `n_open` contacts that a device left undecided, at least one, and
+/// drops what is no contact.
 pub fn settle<T: Real>(
     mesh: &Mesh,
     x: [&[[T; 3]]; 2],
     decider: &Decider,
+    n_open: usize,
     contacts: &mut Vec<Contact>,
 ) {
-    let is_open = |contact: &Contact| contact.state == State::Undecided;
-    let n_open = contacts.iter().filter(|contact| is_open(contact)).count();
-    if n_open == 0 {
-        return;
-    }
     // NaN: none; no contact has such a time.
     let settle = |part: &mut [Contact]| {
-        for contact in part.iter_mut().filter(|contact| is_open(contact)) {
+        for contact in part.iter_mut().filter(|contact| contact.state == State::Undecided) {
             let pair = Pair { a: contact.a, b: contact.b };
             match decider.contact(mesh, contact.kind, pair, x) {
                 Some(decided) => *contact = decided,

@@ -178,8 +178,8 @@ impl Buffers {
 /// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
 pub const DISPATCH_LIMIT: u32 = 1 << 21;
 
-/// Pairs that a thread decides at most, each in up to some hundred rounds: see
-/// [`Device::groups`](crate::device::Device::groups).
+/// Pairs that a thread decides at most: each takes some tens of rounds of its loops, few some
+/// hundred, see [`Device::groups`](crate::device::Device::groups).
 const PAIRS_A_THREAD: u32 = 128;
 
 /// Parameters of a kernel that reads the frame alone.

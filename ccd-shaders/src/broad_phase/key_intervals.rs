@@ -11,8 +11,8 @@ use ccd_core::backend::broad_phase::block_bvh::set_of;
 use ccd_core::backend::broad_phase::grid_rows::{CELL_BITS, LEVELS};
 use ccd_core::backend::broad_phase::key_intervals::{
     self, BITS, CHUNK, FOUND, GROUP, POOL, asked_cell, asked_level,
-    asked_level_of, asks, interval, interval_around, is_second_turn, is_taken, lower_bound, pack,
-    rows_a_step, rows_taken, steps, unpack,
+    asks, interval, is_second_turn, is_taken, lower_bound, pack,
+    rows_a_step, rows_taken, step_of, steps, unpack,
 };
 use ccd_core::backend::broad_phase::morton_key::order_key;
 use ccd_core::backend::broad_phase::sweep_and_prune::Moments;
@@ -142,7 +142,7 @@ impl Sorted<'_> {
         let (method, kind) = (self.params.args.method, self.params.args.kind);
         let [_, asked] = asks(method, kind, row);
         let (key, b) = (at(self.keys, place as usize), at(self.boxes, place as usize));
-        interval_around(method, kind, row, asked, key, &b, self.survey, level, cell)
+        interval(method, kind, row, asked, key, &b, self.survey, level, cell)
     }
 
     /// The interval of keys of a thread's box, an empty one where there is none; and the first
@@ -155,8 +155,10 @@ impl Sorted<'_> {
         let (method, kind) = (self.params.args.method, self.params.args.kind);
         let [_, asked] = asks(method, kind, row);
         let (key, b) = (at(self.keys, place as usize), at(self.boxes, place as usize));
-        // A group may have boxes of several levels, and a row be one of some of them alone.
-        let level = asked_level_of(method, row, key);
+        // Boxes of a group may be of different levels. A level of few boxes has the row that is all
+        // of it, one of many has the other rows: in both kinds a box would find its partners twice.
+        let step = step_of(method, row);
+        let level = asked_level(method, row, step, key);
         let mut n_boxes = 0;
         if level < LEVELS {
             let first = (asked << BITS) + (level << CELL_BITS);
@@ -167,7 +169,8 @@ impl Sorted<'_> {
         if !is_taken(method, row, n_boxes) {
             return [u32::MAX, 0, 0];
         }
-        let [from, to] = interval(method, kind, row, asked, key, &b, self.survey);
+        let cell = asked_cell(method, step, key, &b, self.survey);
+        let [from, to] = interval(method, kind, row, asked, key, &b, self.survey, level, cell);
         [from, to, if kind == EDGE_EDGE { place + 1 } else { 0 }]
     }
 }

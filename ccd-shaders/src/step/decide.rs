@@ -62,7 +62,7 @@ kernel! {
                 let pair = read_pair(input, params.dispatch.first + i);
                 let Verdicts { touches, undecided, approach, toi } =
                     decide::wide(kind, pair, &params.frame, paths, positions, elements);
-                // What the host decides again has no time before.
+                // An open pair is decided by the host, and may be none: its time bounds nothing.
                 let open = undecided != 0 && decide::is_decided_again(&params.frame);
                 listed = touches && (keep || open);
                 touch.a = pair.a;

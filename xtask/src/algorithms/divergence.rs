@@ -11,8 +11,8 @@ use ccd::Aabb;
 use ccd::method::{Descent, Traversal};
 use ccd_core::backend::broad_phase::grid_rows::{CELL_BITS, LEVELS};
 use ccd_core::backend::broad_phase::key_intervals::{
-    self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asked_level, interval,
-    lower_bound, rows, rows_a_step, rows_taken,
+    self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asked_cell,
+    asked_level, interval, lower_bound, rows, rows_a_step, rows_taken, step_of,
 };
 use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word, sort_key};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
@@ -131,7 +131,10 @@ fn by_keys(method: u32, boxes: &[Aabb<f32>]) -> [Steps; 2] {
     let n = keys.len() as u32;
     let range = |row: u32, i: u32| -> [u32; 2] {
         let (key, b) = &order[i as usize];
-        let [from, to] = interval(method, EDGE_EDGE, row, SET as u32, *key, b, &survey);
+        let (set, step) = (SET as u32, step_of(method, row));
+        let level = asked_level(method, row, step, *key);
+        let cell = asked_cell(method, step, *key, b, &survey);
+        let [from, to] = interval(method, EDGE_EDGE, row, set, *key, b, &survey, level, cell);
         if from > to {
             return [0, 0];
         }

@@ -97,6 +97,12 @@ pub fn is_taken(method: u32, row: u32, n_boxes: u32) -> bool {
     first <= row && row < end
 }
 
+/// The step of a row: 0 without levels.
+#[inline(always)]
+pub fn step_of(method: u32, row: u32) -> u32 {
+    if method == UNIFORM_GRID { grid_rows::step_and_row(row)[0] } else { 0 }
+}
+
 /// Rows in which the boxes of one set ask.
 #[inline(always)]
 pub fn rows_a_turn(method: u32) -> u32 {
@@ -151,12 +157,6 @@ pub fn asked_level(method: u32, row: u32, step: u32, key: u32) -> u32 {
     if method != UNIFORM_GRID || none { LEVELS } else { grid_rows::asked_level(key, step) }
 }
 
-/// As [`asked_level`], in the step of a row.
-#[inline(always)]
-pub fn asked_level_of(method: u32, row: u32, key: u32) -> u32 {
-    asked_level(method, row, grid_rows::step_and_row(row)[0], key)
-}
-
 /// The cell of that level around which the box asks.
 #[inline(always)]
 pub fn asked_cell(method: u32, step: u32, key: u32, b: &Aabb<f32>, survey: &[u32]) -> [u32; 3] {
@@ -168,27 +168,11 @@ pub fn asked_cell(method: u32, step: u32, key: u32, b: &Aabb<f32>, survey: &[u32
 }
 
 /// The first and the last key of the partners in a row of a box of key `key`; a first that is
-/// greater than the last where there are none. `asked`: the set that is asked.
-#[inline(always)]
-pub fn interval(
-    method: u32,
-    kind: u32,
-    row: u32,
-    asked: u32,
-    key: u32,
-    b: &Aabb<f32>,
-    survey: &[u32],
-) -> [u32; 2] {
-    let step = if method == UNIFORM_GRID { grid_rows::step_and_row(row)[0] } else { 0 };
-    let level = asked_level(method, row, step, key);
-    let cell = asked_cell(method, step, key, b, survey);
-    interval_around(method, kind, row, asked, key, b, survey, level, cell)
-}
-
-/// As [`interval`], with what [`asked_level`] and [`asked_cell`] say.
+/// greater than the last where there are none. `asked`: the set that is asked; `level`, `cell`:
+/// what [`asked_level`] and [`asked_cell`] say in the step of the row.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "a struct of slices does not translate to WGSL")]
-pub fn interval_around(
+pub fn interval(
     method: u32,
     kind: u32,
     row: u32,

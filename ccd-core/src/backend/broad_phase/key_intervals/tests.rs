@@ -35,7 +35,10 @@ fn asking(
             } else {
                 asking == [a, b][i]
             };
-            let [from, to] = interval(method, kind, row, asked, keys[i], boxes[i], survey);
+            let (key, b, step) = (keys[i], boxes[i], step_of(method, row));
+            let level = asked_level(method, row, step, key);
+            let cell = asked_cell(method, step, key, b, survey);
+            let [from, to] = interval(method, kind, row, asked, key, b, survey, level, cell);
             if may && (from..=to).contains(&keys[1 - i]) {
                 out.push(row);
             }
