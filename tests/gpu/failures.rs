@@ -9,8 +9,9 @@ use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions};
 use ccd::{Options, Pair};
 use ccd_core::backend::layout::{
-    Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS,
+    Decision, Dispatch, Frame, IntegerDecision, LIST_HEADER, Params, Path, TOUCH_WORDS,
 };
+use ccd_core::narrow_phase::integer_search::Window;
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
@@ -70,12 +71,16 @@ fn check_capacities(device: &Device) {
         // In two parts, of which the second may take more than there is.
         for (first, most, sum) in [(0, 150, 150), (150, n, n)] {
             let dispatch = Dispatch { n: most, first, capacity_in: n, capacity_out: n };
-            let p = Params { frame, dispatch, args: Decision { kind, capacity_open } };
+            let window = Window::of(&Search::whole(0.0));
+            let args = IntegerDecision::new(Decision { kind, capacity_open }, window);
+            let p = Params { frame, dispatch, args };
             let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
             let (paths, input, earliest) = (bytes(&paths), list(&pairs), vec![0xff; 16]);
             let elements =
                 bytes(if kind == 0 { &[1u32, 2, 3, 4, 5, 6][..] } else { &[0, 1, 2, 3] });
-            let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+            let positions = bytes(&[0u32]);
+            let kernel =
+                Decide { paths, positions, elements, input, contacts, undecided, earliest };
             undecided = run(device, kernel, &p, 3).undecided;
             assert_eq!(read::<u32>(&undecided)[0], sum, "pairs of this part and those before");
         }

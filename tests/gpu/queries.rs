@@ -7,9 +7,11 @@ use ccd::gpu::bind::{Decide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Pair, Verdict};
 use ccd_core::backend::layout::{
-    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS, Touch, join, split,
+    Decision, Dispatch, Frame, IntegerDecision, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS,
+    Touch, join, split,
 };
 use ccd_core::backend::quantization::{Scan, Table};
+use ccd_core::narrow_phase::integer_search::Window;
 use ccd_core::narrow_phase::search::Search;
 use ccd_testkit::{compare, data};
 use std::path::{Path, PathBuf};
@@ -56,7 +58,7 @@ fn check_queries(device: &Device, dir: &Path) {
     }
     println!(
         "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; \
-         {n_open} left open by f32"
+         {n_open} left open without f64"
     );
     assert_eq!(n, 7279);
 }
@@ -93,6 +95,7 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         flags: Frame::FLAG_KEEP | exact,
         path_error: table.error,
         distance_bits: split(0.0),
+        scale_bits: split(table.scale),
         ..Frame::default()
     }
     .searching(&Search::whole(0.0));
@@ -100,10 +103,10 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
-    let p =
-        Params { frame, dispatch, args: Decision { kind: !is_vf as u32, capacity_open: count } };
+    let args = Decision { kind: !is_vf as u32, capacity_open: count };
+    let positions = bytes(&[x0, x1].concat());
     if device.info().wide {
-        let positions = bytes(&[x0, x1].concat());
+        let p = Params { frame, dispatch, args };
         let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
         let contacts = run(device, kernel, &p, 3).contacts;
         for touch in touches(&contacts) {
@@ -113,7 +116,9 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         }
     } else {
         let undecided = capacity(count);
-        let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+        let args = IntegerDecision::new(args, Window::of(&Search::whole(0.0)));
+        let p = Params { frame, dispatch, args };
+        let kernel = Decide { paths, positions, elements, input, contacts, undecided, earliest };
         let done = run(device, kernel, &p, 3);
         let (contacts, undecided) = (done.contacts, done.undecided);
         touches(&contacts)

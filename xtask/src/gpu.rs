@@ -34,7 +34,8 @@ type Stages = Vec<(&'static str, f64)>;
 /// Measures and writes Markdown to `out`. `only`: these parts; none: all.
 pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
     let wanted = |part| only.is_empty() || only.contains(&part);
-    let dir = if wanted(Part::Scenes) { Some(data_dir()?) } else { None };
+    let of_scenes = wanted(Part::Scenes) || wanted(Part::Narrow);
+    let dir = if of_scenes { Some(data_dir()?) } else { None };
     let scenes = || {
         let exists =
             |(s, dir): &(&'static Scene, &PathBuf)| dir.join("scenes").join(s.name).is_dir();
@@ -64,7 +65,7 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
             device.info().adapter.name,
             device.info()
         );
-        for (scene, dir) in scenes() {
+        for (scene, dir) in scenes().filter(|_| wanted(Part::Scenes)) {
             measure_scene(&device, scene, dir, runs, &mut text).map_err(error)?;
             write(&text)?;
         }
@@ -77,23 +78,21 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
             measure_sort(&device, runs, &mut text).map_err(error)?;
         }
     }
-    if !wanted(Part::Scenes) {
+    for path in [Shaders::Passthrough, Shaders::Wgsl].into_iter().filter(|_| wanted(Part::Narrow)) {
+        let options = DeviceOptions { path: Some(path), narrow: true, ..DeviceOptions::default() };
+        let device = Device::open(&options).map_err(error)?;
+        let _ = writeln!(text, "\n## Steps without `f64` on the device, through {path:?}\n");
+        text.push_str(
+            "What is left open is decided on the CPU. By `f32` alone: a tolerance of 1e-10, for \
+             which integers of 32 bits are not asked.\n\n\
+             | scene | candidates | left by filters | left open | contacts | wall | by `f32` alone: \
+             left open | wall |\n|---|---|---|---|---|---|---|---|\n",
+        );
+        for (scene, dir) in scenes() {
+            measure_narrow(&device, scene, dir, runs, &mut text).map_err(error)?;
+        }
         write(&text)?;
-        println!("{text}");
-        return Ok(());
     }
-    let device =
-        Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
-    text.push_str("\n## Queries that reach each stage, with `f32` alone on the device\n\n");
-    text.push_str("What `f32` leaves open is decided on the CPU.\n\n");
-    text.push_str(
-        "| scene | candidates | left by filters | left open | contacts | undecided | wall |\n",
-    );
-    text.push_str("|---|---|---|---|---|---|---|\n");
-    for (scene, dir) in scenes() {
-        measure_narrow(&device, scene, dir, runs, &mut text).map_err(error)?;
-    }
-    write(&text)?;
     println!("{text}");
     Ok(())
 }
@@ -278,18 +277,35 @@ fn measure_narrow(
 ) -> Result<(), ccd::gpu::Error> {
     let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
-    let mut session = Session::new(device, mesh, ccd::Options::default())?;
-    let wall = warm(runs, || {
-        let (ms, done) = timed(|| session.step(&t0.positions, &t1.positions).map(|_| ()));
-        done.map(|()| ms)
-    })?;
-    let wall = median(wall);
-    let (report, open) = (session.report(), session.left_open());
+    let mut rows = Vec::new();
+    for tolerance in [ccd::TOI_TOLERANCE, 1e-10] {
+        let options = ccd::Options::default().with_tolerance(tolerance);
+        let mut session = Session::new(device, mesh.clone(), options)?;
+        let wall = warm(runs, || {
+            let (ms, done) = timed(|| session.step(&t0.positions, &t1.positions).map(|_| ()));
+            done.map(|()| ms)
+        })?;
+        rows.push((session.report().clone(), session.left_open(), median(wall)));
+    }
+    let [(report, open, wall), (narrow, open_narrow, wall_narrow)] = &rows[..] else {
+        unreachable!("two sessions")
+    };
     let (c, f, n) = (report.candidates, report.filtered, report.n_contacts());
+    assert_eq!(n, narrow.n_contacts(), "{}", scene.name);
     let _ = writeln!(
         text,
-        "| {} | {} + {} | {} + {} | {} + {} | {} + {} | {} | {wall:.2} |",
-        scene.name, c.vf, c.ee, f.vf, f.ee, open.vf, open.ee, n.vf, n.ee, report.undecided
+        "| {} | {} + {} | {} + {} | {} + {} | {} + {} | {wall:.2} | {} + {} | {wall_narrow:.2} |",
+        scene.name,
+        c.vf,
+        c.ee,
+        f.vf,
+        f.ee,
+        open.vf,
+        open.ee,
+        n.vf,
+        n.ee,
+        open_narrow.vf,
+        open_narrow.ee
     );
     Ok(())
 }

@@ -208,6 +208,8 @@ enum Part {
     Boxes,
     /// Sorting
     Sort,
+    /// Steps of real scenes on a device whose `f64` is not used (needs the data)
+    Narrow,
 }
 
 fn main() -> ExitCode {

@@ -5,6 +5,7 @@ pub mod aabb;
 pub mod expansion;
 pub mod morton;
 pub mod obb;
+pub mod q62;
 pub mod real;
 pub mod symmetric_eigen;
 pub mod vec3;

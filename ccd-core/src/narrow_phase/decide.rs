@@ -4,9 +4,12 @@ use super::cascade::ends;
 use crate::broad_phase::placement::given;
 use crate::kernel::memory::at;
 use crate::layout::VERTEX_FACE;
-use crate::layout::{Frame, Pair, Path, join, split};
+use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
+use crate::math::q62::Q62;
 use crate::math::real::Real;
 use crate::model::contact::Kind;
+use crate::narrow_phase::approach::Approach;
+use crate::narrow_phase::integer_search::{self, Ends, Found, NO_UNIT, Window};
 use crate::narrow_phase::query::{Verdict, search};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
@@ -22,6 +25,11 @@ pub struct Verdicts {
     pub approach: u32,
     /// Time of impact: bits of an `f64`, low word first.
     pub toi: [u32; 2],
+}
+
+impl Verdicts {
+    /// No contact.
+    pub const NONE: Self = Self { touches: false, undecided: 0, approach: 0, toi: [0; 2] };
 }
 
 /// What a frame has its `f32` kernels look for: times that hold those that are wanted.
@@ -121,7 +129,7 @@ pub fn widened(x: f32) -> f64 {
 fn verdicts<R>(answer: Answer<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
     let approach = answer.approach.word();
     match answer.verdict {
-        Verdict::Miss => Verdicts { touches: false, undecided: 0, approach, toi: [0; 2] },
+        Verdict::Miss => Verdicts { approach, ..Verdicts::NONE },
         Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, approach, toi: bits(toi) },
         Verdict::Undecided { toi } => {
             Verdicts { touches: true, undecided: 1, approach, toi: bits(toi) }
@@ -141,13 +149,79 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// Decides a pair of a kind in `f32`. `elements`: see [`words_of_pair`].
+/// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave open
+/// in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if paths
+/// are not exact.
 #[inline(always)]
-pub fn narrow(kind: u32, pair: Pair, frame: &Frame, paths: &[Path], elements: &[u32]) -> Verdicts {
-    let (patch, ids) = words_of_pair(kind, pair, elements);
+pub fn narrow(
+    pair: Pair,
+    frame: &Frame,
+    args: &IntegerDecision,
+    paths: &[Path],
+    positions: &[u32],
+    elements: &[u32],
+) -> Verdicts {
+    let (patch, ids) = words_of_pair(args.of_pairs.kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
+    let unit = integer_search::unit(&motion);
+    if args.tolerance > 0 && unit != NO_UNIT {
+        let points = if frame.has(Frame::FLAG_EXACT) {
+            let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
+            [point(0), point(1), point(2), point(3)]
+        } else {
+            // The scale of paths is a power of two.
+            let unit = unit - ((frame.scale_bits[1] >> 20) as i32 - 1023);
+            let point = |i: usize| {
+                let id = ids[i] as usize;
+                let end = 6 * (frame.count[0] as usize + id);
+                [given_in_units(positions, 6 * id, unit), given_in_units(positions, end, unit)]
+            };
+            [point(0), point(1), point(2), point(3)]
+        };
+        let verdicts = by_integers(patch, &points, args);
+        if verdicts.undecided == 0 {
+            return verdicts;
+        }
+    }
     narrow_verdicts(search(&motion, patch, &search_of(frame)), frame)
+}
+
+#[inline(always)]
+fn in_units(p: [f32; 3], unit: i32) -> [Q62; 3] {
+    [Q62::of(widen(p[0]), unit), Q62::of(widen(p[1]), unit), Q62::of(widen(p[2]), unit)]
+}
+
+#[inline(always)]
+fn given_in_units(words: &[u32], i: usize, unit: i32) -> [Q62; 3] {
+    let of = |i: usize| Q62::of([at(words, i), at(words, i + 1)], unit);
+    [of(i), of(i + 2), of(i + 4)]
+}
+
+#[inline(always)]
+fn by_integers(patch: Patch, points: &[Ends; 4], args: &IntegerDecision) -> Verdicts {
+    let IntegerDecision { from, until, tolerance, .. } = *args;
+    match integer_search::search(patch, points, &Window { from, until, tolerance }) {
+        Found::Miss => Verdicts::NONE,
+        Found::Hit(toi) => {
+            let nears = if toi > from { Approach::Approaching } else { Approach::Unknown };
+            let (approach, toi) = (nears.word(), time_of(toi));
+            Verdicts { touches: true, approach, toi, ..Verdicts::NONE }
+        }
+        Found::Open => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
+    }
+}
+
+/// A time in 2^-31 of the step, as bits of an `f64`, low word first.
+#[inline(always)]
+fn time_of(units: u32) -> [u32; 2] {
+    if units == 0 {
+        return [0; 2];
+    }
+    let zeros = units.leading_zeros();
+    // Without the first one. Two shifts, because one by 32 is none.
+    let fraction = (units << zeros) << 1;
+    [fraction << 20, ((1023 - zeros) << 20) | (fraction >> 12)]
 }
 
 /// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`].
@@ -289,6 +363,14 @@ mod tests {
         for toi in [0.0f32, 1e-40, 1.2e-38, 7.49207e-6, 0.1, 1.0] {
             let want = if toi < f32::MIN_POSITIVE { 0.0 } else { toi as f64 };
             assert_eq!(join(widen(toi)), want, "{toi:e}");
+        }
+    }
+
+    #[test]
+    fn times_by_integers_are_f64() {
+        for units in (0..32).flat_map(|i| [0, 1, 1 << i >> 1, (1 << i) - 1u32, 0x4321_8765 >> i]) {
+            let want = units as f64 / (1u64 << 31) as f64;
+            assert_eq!(join(time_of(units)), want, "{units}");
         }
     }
 

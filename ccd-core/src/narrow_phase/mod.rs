@@ -17,6 +17,7 @@ pub mod distance;
 pub mod exact;
 #[cfg(any(feature = "alloc", test))]
 mod exact_distance;
+pub mod integer_search;
 #[cfg(any(feature = "alloc", test))]
 pub mod intersection;
 pub mod query;

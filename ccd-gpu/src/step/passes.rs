@@ -10,7 +10,9 @@ use crate::growable_list::{HEADER_BYTES, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Frame, Params};
+use ccd_core::backend::layout::{Decision, Frame, IntegerDecision, Params};
+use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::integer_search::Window;
 
 /// Stages by kind.
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
@@ -154,15 +156,18 @@ impl Buffers {
         let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
         let threads = Id::Decide.threads();
         let limit = DISPATCH_LIMIT.min(self.groups * threads * PAIRS_A_THREAD);
+        let exact = self.positions.exact || self.positions.given;
+        let window = if exact { Window::of(&decide::wide_search_of(&frame)) } else { None };
         for dispatch in parts(capacity, limit, self.contacts.capacity()) {
             let groups = self.groups.min(dispatch.n.div_ceil(threads));
-            let p = Params { frame, dispatch, args };
             if wide {
                 let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
-                recorder.dispatch(&kernel, &p, groups);
+                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
             } else {
-                let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
-                recorder.dispatch(&kernel, &p, groups);
+                let kernel =
+                    Decide { paths, positions, elements, input, contacts, undecided, earliest };
+                let args = IntegerDecision::new(args, window);
+                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
             }
         }
     }
@@ -180,7 +185,7 @@ pub const DISPATCH_LIMIT: u32 = 1 << 21;
 
 /// Pairs that a thread decides at most: each takes some tens of rounds of its loops, few some
 /// hundred, see [`Device::groups`](crate::device::Device::groups).
-const PAIRS_A_THREAD: u32 = 128;
+const PAIRS_A_THREAD: u32 = 64;
 
 /// Parameters of a kernel that reads the frame alone.
 fn plain(frame: &Frame) -> Params {

@@ -23,6 +23,8 @@ pub struct Positions {
     pub boxes: Boxes,
     /// Whether paths are exact.
     pub exact: bool,
+    /// Whether integers may read `wide`, because paths are not exact and the device has no `f64`.
+    pub given: bool,
     /// Origin, unit and error of paths.
     table: Table,
     slack: f32,
@@ -70,6 +72,7 @@ impl Positions {
             keys: buffer(keys, "keys of exact boxes", 0)?,
             boxes: Boxes::OfPaths,
             exact: true,
+            given: false,
             table: Table::AS_GIVEN,
             slack: 0.0,
             reach: 0.0,
@@ -139,30 +142,16 @@ impl Positions {
             (true, true) => Boxes::OfPositions,
             (true, false) => Boxes::Sent,
         };
+        // Integers read positions as they were given.
+        self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
+        let replaced = if self.given || self.boxes == Boxes::OfPositions {
+            self.send_given(device, [x0, x1])?
+        } else {
+            false
+        };
         if self.boxes == Boxes::OfPositions {
-            let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
-            let wide = "positions in f64";
-            let replaced = reserve(device, wide, &mut self.wide, 2 * bytes)?
-                | reserve(
-                    device,
-                    "keys of exact boxes",
-                    &mut self.keys,
-                    (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64,
-                )?;
-            for (x, at) in [(x0, 0), (x1, bytes)] {
-                match T::erase::<Points<1>>([x]) {
-                    Precision::F64([x]) => {
-                        device.write(wide, &self.wide, at, bytemuck::cast_slice(x))?;
-                    }
-                    // Rare: coordinates that are too large for the filters as they are.
-                    Precision::F32([x]) => {
-                        self.host_wide.clear();
-                        self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
-                        let bytes = bytemuck::cast_slice(&self.host_wide);
-                        device.write(wide, &self.wide, at, bytes)?;
-                    }
-                }
-            }
+            let keys = (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64;
+            let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
             return Ok(replaced);
         }
         let path_end = |p: &[T; 3]| {
@@ -188,7 +177,7 @@ impl Positions {
             device.write("paths", &self.paths, 0, bytemuck::cast_slice(&self.host_paths))?;
         }
         if self.boxes == Boxes::OfPaths {
-            return Ok(false);
+            return Ok(replaced);
         }
         let margin: T = margin(min_distance);
         self.host_keys.clear();
@@ -202,9 +191,35 @@ impl Positions {
             self.host_boxes.push(exact.round_out());
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
-        let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
-        device.write("keys of exact boxes", &self.keys, 0, keys)?;
+        let what = "keys of exact boxes";
+        let replaced = reserve(device, what, &mut self.keys, keys.len() as u64)? | replaced;
+        device.write(what, &self.keys, 0, keys)?;
         device.write("boxes", boxes, 0, bytemuck::cast_slice(&self.host_boxes))?;
+        Ok(replaced)
+    }
+
+    /// Sends positions in `f64`. Returns whether the buffer was replaced.
+    fn send_given<T: Coordinate>(
+        &mut self,
+        device: &Device,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<bool, Error> {
+        let what = "positions in f64";
+        let bytes = (x[0].len() * size_of::<[f64; 3]>()) as u64;
+        let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
+        for (x, at) in x.into_iter().zip([0, bytes]) {
+            match T::erase::<Points<1>>([x]) {
+                Precision::F64([x]) => {
+                    device.write(what, &self.wide, at, bytemuck::cast_slice(x))?;
+                }
+                // Rare: coordinates that are too large for the filters as they are.
+                Precision::F32([x]) => {
+                    self.host_wide.clear();
+                    self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
+                    device.write(what, &self.wide, at, bytemuck::cast_slice(&self.host_wide))?;
+                }
+            }
+        }
         Ok(replaced)
     }
 
@@ -222,6 +237,7 @@ impl Positions {
     /// Takes the paths that are there, which the caller has written, as exact.
     pub fn take_paths(&mut self) {
         (self.boxes, self.exact, self.table) = (Boxes::OfPaths, true, Table::AS_GIVEN);
+        self.given = false;
         self.call = None;
         self.slack = 0.0;
     }

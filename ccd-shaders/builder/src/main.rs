@@ -7,7 +7,7 @@
 mod instructions;
 mod rewrite;
 
-use rewrite::{forbid_contraction, glsl_memory_model, plain_name, without_lines};
+use rewrite::{forbid_contraction, glsl_memory_model, may_be_inlined, plain_name, without_lines};
 use spirv_builder::{Capability, ModuleResult, ShaderPanicStrategy, SpirvBuilder, SpirvMetadata};
 use spirv_tools::opt::{Optimizer, Passes};
 use spirv_tools::val::Validator;
@@ -37,7 +37,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&out)?;
     for (entry, path) in modules {
         let words = instructions::words(&std::fs::read(path)?);
-        let words = forbid_contraction(&without_lines(&glsl_memory_model(&plain_name(&words))?));
+        let words = glsl_memory_model(&may_be_inlined(&plain_name(&words)))?;
+        let words = forbid_contraction(&without_lines(&words));
         // What the optimiser creates anew needs the decoration too.
         let words = forbid_contraction(&optimize(&words)?);
         spirv_tools::val::create(Some(ENVIRONMENT))

@@ -1,5 +1,5 @@
 //! What modules need before they run elsewhere than in rust-gpu's own runner: the memory model that
-//! hosts enable, and no contraction.
+//! hosts enable, no contraction, and no function that a driver may not inline.
 
 use super::instructions::{self, instructions, opcode};
 use std::collections::HashSet;
@@ -147,6 +147,21 @@ pub fn forbid_contraction(words: &[u32]) -> Vec<u32> {
             });
         }
         out.extend_from_slice(instruction);
+    }
+    out
+}
+
+/// Leaves it to drivers what they inline, which may be all. NVIDIA's (580.159, an H100) returns
+/// wrong numbers from functions marked `DontInline` whose parameters are integers.
+pub fn may_be_inlined(words: &[u32]) -> Vec<u32> {
+    const NONE: u32 = 0;
+    let mut out = words[..5].to_vec();
+    for instruction in instructions(words) {
+        let at = out.len();
+        out.extend_from_slice(instruction);
+        if opcode(instruction) == OP_FUNCTION {
+            out[at + 3] = NONE;
+        }
     }
     out
 }

@@ -1,4 +1,5 @@
-//! Verdicts of what the filters left: in `f64`, or in `f32` with what that cannot decide passed on.
+//! Verdicts of what the filters left: in `f64`, or without it, by integers and in `f32`, with what
+//! these cannot decide passed on.
 
 use crate::entry::kernel;
 use crate::workgroup::{add, add_shared, barrier, get, lower, part, read_pair, set, write_pair};
@@ -86,18 +87,23 @@ kernel! {
 }
 
 kernel! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f32`; what that leaves open
-    /// goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
-    decide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], elements: [u32],
-        input: [u32], mut contacts: [u32], mut undecided: [u32], mut earliest: [u32]) {
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on without `f64`; what that leaves
+    /// open goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
+    /// `positions`: words of positions as given, if paths are not exact.
+    decide[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [Path], positions: [u32],
+        elements: [u32], input: [u32], mut contacts: [u32], mut undecided: [u32],
+        mut earliest: [u32]) {
         let len = part(input, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (kind, mut certain, mut open) = (params.args.kind, false, false);
-            let mut touch = Touch { kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
+            let args = &params.args.of_pairs;
+            let (mut certain, mut open) = (false, false);
+            let mut touch =
+                Touch { kind: args.kind, state: 0, a: 0, b: 0, toi: [0; 2], approach: 0 };
             if i < len {
                 let pair = read_pair(input, params.dispatch.first + i);
-                let verdict = decide::narrow(kind, pair, &params.frame, paths, elements);
+                let (frame, args) = (&params.frame, &params.args);
+                let verdict = decide::narrow(pair, frame, args, paths, positions, elements);
                 certain = verdict.touches && verdict.undecided == 0;
                 open = verdict.undecided != 0;
                 touch.a = pair.a;
@@ -119,7 +125,7 @@ kernel! {
             let to = place(t.lane, open, counters, undecided);
             if open {
                 let pair = Pair { a: touch.a, b: touch.b };
-                write_pair(undecided, params.args.capacity_open, to, pair);
+                write_pair(undecided, args.capacity_open, to, pair);
             }
         }
     }

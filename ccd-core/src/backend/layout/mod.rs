@@ -4,8 +4,9 @@
 mod params;
 
 pub use params::{
-    BlockDescent, Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame, Intervals,
-    NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing, Worlds,
+    BlockDescent, Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame,
+    IntegerDecision, Intervals, NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing,
+    Worlds,
 };
 
 use crate::math::aabb::Aabb;

@@ -1,0 +1,341 @@
+//! A verdict by integers of 32 bits, for devices without `f64`: where the cubic of coplanarity
+//! changes its sign, and whether the features certainly meet there.
+//!
+//! The vectors of a query are numbers in fixed point ([`Q62`]) of a unit in which the greatest is
+//! about 1/8 or 1/4, so that every bound below is a number of units `u` of 2^-62. The control
+//! values of the cubic [Tang 2010] are halved by de Casteljau's algorithm, the first half first,
+//! down to 2^-31 of the step, and the patch is looked at over the interval that is left. Nothing
+//! depends on how a device rounds.
+//!
+//! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
+//! of the boundary of the patch, resting contact.
+//!
+//! # Bounds
+//! Components are up to 1/4, and off by `2 u` (two operands, cut); a product is off by less than
+//! `5 u`, so with those of its factors by `6 u` where both are vectors.
+//!
+//! | value | at most | error |
+//! |---|---|---|
+//! | component of a cross product | 1/8 | `2 x 6 u` |
+//! | the same of mixed ends, a sum of two | 1/4 | `24 u` |
+//! | `3 f(0)`, `3 f(1)` | 9/32 | `3 x 3 (12 / 4 + 2 / 8 + 5) u < 75 u` |
+//! | three times the others | 9/32 | `3 (8.25 + 24 / 4 + 2 / 4 + 5) u < 60 u` |
+//!
+//! A halving adds `1.5 u` (three means, each up to `u / 2` too low), 31 of them `46.5 u`, and the
+//! values of another interval `3 u` (three interpolations): below `128 u` together ([`BAND`]).
+
+use crate::math::q62::Q62;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
+#[cfg(any(feature = "alloc", test))]
+use crate::narrow_phase::search::Search;
+
+/// What is looked for. Times are in 2^-31 of the step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Window {
+    /// First time, rounded up.
+    pub from: u32,
+    /// Last time, rounded down.
+    pub until: u32,
+    /// How early a time of impact may be, rounded down: from 1 to 2^30.
+    pub tolerance: u32,
+}
+
+impl Window {
+    /// Of a search; `None` if that wants more than integers of 32 bits give.
+    #[cfg(any(feature = "alloc", test))]
+    pub fn of(search: &Search<f64>) -> Option<Self> {
+        let units = |time: f64| time * (1u64 << DEPTH) as f64;
+        let Search { min_distance, tolerance, from, until, leaves } = *search;
+        let tolerance = units(tolerance.min(0.5)) as u32;
+        let fits = min_distance == 0.0 && !leaves && tolerance > 0;
+        // Casts cut; so the first time is one after the cut, unless there was nothing to cut.
+        let cut = units(from) as u32;
+        let from = if cut as f64 == units(from) { cut } else { cut + 1 };
+        fits.then_some(Self { from, until: units(until) as u32, tolerance })
+    }
+}
+
+/// What was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// Certainly no contact in the window.
+    Miss,
+    /// Certainly a contact: none before this time, and one within the tolerance after it.
+    Hit(u32),
+    /// Neither is certain.
+    Open,
+}
+
+/// What a control value may be off by, in units of [`Q62`].
+const BAND: u32 = 128;
+/// Halvings of the step, after which an interval is a unit of time.
+const DEPTH: u32 = 31;
+/// Rounds of a search: halvings, and intervals that are left. Most take 32; who needs more than
+/// this has the cubic near 0 for long, and is open.
+const MAX_ROUNDS: u32 = 128;
+/// Depth at which a pair is left whose features are apart around the whole interval.
+const EARLY: u32 = 3;
+
+/// A point or a vector at the start and the end of the step.
+pub type Ends = [[Q62; 3]; 2];
+/// Three vectors.
+type Vectors = [Ends; 3];
+
+/// log2 of a unit in which all components of the vectors of a query are below 1; [`NO_UNIT`] where
+/// they are above 2^63 or below 2^-63, since then something may have overflowed or been flushed.
+/// `rounded`: the query in `f32`, with what coordinates are off by.
+#[inline(always)]
+pub fn unit(rounded: &Motion<f32>) -> i32 {
+    let [a, b, c] = rounded.magnitudes();
+    let biased = (a.max(b).max(c).to_bits() >> 23) as i32;
+    if biased >= 64 && biased <= 190 { biased - 126 } else { NO_UNIT }
+}
+
+/// No unit, see [`unit`].
+pub const NO_UNIT: i32 = i32::MAX;
+
+/// The vectors of a query, of its points at both times.
+#[inline(always)]
+fn vectors(patch: Patch, [p, q, r, s]: &[Ends; 4]) -> Vectors {
+    let less = |p: &Ends, q: &Ends| [minus(p[0], q[0]), minus(p[1], q[1])];
+    match patch {
+        Patch::Triangle => [less(p, q), less(r, q), less(s, q)],
+        Patch::Parallelogram => [less(r, p), less(q, p), less(r, s)],
+    }
+}
+
+#[inline(always)]
+fn minus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
+    [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
+}
+
+#[inline(always)]
+fn cross2(p: [Q62; 3], q: [Q62; 3], i: usize, j: usize) -> Q62 {
+    p[i].times(q[j]).minus(p[j].times(q[i]))
+}
+
+#[inline(always)]
+fn cross(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
+    [cross2(p, q, 1, 2), cross2(p, q, 2, 0), cross2(p, q, 0, 1)]
+}
+
+#[inline(always)]
+fn dot(p: [Q62; 3], q: [Q62; 3]) -> Q62 {
+    p[0].times(q[0]).plus(p[1].times(q[1])).plus(p[2].times(q[2]))
+}
+
+#[inline(always)]
+fn plus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
+    [p[0].plus(q[0]), p[1].plus(q[1]), p[2].plus(q[2])]
+}
+
+/// Three times the Bernstein control values of the cubic of coplanarity.
+#[inline(always)]
+fn coplanarity([a, b, c]: &Vectors) -> [Q62; 4] {
+    let (n00, n11) = (cross(b[0], c[0]), cross(b[1], c[1]));
+    let n01 = plus(cross(b[0], c[1]), cross(b[1], c[0]));
+    let thrice = |x: Q62| x.plus(x).plus(x);
+    [
+        thrice(dot(a[0], n00)),
+        dot(a[1], n00).plus(dot(a[0], n01)),
+        dot(a[0], n11).plus(dot(a[1], n01)),
+        thrice(dot(a[1], n11)),
+    ]
+}
+
+/// 1: certainly above 0, 2: certainly below, 0: neither.
+#[inline(always)]
+fn sign(x: Q62) -> u32 {
+    let band = Q62::of_units(BAND);
+    if !x.abs().is_above(band) {
+        0
+    } else if x.is_negative() {
+        2
+    } else {
+        1
+    }
+}
+
+/// Whether all control values certainly have one sign.
+#[inline(always)]
+fn has_no_zero(c: [Q62; 4]) -> bool {
+    sign(c[0]) & sign(c[1]) & sign(c[2]) & sign(c[3]) != 0
+}
+
+/// The control values of a cubic over `[from, until]`, of those over the step: value `i` is the
+/// blossom at `from`, 3 - i times, and `until`, i times.
+#[inline(always)]
+fn over(c: [Q62; 4], from: u32, until: u32) -> [Q62; 4] {
+    let two = |c: [Q62; 3], t| [c[0].towards(c[1], t), c[1].towards(c[2], t)];
+    let three = |t| [c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t)];
+    let (early, late) = (three(from), three(until));
+    let (p, q, r) = (two(early, from), two(early, until), two(late, until));
+    [
+        p[0].towards(p[1], from),
+        p[0].towards(p[1], until),
+        q[0].towards(q[1], until),
+        r[0].towards(r[1], until),
+    ]
+}
+
+/// Where the vector is over an interval.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(u32)]
+enum Place {
+    Inside,
+    Outside,
+    Unknown,
+}
+
+/// Where `a` is in the patch of `b` and `c` all over `[from, from + 2^-depth]`.
+///
+/// As `containment.rs`: two-dimensional determinants along the axis in which the normal is
+/// greatest. A component at `from` is off by `3 u`, and changes in the interval by at most the
+/// `travel` of its vector; a determinant of two vectors of components up to 1/4, with products off
+/// by `5 u` each, by half of both travels and less than `16 u`.
+#[inline(always)]
+fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
+    let at = |[x0, x1]: Ends| {
+        [x0[0].towards(x1[0], from), x0[1].towards(x1[1], from), x0[2].towards(x1[2], from)]
+    };
+    // The difference is off by 4 u, a component by 3 u; and the shift rounds down.
+    let travel = |[x0, x1]: Ends| {
+        let way = minus(x1, x0);
+        let greatest = way[0].abs().max(way[1].abs()).max(way[2].abs());
+        greatest.plus(Q62::of_units(4)).shifted_down(depth).plus(Q62::of_units(4))
+    };
+    let [a, b, c] = *vectors;
+    let travel = [travel(a), travel(b), travel(c)];
+    let (a, b, c) = (at(a), at(b), at(c));
+    let n = cross(b, c);
+    let (x, y, z) = (n[0].abs(), n[1].abs(), n[2].abs());
+    // No index that is computed: arrays of a shader would be in memory then.
+    let along = if x.is_above(y) && x.is_above(z) {
+        0
+    } else if y.is_above(z) {
+        1
+    } else {
+        2
+    };
+    let pick = |v: [Q62; 3]| match along {
+        0 => [v[1], v[2]],
+        1 => [v[2], v[0]],
+        _ => [v[0], v[1]],
+    };
+    let det = |p: [Q62; 2], q: [Q62; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
+    let (a, b, c) = (pick(a), pick(b), pick(c));
+    let d = match along {
+        0 => n[0],
+        1 => n[1],
+        _ => n[2],
+    };
+    let error =
+        |i: usize, j: usize| travel[i].plus(travel[j]).shifted_down(1).plus(Q62::of_units(17));
+    let (d_error, s_error, r_error) = (error(1, 2), error(0, 2), error(0, 1));
+    if !d.abs().is_above(d_error) {
+        return Place::Unknown;
+    }
+    let negative = d.is_negative();
+    let d = d.negated_if(negative);
+    let s = det(a, c).negated_if(negative);
+    let r = det(b, a).negated_if(negative);
+    let (third, third_error, fourth, fourth_error) = match patch {
+        Patch::Triangle => {
+            let rest = d.minus(s).minus(r);
+            let error = d_error.plus(s_error).plus(r_error);
+            (rest, error, rest, error)
+        }
+        Patch::Parallelogram => {
+            (d.minus(s), d_error.plus(s_error), d.minus(r), d_error.plus(r_error))
+        }
+    };
+    let is_inside = |x: Q62, error: Q62| x.is_above(error);
+    let is_outside = |x: Q62, error: Q62| x.neg().is_above(error);
+    if is_outside(s, s_error)
+        || is_outside(r, r_error)
+        || is_outside(third, third_error)
+        || is_outside(fourth, fourth_error)
+    {
+        Place::Outside
+    } else if is_inside(s, s_error)
+        && is_inside(r, r_error)
+        && is_inside(third, third_error)
+        && is_inside(fourth, fourth_error)
+    {
+        Place::Inside
+    } else {
+        Place::Unknown
+    }
+}
+
+/// Decides a query: contact as coplanarity and containment.
+///
+/// `points`: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`, in the unit of [`unit`].
+#[inline(always)]
+pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
+    let vectors = vectors(patch, points);
+    let whole = coplanarity(&vectors);
+    // The interval [k, k + 1] 2^-depth, and the control values over it.
+    let (mut k, mut depth, mut c) = (0, 0, whole);
+    for _ in 0..MAX_ROUNDS {
+        let unit = DEPTH - depth;
+        let (from, until) = (k << unit, (k + 1) << unit);
+        if from > window.until {
+            return Found::Miss;
+        }
+        let mut is_over = until < window.from || has_no_zero(c);
+        if !is_over {
+            // The first interval that may have a zero begins where there certainly is none.
+            let last = depth == DEPTH;
+            if last || depth == EARLY {
+                let crosses = sign(c[0]) | sign(c[3]) == 3;
+                // Where the sign after the zero is not certain, it may be within the tolerance.
+                let widened = last && !crosses;
+                let depth = if widened { window.tolerance.leading_zeros() } else { depth };
+                let until = from + (1 << (DEPTH - depth));
+                let place = place(&vectors, patch, from, depth);
+                is_over = place == Place::Outside;
+                if last && !is_over {
+                    let crosses = if widened && until <= 1 << DEPTH {
+                        sign(c[0]) | sign(over(whole, until, until)[0]) == 3
+                    } else {
+                        crosses
+                    };
+                    let wanted = from >= window.from && until <= window.until;
+                    let certain = crosses && wanted && place == Place::Inside;
+                    return if certain { Found::Hit(from) } else { Found::Open };
+                }
+            }
+            if !is_over {
+                // De Casteljau's triangle: halves share its last value.
+                let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
+                let (s, t) = (p.mean(q), q.mean(r));
+                let middle = s.mean(t);
+                (k, depth) = (2 * k, depth + 1);
+                let first = [c[0], p, s, middle];
+                if has_no_zero(first) {
+                    k += 1;
+                    c = [middle, t, r, c[3]];
+                } else {
+                    c = first;
+                }
+            }
+        }
+        if is_over {
+            // The next interval, as large as may be.
+            k += 1;
+            let trailing_zeros = 31 - (k & k.wrapping_neg()).leading_zeros();
+            let up = trailing_zeros.min(depth);
+            (k, depth) = (k >> up, depth - up);
+            if k == 1 && depth == 0 {
+                return Found::Miss;
+            }
+            let unit = DEPTH - depth;
+            c = over(whole, k << unit, (k + 1) << unit);
+        }
+    }
+    Found::Open
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! Verdicts by integers beside exact ones: at any scale and place, in any window, on a lattice
+//! where nearly everything is degenerate.
+
+use super::*;
+use crate::narrow_phase::exact::{self, Exact};
+use crate::narrow_phase::query::{EdgeEdge, VertexFace};
+use crate::random::Random;
+use std::println;
+
+type Query = [[[f64; 3]; 4]; 2];
+
+fn exact(patch: Patch, [t0, t1]: Query, window: [f64; 2]) -> Exact {
+    let found = match patch {
+        Patch::Triangle => exact::vertex_face(&VertexFace { t0, t1 }, window),
+        Patch::Parallelogram => exact::edge_edge(&EdgeEdge { t0, t1 }, window),
+    };
+    found.expect("coordinates that fit")
+}
+
+fn by_integers(patch: Patch, query: Query, window: &Window) -> Found {
+    let [t0, t1] = query.map(|x| x.map(|p| p.map(|c| c as f32)));
+    let greatest = query.as_flattened().as_flattened().iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+    let unit = unit(&Motion::new(patch, &t0, &t1, (greatest * 1e-7) as f32));
+    assert!(unit != NO_UNIT);
+    let words = |x: f64| [x.to_bits() as u32, (x.to_bits() >> 32) as u32];
+    let point = |i: usize| query.map(|x| x[i].map(|c| Q62::of(words(c), unit)));
+    search(patch, &[point(0), point(1), point(2), point(3)], window)
+}
+
+/// How many queries were missed, hit and open.
+#[derive(Default)]
+struct Count([u32; 3]);
+
+impl Count {
+    fn check(&mut self, patch: Patch, query: Query, wanted: &Search<f64>) {
+        let window = Window::of(wanted).expect("a window for integers");
+        let found = by_integers(patch, query, &window);
+        match found {
+            Found::Open => {}
+            Found::Miss => {
+                let want = exact(patch, query, [wanted.from, wanted.until]);
+                assert_eq!(want, Exact::Miss, "{patch:?} {wanted:?} {query:?}");
+            }
+            Found::Hit(toi) => {
+                let toi = toi as f64 / (1u64 << DEPTH) as f64;
+                let want = exact(patch, query, [wanted.from, wanted.until]);
+                let Exact::Contact([lo, hi]) = want else {
+                    panic!("a miss: {patch:?} {wanted:?} {query:?}")
+                };
+                let within = toi <= lo && hi - toi <= wanted.tolerance + f64::EPSILON;
+                assert!(within && toi >= wanted.from, "{toi} {want:?}: {patch:?} {query:?}");
+            }
+        }
+        self.0[match found {
+            Found::Miss => 0,
+            Found::Hit(_) => 1,
+            Found::Open => 2,
+        }] += 1;
+    }
+}
+
+const PATCHES: [Patch; 2] = [Patch::Triangle, Patch::Parallelogram];
+
+#[test]
+fn verdicts_are_those_of_exact_arithmetic() {
+    let mut random = Random::new(5);
+    let mut count = Count::default();
+    for i in 0..60_000 {
+        let scale = 2f64.powi(random.below(100) as i32 - 50);
+        let place = [0.0, 1.0, 1000.0][i % 3] * scale;
+        // A ninth as flat as 2^-20 along an axis.
+        let flat = if i % 9 == 0 { 2f64.powi(-(random.below(21) as i32)) } else { 1.0 };
+        let mut query = [(); 2].map(|()| {
+            [(); 4].map(|()| {
+                let p = random.point();
+                let p = [p[0] * scale + place, p[1] * flat * scale + place, p[2] * scale];
+                if i % 5 == 0 { p } else { p.map(|x| x as f32 as f64) }
+            })
+        });
+        if i % 2 == 0 {
+            // A short way.
+            let reach = 2f64.powi(-(random.below(20) as i32));
+            for j in 0..4 {
+                for k in 0..3 {
+                    let way = (query[1][j][k] - query[0][j][k]) * reach;
+                    let end = query[0][j][k] + way;
+                    query[1][j][k] = if i % 5 == 0 { end } else { end as f32 as f64 };
+                }
+            }
+        }
+        let whole = Search::whole(0.0);
+        let (a, b) = (random.unit(), random.unit());
+        let part = Search { from: a.min(b), until: a.max(b), ..whole };
+        let coarse = Search { tolerance: 1e-4, ..whole };
+        let fine = Search { tolerance: 1e-9, ..whole };
+        count.check(PATCHES[i / 2 % 2], query, [&whole, &part, &coarse, &fine][i / 4 % 4]);
+    }
+    println!("misses, hits, open: {:?}", count.0);
+    let [misses, hits, open] = count.0;
+    assert!(misses > 30_000 && hits > 3_000, "{:?}", count.0);
+    assert!(open < 600, "{:?}", count.0);
+}
+
+/// Contacts at halves and quarters of the step are no ties.
+#[test]
+fn times_may_be_where_the_step_is_halved() {
+    for k in 1..8 {
+        let y = k as f64 / 8.0;
+        let t0 = [[0.25, y, 0.25], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+        let mut t1 = t0;
+        t1[0][1] = y - 1.0;
+        let window = Window::of(&Search::whole(0.0)).expect("a window");
+        let found = by_integers(Patch::Triangle, [t0, t1], &window);
+        let want = (k as u32) << 28;
+        assert!(matches!(found, Found::Hit(at) if at <= want && want - at < 2000), "{found:?}");
+    }
+}
+
+#[test]
+fn degenerate_queries_are_never_wrong() {
+    let mut random = Random::new(6);
+    let mut count = Count::default();
+    for i in 0..40_000usize {
+        let n = 2 + i % 4;
+        let query = [(); 2].map(|()| {
+            [(); 4].map(|()| [(); 3].map(|()| random.below(n as _) as f64 - (n / 2) as f64))
+        });
+        let whole = Search::whole(0.0);
+        let half = Search { until: 0.5, ..whole };
+        count.check(PATCHES[i / 4 % 2], query, [&whole, &half][i / 8 % 2]);
+    }
+    println!("misses, hits, open: {:?}", count.0);
+    assert!(count.0.iter().all(|&n| n > 1000), "{:?}", count.0);
+}
