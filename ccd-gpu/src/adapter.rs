@@ -38,8 +38,8 @@ pub struct DeviceOptions {
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,
-    /// Leave `f64` unused even where the device has it: what `f32` cannot decide is then decided on
-    /// the CPU.
+    /// Leave `f64` unused even where the device has it: integers decide then, and the CPU what they
+    /// leave open.
     pub narrow: bool,
     /// A folder in which compiled kernels are kept for the next process, of this user alone;
     /// `None`: they are compiled on first use. Vulkan alone has something to keep, and lavapipe has
@@ -60,7 +60,7 @@ pub struct DeviceOptions {
 /// let info = device.info();
 /// println!("{}: {:?} because {}", info.adapter.name, info.path, info.why);
 /// if !info.wide {
-///     println!("what f32 leaves open is decided on the CPU");
+///     println!("integers of 32 bits decide, and the CPU what they leave open");
 /// }
 /// # Ok::<(), ccd::gpu::Error>(())
 /// ```
@@ -93,7 +93,7 @@ impl fmt::Display for Info {
         writeln!(
             f,
             "f64         {}",
-            if self.wide { "on the device" } else { "on the CPU, for what f32 cannot decide" }
+            if self.wide { "on the device" } else { "on the CPU, for what integers cannot decide" }
         )?;
         writeln!(f, "timestamps  {}", if self.timestamps { "yes" } else { "no" })?;
         let l = &self.limits;

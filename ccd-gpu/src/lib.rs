@@ -4,7 +4,7 @@
 //! [`Device`] opens a GPU or takes the device of an application, [`Session`] steps a mesh on it,
 //! [`BroadPhase`] finds overlapping boxes. Every call blocks until the device is done, except
 //! [`Engine::record`]. Vulkan, Metal and DX12; OpenGL is refused. No contact is missed on any of
-//! them: what `f32` on the device cannot decide is decided in `f64`, on the device or on the CPU.
+//! them: what `f32` cannot decide is decided in `f64` or by integers, and on the CPU what these leave.
 //!
 //! | file | idea |
 //! |---|---|

@@ -3,9 +3,9 @@
 
 use crate::Part;
 use crate::measure::{median, timed, warm};
-use ccd::Mesh;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
+use ccd::{Mesh, PerKind};
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;
@@ -84,9 +84,9 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
         let _ = writeln!(text, "\n## Steps without `f64` on the device, through {path:?}\n");
         text.push_str(
             "What is left open is decided on the CPU. By `f32` alone: a tolerance of 1e-10, for \
-             which integers of 32 bits are not asked.\n\n\
-             | scene | candidates | left by filters | left open | contacts | wall | by `f32` alone: \
-             left open | wall |\n|---|---|---|---|---|---|---|---|\n",
+             which integers of 32 bits are not asked. Decide: that stage, on the device.\n\n\
+             | scene | candidates | left by filters | contacts | left open | decide | wall | by \
+             `f32` alone: left open | decide | wall |\n|---|---|---|---|---|---|---|---|---|---|\n",
         );
         for (scene, dir) in scenes() {
             measure_narrow(&device, scene, dir, runs, &mut text).map_err(error)?;
@@ -281,31 +281,22 @@ fn measure_narrow(
     for tolerance in [ccd::TOI_TOLERANCE, 1e-10] {
         let options = ccd::Options::default().with_tolerance(tolerance);
         let mut session = Session::new(device, mesh.clone(), options)?;
-        let wall = warm(runs, || {
-            let (ms, done) = timed(|| session.step(&t0.positions, &t1.positions).map(|_| ()));
-            done.map(|()| ms)
+        let measured = of_session(&mut session, runs, |session| {
+            session.step(&t0.positions, &t1.positions).map(|_| ())
         })?;
-        rows.push((session.report().clone(), session.left_open(), median(wall)));
+        let decides = measured.stages.iter().filter(|(name, _)| name.starts_with("decide"));
+        let decide: f64 = decides.map(|stage| stage.1).sum();
+        let PerKind { vf, ee, .. } = session.left_open();
+        let row = format!("{vf} + {ee} | {decide:.3} | {:.2}", measured.wall);
+        rows.push((row, session.report().clone()));
     }
-    let [(report, open, wall), (narrow, open_narrow, wall_narrow)] = &rows[..] else {
-        unreachable!("two sessions")
-    };
+    let [(row, report), (row_narrow, narrow)] = &rows[..] else { unreachable!("two sessions") };
     let (c, f, n) = (report.candidates, report.filtered, report.n_contacts());
     assert_eq!(n, narrow.n_contacts(), "{}", scene.name);
     let _ = writeln!(
         text,
-        "| {} | {} + {} | {} + {} | {} + {} | {} + {} | {wall:.2} | {} + {} | {wall_narrow:.2} |",
-        scene.name,
-        c.vf,
-        c.ee,
-        f.vf,
-        f.ee,
-        open.vf,
-        open.ee,
-        n.vf,
-        n.ee,
-        open_narrow.vf,
-        open_narrow.ee
+        "| {} | {} + {} | {} + {} | {} + {} | {row} | {row_narrow} |",
+        scene.name, c.vf, c.ee, f.vf, f.ee, n.vf, n.ee
     );
     Ok(())
 }

@@ -50,6 +50,12 @@ impl Q62 {
         magnitude.negated_if(hi >> 31 != 0)
     }
 
+    /// The number in units of `u`.
+    #[cfg(test)]
+    pub fn units(self) -> i64 {
+        ((self.hi as u64) << 32 | self.lo as u64) as i64
+    }
+
     /// Whether the number is below 0.
     #[inline(always)]
     pub fn is_negative(self) -> bool {
@@ -167,10 +173,6 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
-    fn value(x: Q62) -> i64 {
-        ((x.hi as u64) << 32 | x.lo as u64) as i64
-    }
-
     fn of(x: i64) -> Q62 {
         Q62 { hi: (x >> 32) as u32, lo: x as u32 }
     }
@@ -192,19 +194,19 @@ mod tests {
         for _ in 0..200_000 {
             let (x, y) = (some(&mut random), some(&mut random));
             let (a, b) = (of(x), of(y));
-            assert_eq!(value(a.plus(b)), x.wrapping_add(y), "{x} {y}");
-            assert_eq!(value(a.minus(b)), x.wrapping_sub(y), "{x} {y}");
-            assert_eq!(value(a.neg()), x.wrapping_neg(), "{x}");
-            assert_eq!(value(a.abs()), x.wrapping_abs(), "{x}");
+            assert_eq!(a.plus(b).units(), x.wrapping_add(y), "{x} {y}");
+            assert_eq!(a.minus(b).units(), x.wrapping_sub(y), "{x} {y}");
+            assert_eq!(a.neg().units(), x.wrapping_neg(), "{x}");
+            assert_eq!(a.abs().units(), x.wrapping_abs(), "{x}");
             for n in [0, 1, 7, 31] {
-                assert_eq!(value(a.shifted_down(n)), x >> n, "{x} {n}");
+                assert_eq!(a.shifted_down(n).units(), x >> n, "{x} {n}");
             }
             let (p, q) = (x / 2, y / 2);
-            assert_eq!(value(of(p).mean(of(q))), (p + q) >> 1, "{p} {q}");
+            assert_eq!(of(p).mean(of(q)).units(), (p + q) >> 1, "{p} {q}");
             assert_eq!(of(p).is_above(of(q)), p > q, "{p} {q}");
             // The product cut, or less by what its low words have.
             let exact = x as i128 * y as i128;
-            let product = value(a.times(b)) as i128;
+            let product = a.times(b).units() as i128;
             let cut = (exact.abs() >> 62) - product.abs();
             let wide = exact.abs() >> 125 == 0;
             assert!(!wide || (0..5).contains(&cut), "{x} {y}: {cut}");
@@ -212,7 +214,7 @@ mod tests {
             for n in [0, 1, 1 << 31, 0x7fff_ffff, random.bits() as u32 >> 1] {
                 let exact = x as i128 * n as i128;
                 let want = (exact.abs() >> 31) * exact.signum();
-                assert_eq!(value(a.times_fraction(n)) as i128, want, "{x} {n}");
+                assert_eq!(a.times_fraction(n).units() as i128, want, "{x} {n}");
             }
         }
     }
@@ -222,7 +224,7 @@ mod tests {
         let mut random = Random::new(2);
         let mut check = |x: f64, exponent: i32| {
             let bits = x.to_bits();
-            let found = value(Q62::of([bits as u32, (bits >> 32) as u32], exponent));
+            let found = Q62::of([bits as u32, (bits >> 32) as u32], exponent).units();
             let units = x * 2f64.powi(60 - exponent);
             // Modulo 2^64: casts cut what is below 2^127; what is above 2^117 is a multiple.
             let want = if units.abs() < 2f64.powi(126) { units as i128 as i64 } else { 0 };

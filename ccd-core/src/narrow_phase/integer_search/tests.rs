@@ -5,7 +5,9 @@ use super::*;
 use crate::narrow_phase::exact::{self, Exact};
 use crate::narrow_phase::query::{EdgeEdge, VertexFace};
 use crate::random::Random;
-use std::println;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+use std::{println, vec::Vec};
 
 type Query = [[[f64; 3]; 4]; 2];
 
@@ -131,4 +133,96 @@ fn degenerate_queries_are_never_wrong() {
     }
     println!("misses, hits, open: {:?}", count.0);
     assert!(count.0.iter().all(|&n| n > 1000), "{:?}", count.0);
+}
+
+fn rational(x: f64) -> BigRational {
+    BigRational::from_float(x).expect("a finite number")
+}
+
+/// Control values of the cubic, over the step and over parts of it, as far from those of rational
+/// arithmetic as the head of the file says, and no further.
+#[test]
+fn control_values_are_within_their_bound() {
+    let mut random = Random::new(7);
+    let (mut first, mut later) = (0.0f64, 0.0f64);
+    for i in 0..400 {
+        // As great as may be, and with all their digits.
+        let mut coordinate = |i: usize| {
+            let x = random.unit() + random.unit() / (1u64 << 24) as f64;
+            let x = x - random.unit() / (1u64 << 48) as f64;
+            (if i % 2 == 0 { x } else { 0.9999999 - x * 1e-8 })
+                * if random.below(2) == 0 { -0.5 } else { 0.5 }
+        };
+        let query: Query = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate(i))));
+        let patch = PATCHES[i % 2];
+        let words = |x: f64| [x.to_bits() as u32, (x.to_bits() >> 32) as u32];
+        let point = |i: usize| query.map(|x| x[i].map(|c| Q62::of(words(c), 0)));
+        let found = coplanarity(&vectors(patch, &[point(0), point(1), point(2), point(3)]));
+        let want = control_values(patch, &query);
+        for (found, want) in found.iter().zip(&want) {
+            let error = (BigRational::from_integer(found.units().into()) - want)
+                .abs()
+                .to_f64()
+                .expect("a number");
+            first = first.max(error);
+        }
+        // The way of a search, to a part of the step.
+        let (mut c, mut k, k_end) = (found, 0u32, random.bits() >> 1);
+        for depth in 1..=DEPTH {
+            let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
+            let (s, t) = (p.mean(q), q.mean(r));
+            let middle = s.mean(t);
+            let is_second = (k_end >> (DEPTH - depth)) & 1;
+            k = 2 * k + is_second;
+            c = if is_second == 1 { [middle, t, r, c[3]] } else { [c[0], p, s, middle] };
+        }
+        let over = over(found, k, k + 1);
+        let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
+        let want: Vec<BigRational> = (0..4)
+            .map(|i| blossom(&want, [0, 1, 2].map(|j| time(k + (i + j >= 3) as u32))))
+            .collect();
+        for (found, want) in c.iter().chain(&over).zip(want.iter().chain(&want)) {
+            let error = (BigRational::from_integer(found.units().into()) - want)
+                .abs()
+                .to_f64()
+                .expect("a number");
+            later = later.max(error);
+        }
+    }
+    println!("control values: off by {first} u at first, {later} u after halvings");
+    assert!(first > 4.0 && first < 75.0 && later > 10.0 && later < BAND as f64);
+}
+
+/// Three times the control values in multiples of `u`, in a unit of 4.
+fn control_values(patch: Patch, query: &Query) -> Vec<BigRational> {
+    let [t0, t1] = query.map(|x| x.map(|p| p.map(|c| rational(c / 4.0))));
+    let less =
+        |x: &[[BigRational; 3]; 4], i: usize, j: usize| [0, 1, 2].map(|k| &x[i][k] - &x[j][k]);
+    let of = |x: &[[BigRational; 3]; 4]| match patch {
+        Patch::Triangle => [less(x, 0, 1), less(x, 2, 1), less(x, 3, 1)],
+        Patch::Parallelogram => [less(x, 2, 0), less(x, 1, 0), less(x, 2, 3)],
+    };
+    let ends = [of(&t0), of(&t1)];
+    let det = |a: usize, b: usize, c: usize| {
+        let [a, b, c] = [&ends[a][0], &ends[b][1], &ends[c][2]];
+        let cross = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
+        &a[0] * cross(1, 2) + &a[1] * cross(2, 0) + &a[2] * cross(0, 1)
+    };
+    let unit = rational((1u64 << 62) as f64);
+    let three = rational(3.0) * &unit;
+    Vec::from([
+        det(0, 0, 0) * &three,
+        (det(1, 0, 0) + det(0, 1, 0) + det(0, 0, 1)) * &unit,
+        (det(0, 1, 1) + det(1, 0, 1) + det(1, 1, 0)) * &unit,
+        det(1, 1, 1) * &three,
+    ])
+}
+
+/// The value that is symmetric in three times, linear in each, and the cubic where they are one.
+fn blossom(c: &[BigRational], times: [BigRational; 3]) -> BigRational {
+    let mut x = c.to_vec();
+    for t in &times {
+        x = x.windows(2).map(|pair| &pair[0] + (&pair[1] - &pair[0]) * t).collect();
+    }
+    x.swap_remove(0)
 }
