@@ -4,8 +4,10 @@
 //! [`Device`] opens a GPU or takes the device of an application, [`Session`] steps a mesh on it,
 //! [`BroadPhase`] finds overlapping boxes. A call blocks until the device is done, except
 //! [`Engine::record`], [`Engine::submit`] and [`Engine::poll`], and those whose names end in
-//! `_async`, which alone are for browsers: there others end with [`Error::CannotBlock`]. Vulkan, Metal and DX12; OpenGL is refused. No contact is missed on any of
-//! them: what `f32` on the device cannot decide is decided in `f64`, on the device or on the CPU.
+//! `_async`, which alone are for browsers: there others end with [`Error::CannotBlock`].
+//!
+//! Vulkan, Metal, DX12 and WebGPU; OpenGL is refused. No contact is missed on any of them: what
+//! `f32` on the device cannot decide is decided in `f64`, on the device or on the CPU.
 //!
 //! | file | idea |
 //! |---|---|
