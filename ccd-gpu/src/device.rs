@@ -2,6 +2,7 @@
 
 mod compilation;
 mod memory;
+mod waiting;
 
 pub use compilation::Compilation;
 
@@ -14,6 +15,8 @@ use ccd_core::backend::kernel::TABLE;
 use memory::Memory;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
+pub(crate) use waiting::BLOCKS;
+use waiting::{Unchecked, at_once};
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
 ///
@@ -29,6 +32,8 @@ pub struct Device {
     inner: Arc<Inner>,
     /// What buffers may take, if there is a limit.
     memory: Option<Arc<Memory>>,
+    /// What the device has still to report of the commands of one session.
+    unchecked: Arc<Unchecked>,
 }
 
 struct Inner {
@@ -72,20 +77,36 @@ impl Device {
     /// Opens a device. Blocks until it is there.
     ///
     /// # Errors
-    /// [`Error::Unavailable`] with what was looked for and what there is; what the device refuses.
+    /// [`Error::Unavailable`] with what was looked for and what there is; what the device refuses;
+    /// [`Error::CannotBlock`] in a browser.
     pub fn open(options: &DeviceOptions) -> Result<Self, Error> {
-        pollster::block_on(Self::open_async(options))
+        at_once(Self::open_async(options)).unwrap_or(Err(Error::CannotBlock))
     }
 
-    /// All adapters of this machine, once for every GPU API that reaches them.
+    /// All adapters of this machine, once for every GPU API that reaches them; none in a browser,
+    /// which lists none.
     pub fn adapters() -> Vec<wgpu::AdapterInfo> {
-        pollster::block_on(adapter::instance().enumerate_adapters(wgpu::Backends::all()))
+        at_once(adapter::instance().enumerate_adapters(wgpu::Backends::all()))
             .iter()
+            .flatten()
             .map(|a| a.get_info())
             .collect()
     }
 
-    async fn open_async(options: &DeviceOptions) -> Result<Self, Error> {
+    /// Opens a device, as [`Device::open`] does, without blocking: in a browser the only way.
+    ///
+    /// ```no_run
+    /// use ccd::gpu::{Device, DeviceOptions, Error};
+    ///
+    /// async fn open() -> Result<Device, Error> {
+    ///     Device::open_async(&DeviceOptions::default()).await
+    /// }
+    /// # let _ = open;
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unavailable`] with what was looked for and what there is; what the device refuses.
+    pub async fn open_async(options: &DeviceOptions) -> Result<Self, Error> {
         let instance = adapter::instance();
         let chosen = adapter::choose(&instance, options).await?;
         let info = chosen.get_info();
@@ -184,7 +205,7 @@ impl Device {
             faults,
             checked: None,
         };
-        Ok(Self { inner: Arc::new(inner), memory: None })
+        Ok(Self { inner: Arc::new(inner), memory: None, unchecked: Arc::default() })
     }
 
     /// What the device is and how it is used.
@@ -200,40 +221,6 @@ impl Device {
     /// Its queue.
     pub fn queue(&self) -> &wgpu::Queue {
         &self.inner.queue
-    }
-
-    /// Runs `work` and turns what the device reports meanwhile into an error. `what`, `bytes`: for
-    /// lack of memory.
-    pub(crate) fn guarded<T>(
-        &self,
-        what: &'static str,
-        bytes: u64,
-        work: impl FnOnce() -> T,
-    ) -> Result<T, Error> {
-        self.check_lost()?;
-        if let Some(fault) = self.faults().next() {
-            return Err(fault);
-        }
-        let device = &self.inner.device;
-        let scopes = [
-            wgpu::ErrorFilter::Internal,
-            wgpu::ErrorFilter::Validation,
-            wgpu::ErrorFilter::OutOfMemory,
-        ]
-        .map(|f| device.push_error_scope(f));
-        let out = work();
-        let [internal, validation, memory] = scopes;
-        let memory = pollster::block_on(memory.pop());
-        let validation = pollster::block_on(validation.pop());
-        let internal = pollster::block_on(internal.pop());
-        self.check_lost()?;
-        if memory.is_some() {
-            return Err(Error::OutOfMemory { what, bytes });
-        }
-        match validation.or(internal) {
-            Some(e) => Err(Error::Refused { why: e.to_string() }),
-            None => Ok(out),
-        }
     }
 
     /// Whether kernels may pass data from one workgroup to another inside a dispatch, or why not.
@@ -267,17 +254,11 @@ impl Device {
         }
     }
 
-    /// Waits for all that was submitted.
-    pub(crate) fn wait(&self) -> Result<(), Error> {
-        let waited = self.inner.device.poll(wgpu::PollType::wait_indefinitely());
-        self.check_lost()?;
-        waited.map(|_| ()).map_err(|e| Error::Lost { why: e.to_string() })
-    }
-
-    /// The same device for one who may hold so many bytes of buffers, and holds none yet.
+    /// The same device for a session of its own, which may hold so many bytes of buffers, and
+    /// holds none yet.
     pub(crate) fn limited(&self, limit: Option<u64>) -> Self {
         let memory = limit.map(|limit| Arc::new(Memory::new(limit)));
-        Self { inner: self.inner.clone(), memory }
+        Self { inner: self.inner.clone(), memory, unchecked: Arc::default() }
     }
 
     /// What buffers may take, if there is a limit.

@@ -72,6 +72,15 @@ pub enum Error {
         /// How often it ran.
         runs: u32,
     },
+    /// A call that blocks was made in a browser, where a thread cannot wait for a device.
+    #[error(
+        "a browser does not let a thread wait for a GPU: call the function of the same name that \
+         ends in `_async`, or `submit` and `poll`"
+    )]
+    CannotBlock,
+    /// A step was asked for whose end nobody waits for.
+    #[error("there is no step in flight: call `submit` before `poll`")]
+    NotSubmitted,
     /// A buffer would be larger than the device allows.
     #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
     TooLarge {
@@ -125,6 +134,9 @@ pub struct Faults {
     pub n: u32,
     /// How they fail; `None`: they do not.
     pub error: Option<Error>,
+    /// Whether they fail as in a browser: the calls seem to succeed, and whoever waits for results
+    /// gets the error.
+    pub late: bool,
     /// Of sessions that are made from now on, a search begins with two workers that take one turn
     /// in one round, so that pairs are left.
     pub short_rounds: bool,

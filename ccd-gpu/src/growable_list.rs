@@ -44,14 +44,22 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
 /// least, or rounds or turns of workers twice as many: dozens are more than any scene asks for.
 const MOST_RUNS: u32 = 100;
 
-/// Calls `run` until it has a result; `None`: a list was too short, or pairs were left.
-pub fn until_complete<T>(mut run: impl FnMut() -> Result<Option<T>, Error>) -> Result<T, Error> {
-    for _ in 0..MOST_RUNS {
-        if let Some(found) = run()? {
-            return Ok(found);
+/// The runs of one search so far.
+#[derive(Debug, Default)]
+pub struct Runs(u32);
+
+impl Runs {
+    /// Another one, because a list was too short, or pairs were left.
+    ///
+    /// # Errors
+    /// [`Error::Incomplete`] after the last.
+    pub fn another(&mut self) -> Result<(), Error> {
+        if self.0 == MOST_RUNS {
+            return Err(Error::Incomplete { runs: MOST_RUNS });
         }
+        self.0 += 1;
+        Ok(())
     }
-    Err(Error::Incomplete { runs: MOST_RUNS })
 }
 
 /// The dispatches over `n` items, or entries of a list with that capacity, of at most `limit` each.
@@ -223,20 +231,11 @@ mod tests {
 
     #[test]
     fn runs_end() {
-        let mut n = 0;
-        let mut after = |most: u32| {
-            n = 0;
-            until_complete(|| {
-                n += 1;
-                Ok((n > most).then_some(n))
-            })
-        };
-        assert_eq!(after(7).unwrap(), 8);
-        let why = after(u32::MAX).unwrap_err();
+        let mut runs = Runs::default();
+        let n = (0..u32::MAX).take_while(|_| runs.another().is_ok()).count();
+        assert_eq!(n, MOST_RUNS as usize);
+        let why = runs.another().unwrap_err();
         assert!(matches!(why, Error::Incomplete { runs: MOST_RUNS }), "{why}");
-        assert_eq!(n, MOST_RUNS);
-        let failed = until_complete(|| Err::<Option<()>, _>(Error::NoBoxes));
-        assert!(matches!(failed, Err(Error::NoBoxes)));
     }
 
     #[test]

@@ -77,7 +77,7 @@ pub fn repeat<K: Bind<Vec<u8>>>(
             recorder.read(&reading, *part, buffer, 0);
         }
     })?;
-    reading.with(device, |bytes| {
+    reading.wait_with(device, |bytes| {
         for (to, part) in kernel.buffers_mut().into_iter().zip(&parts) {
             to.copy_from_slice(part.of(bytes));
         }
@@ -125,7 +125,7 @@ pub fn failures(device: &Device) -> Result<Option<Vec<(&'static str, u32)>>, Err
         recorder.read(&reading, part, status, 0);
         recorder.clear(status, status.size());
     })?;
-    reading.with(device, |bytes| {
+    reading.wait_with(device, |bytes| {
         let counts = TABLE.iter().zip(bytes.chunks_exact(Checked::STRIDE as usize));
         Some(
             counts.map(|(row, bytes)| (row.name, word(bytes, 0))).filter(|(_, n)| *n > 0).collect(),

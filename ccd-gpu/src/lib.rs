@@ -2,9 +2,12 @@
 //! wgpu.
 //!
 //! [`Device`] opens a GPU or takes the device of an application, [`Session`] steps a mesh on it,
-//! [`BroadPhase`] finds overlapping boxes. Every call blocks until the device is done, except
-//! [`Engine::record`]. Vulkan, Metal and DX12; OpenGL is refused. No contact is missed on any of
-//! them: what `f32` cannot decide is decided in `f64` or by integers, and on the CPU what these leave.
+//! [`BroadPhase`] finds overlapping boxes. A call blocks until the device is done, except
+//! [`Engine::record`], [`Engine::submit`] and [`Engine::poll`], and those whose names end in
+//! `_async`, which alone are for browsers: there others end with [`Error::CannotBlock`].
+//!
+//! Vulkan, Metal, DX12 and WebGPU; OpenGL is refused. No contact is missed on any of them: what
+//! `f32` cannot decide is decided in `f64` or by integers, and on the CPU what these leave.
 //!
 //! | file | idea |
 //! |---|---|
@@ -12,6 +15,7 @@
 //! | `adapter.rs`, `device.rs`, `device/`, `error.rs` | which GPU and how it is used, failures |
 //! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
 //! | `kernel_cache.rs` | compiled kernels on disk |
+//! | `clock.rs` | times of reports |
 //! | `flushing.rs` | which numbers a device takes as zero |
 //! | `recorder.rs` | dispatches, bind groups, times |
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
@@ -34,6 +38,7 @@
 mod adapter;
 pub mod bind;
 mod broad_phase;
+mod clock;
 mod device;
 mod error;
 mod flushing;
@@ -52,6 +57,8 @@ pub use adapter::{DeviceOptions, Info, Path, described};
 pub use broad_phase::BroadPhase;
 pub use broad_phase::method::check_scheduling;
 pub use broad_phase::worker_counts::WorkerCounts;
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+pub use clock::set_clock;
 pub use device::{Compilation, Device};
 pub use error::Error;
 pub use growable_list::List;

@@ -5,13 +5,16 @@
 use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
-use crate::readback::{Part, Reading, map};
+use crate::readback::{Part, Reading};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::Params;
 use encoding::Encoding;
 use std::collections::HashMap;
 
 mod encoding;
+mod times;
+
+pub use times::Times;
 
 /// Bytes between the parameters of two dispatches.
 const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
@@ -135,26 +138,6 @@ impl Bench {
     /// Starts recording into `encoder`.
     pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
         Recorder { bench: self, encoder, commands: Vec::new(), params: Vec::new() }
-    }
-
-    /// Milliseconds between the first and the last timestamp of each stage that was recorded last;
-    /// the work must be done.
-    pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
-        let Some(timer) = self.timer.as_ref().filter(|_| !stages.is_empty()) else {
-            return Ok(Vec::new());
-        };
-        let ticks: Vec<u64> = map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
-            bytes
-                .chunks_exact(8)
-                .map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default()))
-                .collect()
-        })?;
-        let period = self.device.queue().get_timestamp_period() as f64 * 1e-6;
-        Ok(stages
-            .iter()
-            .zip(ticks.chunks_exact(2))
-            .map(|(name, t)| (*name, t[1].saturating_sub(t[0]) as f64 * period))
-            .collect())
     }
 }
 

@@ -2,23 +2,27 @@
 //! decides of it.
 
 use crate::broad_phase::worker_counts::WorkerCounts;
+use crate::clock::Instant;
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Timing;
 use crate::step::codimensional::Codimensional;
 use crate::step::frame::{Found, Frames};
-use crate::step::{Goal, WHOLE, cpu_fallback};
+use crate::step::{Goal, cpu_fallback};
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
+use ccd_core::model::positions::Gathered;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
 use ccd_core::narrow_phase::decide;
-use std::time::Instant;
+use in_flight::{Copied, Flight, Sought};
+use std::task::{Context, Poll, ready};
 
 mod changes;
+mod in_flight;
 mod on_device;
 
 pub use on_device::{GeometryOnDevice, OnDevice};
@@ -62,6 +66,12 @@ pub struct Engine {
     frames: Frames,
     codimensional: Option<Codimensional>,
     left_open: PerKind,
+    /// The step in flight.
+    flight: Option<Flight>,
+    /// Its positions, if it was submitted.
+    copied: Copied,
+    /// Buffers for positions that are no slices, of calls that do not block.
+    gathered: Gathered,
 }
 
 impl session::Engine for Engine {
@@ -79,6 +89,9 @@ impl session::Engine for Engine {
             device,
             state,
             left_open: PerKind::default(),
+            flight: None,
+            copied: Copied::default(),
+            gathered: Gathered::default(),
         })
     }
 
@@ -87,30 +100,24 @@ impl session::Engine for Engine {
     }
 
     fn clear(&mut self) {
+        self.abandon();
         self.state.report.clear();
         self.left_open = PerKind::default();
         self.frames.geometry.listed = false;
     }
 
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
-        let every = self.state.options.tolerance < 1e-7;
-        let goal = match ask {
-            Ask::Earliest if !every => self.frames.goal_of_earliest(),
-            _ => Goal::Contacts,
-        };
-        self.run((given, moved), ask.window(), goal)?;
-        if ask == Ask::Earliest {
-            self.state.report.contacts.clear();
-            self.state.report.undecided = 0;
-        }
-        Ok(())
+        let (device, sought) = (self.device.clone(), self.sought(ask));
+        device.block_on(self.run((given, moved), sought))
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.list(given).inspect_err(|_| self.clear())
+        let device = self.device.clone();
+        device.block_on(self.list(given)).inspect_err(|_| self.clear())
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
+        self.abandon();
         match change {
             Change::Mesh(mesh, options) => self.take_mesh(mesh, options),
             Change::Bodies(bodies) => self.take_bodies(bodies),
@@ -135,6 +142,7 @@ impl Engine {
     /// # Errors
     /// What the device refuses; then the session stays on the one that it has.
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
+        self.abandon();
         let device = device.limited(self.state.options.max_memory);
         let codimensional = Codimensional::new(&device, &self.state.mesh, &self.state.options)?;
         self.frames.move_to(&device, &self.state.mesh, &self.state.options)?;
@@ -153,6 +161,7 @@ impl Engine {
     /// # Errors
     /// What the device refuses. Where it has no timestamps, nothing is timed.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.abandon();
         self.frames.bench.set_timing(timing)
     }
 
@@ -168,6 +177,7 @@ impl Engine {
     /// # Errors
     /// What the device refuses.
     pub fn worker_counts(&mut self) -> Result<Vec<WorkerCounts>, Error> {
+        self.abandon();
         self.frames.worker_counts(&self.device)
     }
 
@@ -187,23 +197,40 @@ impl Engine {
     /// # Errors
     /// [`Error::TooLarge`] and [`Error::OutOfMemory`].
     pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
+        self.abandon();
         self.frames.reserve(&self.device, entries)
     }
 
-    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
-        self.run((given, None), WHOLE, Goal::Candidates)?;
-        let lists = self.frames.read_candidates(&self.device, self.state.report.candidates)?;
+    async fn list(&mut self, given: Given<'_>) -> Result<Candidates, Error> {
+        self.run((given, None), Sought::CANDIDATES).await?;
+        let count = self.state.report.candidates;
+        let lists = self.frames.read_candidates(&self.device, count).await?;
         let codimensional = self.codimensional.as_ref().map(|found| found.pairs.clone());
         Ok(Candidates::new(lists, codimensional.unwrap_or_default()))
     }
 
+    /// What the device looks for.
+    fn sought(&mut self, ask: Ask) -> Sought {
+        let every = self.state.options.tolerance < 1e-7;
+        let goal = match ask {
+            Ask::Earliest if !every => self.frames.goal_of_earliest(),
+            _ => Goal::Contacts,
+        };
+        Sought { goal, window: ask.window(), lists: ask != Ask::Earliest }
+    }
+
+    /// Sends positions and submits a frame; [`Engine::advance`] then makes the report.
     #[inline(never)]
-    fn run(
+    fn begin(
         &mut self,
         (given, moved): (Given, Option<Moved>),
-        window: [f64; 2],
-        goal: Goal,
+        sought: Sought,
     ) -> Result<(), Error> {
+        self.abandon();
+        if self.device.failed_late() {
+            // Buffers may be none.
+            self.move_to(&self.device.clone())?;
+        }
         let State { mesh, options, .. } = &self.state;
         let known = moved.filter(|&moved| self.frames.buffers.positions.follows(moved));
         if let Some(rules) = &self.frames.buffers.rules {
@@ -220,16 +247,35 @@ impl Engine {
         let State { mesh, options, report } = &mut self.state;
         report.set_mesh(mesh);
         let uploaded = start.elapsed();
-        let contacts = &mut report.contacts;
+        let Sought { goal, window, .. } = sought;
         // Exact times are not the device's.
         let exact = options.mode == Mode::Exact && goal.is_earliest();
         let on_device = if exact { Goal::Contacts } else { goal };
-        let found = self.frames.run(&self.device, options, (on_device, window), contacts)?;
+        self.frames.begin(&self.device, options, (on_device, window))?;
+        self.flight = Some(Flight { sought, start, uploaded, is_copied: false });
+        Ok(())
+    }
+
+    /// Makes the report, if the device is done. `given`: the positions of the step in flight.
+    #[inline(never)]
+    fn advance(&mut self, given: Given, context: &mut Context) -> Poll<Result<(), Error>> {
+        let Some(flight) = &self.flight else { return Poll::Ready(Err(Error::NotSubmitted)) };
+        let &Flight { sought: Sought { goal, window, lists }, start, uploaded, .. } = flight;
+        let State { options, report, .. } = &mut self.state;
+        let contacts = &mut report.contacts;
+        let found = ready!(self.frames.poll(&self.device, options, contacts, context));
+        self.flight = None;
+        let found = found?;
         report.times.boxes = uploaded.as_secs_f64() * 1e3;
         self.take(found, (goal, window), given);
         self.take_codimensional((goal, window), given)?;
-        self.state.report.times.total = start.elapsed().as_secs_f64() * 1e3;
-        Ok(())
+        let report = &mut self.state.report;
+        report.times.total = start.elapsed().as_secs_f64() * 1e3;
+        if !lists {
+            report.contacts.clear();
+            report.undecided = 0;
+        }
+        Poll::Ready(Ok(()))
     }
 
     /// Decides what the device left open, and makes the report.

@@ -135,7 +135,7 @@ impl Sorter {
             recorder.read(&reading, of_keys, keys, 0);
             recorder.read(&reading, of_values, values, 0);
         })?;
-        reading.with(&self.device, |bytes| {
+        reading.wait_with(&self.device, |bytes| {
             (
                 bytemuck::pod_collect_to_vec(of_keys.of(bytes)),
                 bytemuck::pod_collect_to_vec(of_values.of(bytes)),
@@ -156,6 +156,6 @@ impl Sorter {
             sort.run(recorder, *n, 32, 0);
         })?;
         device.wait()?;
-        bench.times(&stages)
+        device.block_on(bench.begin_times(stages)?.read())
     }
 }

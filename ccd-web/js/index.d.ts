@@ -2,7 +2,8 @@
  * Continuous collision detection for triangle meshes: which vertices and faces, and which edges,
  * touch while every vertex moves on a straight line from its position at the start of a step to
  * that at its end, and when. No contact is missed, and no time of impact is late, rounding
- * included. Everything runs on the CPU, in the calling thread: call it from a worker.
+ * included. On the CPU everything runs in the calling thread: call it from a worker. Steps that are
+ * awaited may run on a GPU, by WebGPU: see `Session.open`.
  */
 
 /** Positions: three numbers a vertex, x y z. If one array is f64, both are taken as f64. */
@@ -22,6 +23,8 @@ export type PerKind = Record<Kind, number>;
 
 /** Where the WebAssembly module is: beside this file. */
 export const wasmUrl: URL;
+/** Where that with the kernels is, which is fetched when a session is opened on a GPU. */
+export const gpuWasmUrl: URL;
 /** Names of the numbers in the column `kind`. */
 export const KINDS: readonly ["vf", "ee", "ve", "vv"];
 /** Names of the numbers in the column `state`. */
@@ -146,8 +149,18 @@ export interface Report<C extends Contacts = Contacts> {
     readonly filtered: PerKind;
   };
   readonly ms: Milliseconds;
-  /** Where the step ran. This package has the CPU alone. */
-  readonly backend: "cpu";
+  /** Where the step ran. */
+  readonly backend: Backend;
+}
+
+export type Backend = "cpu" | "gpu";
+
+export interface OpenOptions extends Options {
+  /**
+   * `gpu`: WebGPU, or an error. `auto`, the default: WebGPU where there is a GPU and the mesh has
+   * 20,000 edges or more, else the CPU, which also takes over if the GPU fails later.
+   */
+  device?: "auto" | Backend;
 }
 
 export interface StepOptions {
@@ -161,6 +174,9 @@ export interface StepOptions {
    */
   views?: boolean;
 }
+
+/** Columns of an awaited step are always copies. */
+export type AsyncStepOptions = Omit<StepOptions, "views">;
 
 /** The first contact of a step. */
 export interface FirstContact {
@@ -193,9 +209,20 @@ export interface Intersection {
 export class Session {
   /** @throws Error if the options do not fit the mesh. */
   constructor(mesh: Mesh, options?: Options);
+
+  /**
+   * A session whose awaited calls run on a device. Loads the modules that it needs.
+   * @throws Error as the constructor; with `device: "gpu"`, why there is none.
+   */
+  static open(mesh: Mesh, options?: OpenOptions): Promise<Session>;
+
   readonly mesh: Mesh;
-  /** Where steps run. This package has the CPU alone. */
-  readonly backend: "cpu";
+  /** Where awaited calls run; all others run on the CPU. */
+  readonly backend: Backend;
+  /** Name of the GPU, which a browser may keep to itself; null on the CPU. */
+  readonly adapter: string | null;
+  /** Why `device: "auto"` runs on the CPU; null if it does not. */
+  readonly whyCpu: string | null;
 
   /**
    * The session's own buffers for positions at the start and at the end of a step. Written there
@@ -211,6 +238,18 @@ export class Session {
     x0: Positions, x1: Positions, options: StepOptions & { geometry: true },
   ): Report<ContactsWithGeometry>;
   step(x0: Positions, x1: Positions, options?: StepOptions): Report;
+
+  /**
+   * The same on the session's device, without blocking where that is a GPU. Positions are copied at
+   * once. One call of a session at a time; changes have to wait for it, too.
+   */
+  stepAsync(
+    x0: Positions, x1: Positions, options: AsyncStepOptions & { geometry: true },
+  ): Promise<Report<ContactsWithGeometry>>;
+  stepAsync(x0: Positions, x1: Positions, options?: AsyncStepOptions): Promise<Report>;
+
+  /** `earliestToi` on the session's device; a GPU rounds it down to an f32. */
+  earliestToiAsync(x0: Positions, x1: Positions): Promise<number | null>;
 
   /** The earliest time of impact, never late; null if all of the step is free. */
   earliestToi(x0: Positions, x1: Positions): number | null;

@@ -4,7 +4,8 @@
 import load, { initSync as loadSync, RawMesh, RawOptions, RawSession, version as rawVersion }
   from "./meshccd.js";
 
-/** Where the WebAssembly module is. */
+/** Where the WebAssembly modules are: that of the CPU, and the one with the kernels. */
+export const gpuWasmUrl = new URL("./meshccd_gpu_bg.wasm", import.meta.url);
 export const wasmUrl = new URL("./meshccd_bg.wasm", import.meta.url);
 
 /** Names of the kinds of contacts, by their numbers. */
@@ -38,8 +39,11 @@ export function version() {
   return rawVersion();
 }
 
-/** What the bindings load: by default the module beside this file, which Node does not fetch. */
-async function sourceOf(source) {
+/**
+ * @internal What the bindings load: by default the module beside this file, which Node does not
+ * fetch.
+ */
+export async function sourceOf(source) {
   const from = source ?? wasmUrl;
   const isFile = (from instanceof URL || typeof from === "string")
     && String(from).startsWith("file:");
@@ -52,11 +56,11 @@ function loaded() {
   if (!wasm) throw new Error("the module is not loaded: call `await init()` first");
 }
 
-/** Views of lists in the module's memory, from their addresses and lengths. */
-function views(places, types) {
+/** Views of lists in a module's memory, from their addresses and lengths. */
+function views(places, types, memory = wasm.memory) {
   const all = places.all();
   places.free();
-  return types.map((Type, i) => new Type(wasm.memory.buffer, all[2 * i], all[2 * i + 1]));
+  return types.map((Type, i) => new Type(memory.buffer, all[2 * i], all[2 * i + 1]));
 }
 
 /** Ids as the bindings take them. */
@@ -116,8 +120,9 @@ function number(value, what) {
   return value;
 }
 
-function rawOptions(options) {
-  const raw = new RawOptions();
+/** @internal Options for a module. */
+export function rawOptions(options, Type = RawOptions) {
+  const raw = new Type();
   for (const [name, value] of Object.entries(options ?? {})) {
     if (value == null) continue;
     if (!Object.hasOwn(SETTERS, name)) {
@@ -128,6 +133,11 @@ function rawOptions(options) {
   }
   return raw;
 }
+
+/** Options of `Session.open` besides. */
+const DEVICES = ["auto", "cpu", "gpu"];
+/** Edges from which on "auto" asks for a GPU; below, one thread is done sooner. */
+const WORTH_A_GPU = 20_000;
 
 /** Types of the columns of contacts, in the order in which the bindings have them. */
 const COLUMNS = {
@@ -147,6 +157,12 @@ export class Session {
   raw;
   mesh;
   backend = "cpu";
+  adapter = null;
+  whyCpu = null;
+  /** Of a GPU: its module's session, whether the CPU may take over, whether a call is awaited. */
+  #gpu = null;
+  #free = false;
+  #busy = false;
 
   constructor(mesh, options) {
     loaded();
@@ -157,6 +173,32 @@ export class Session {
       raw.free();
     }
     this.mesh = mesh;
+  }
+
+  static async open(mesh, { device = "auto", ...options } = {}) {
+    if (!DEVICES.includes(device)) {
+      throw new Error(`device is ${device}; it must be one of ${DEVICES.join(", ")}`);
+    }
+    await init();
+    const session = new Session(mesh, options);
+    if (device === "cpu") return session;
+    session.#free = device === "auto";
+    if (session.#free && mesh.edges.length / 2 < WORTH_A_GPU) {
+      session.whyCpu = `the mesh has fewer than ${WORTH_A_GPU} edges`;
+      return session;
+    }
+    try {
+      const { open } = await import("./gpu.js");
+      session.#gpu = await open(mesh, options, session.#free);
+      [session.backend, session.adapter] = ["gpu", session.#gpu.adapter];
+    } catch (why) {
+      if (!session.#free) {
+        session.free();
+        throw why;
+      }
+      session.whyCpu = String(why?.message ?? why);
+    }
+    return session;
   }
 
   positions(Type) {
@@ -174,16 +216,41 @@ export class Session {
     this.raw.step(wide, window[0], window[1], geometry);
     const numbers = this.raw.numbers();
     const found = performance.now();
-    const contacts = {};
-    const lists = views(this.raw.columns(), Object.values(COLUMNS));
-    Object.keys(COLUMNS).forEach((name, i) => {
-      if (geometry || !GEOMETRY.includes(name)) {
-        contacts[name] = borrow ? lists[i] : lists[i].slice();
-      }
-    });
-    contacts.length = contacts.kind.length;
+    const contacts = columns(this.raw.columns(), { geometry, borrow });
     const copy = placed - begun + performance.now() - found;
-    return report(contacts, numbers, copy);
+    return report(contacts, numbers, copy, "cpu");
+  }
+
+  stepAsync(x0, x1, options = {}) {
+    return this.#awaited((gpu, wide) => gpu.step(wide, options), x0, x1)
+      .then((found) => found ?? this.step(x0, x1, { ...options, views: false }));
+  }
+
+  earliestToiAsync(x0, x1) {
+    return this.#awaited((gpu, wide) => gpu.earliestToi(wide), x0, x1)
+      .then((found) => (found === undefined ? this.earliestToi(x0, x1) : found));
+  }
+
+  /** What the GPU answers; nothing if it is the CPU's turn. */
+  async #awaited(call, x0, x1) {
+    if (!this.#gpu) return undefined;
+    if (this.#busy) throw new Error("a step of this session is in flight: await it first");
+    this.#busy = true;
+    try {
+      const wide = this.#check(x0, x1);
+      this.#gpu.place([x0, x1], wide);
+      return await call(this.#gpu, wide);
+    } catch (why) {
+      // Bad input is that on the CPU as well, which says so.
+      if (!this.#free) throw why;
+      this.#gpu.free();
+      this.#gpu = null;
+      [this.backend, this.adapter] = ["cpu", null];
+      this.whyCpu = String(why?.message ?? why);
+      return undefined;
+    } finally {
+      this.#busy = false;
+    }
   }
 
   earliestToi(x0, x1) {
@@ -236,23 +303,30 @@ export class Session {
   }
 
   setMinDistance(distance) {
-    this.raw.set_min_distance(number(distance, "minDistance"));
+    this.#both((raw) => raw.set_min_distance(number(distance, "minDistance")));
   }
 
   setFixed(body, fixed) {
-    this.raw.set_fixed(body, fixed);
+    this.#both((raw) => raw.set_fixed(body, fixed));
   }
 
   setSleeping(body, sleeping) {
-    this.raw.set_sleeping(body, sleeping);
+    this.#both((raw) => raw.set_sleeping(body, sleeping));
   }
 
   free() {
-    this.raw.free();
+    this.#both((raw) => raw.free());
   }
 
-  /** Puts positions into the session's buffers; whether they are taken as `f64`. */
-  #place(x0, x1) {
+  /** A change of both sessions, that of the GPU if there is one. */
+  #both(change) {
+    if (this.#busy) throw new Error("a step of this session is in flight: await it first");
+    change(this.raw);
+    if (this.#gpu) change(this.#gpu.raw);
+  }
+
+  /** Whether positions are taken as `f64`; refuses what are none. */
+  #check(x0, x1) {
     const given = [x0, x1];
     const length = 3 * this.mesh.nVertices;
     given.forEach((x, i) => {
@@ -265,7 +339,13 @@ export class Session {
           + `its last growth has none)`);
       }
     });
-    const wide = given.some((x) => x instanceof Float64Array);
+    return given.some((x) => x instanceof Float64Array);
+  }
+
+  /** Puts positions into the session's buffers; whether they are taken as `f64`. */
+  #place(x0, x1) {
+    const [given, length] = [[x0, x1], 3 * this.mesh.nVertices];
+    const wide = this.#check(x0, x1);
     // Before the next call, after which the module's memory may have grown.
     const places = given.map((x) => (x.buffer === wasm.memory.buffer ? x.byteOffset : -1));
     const to = this.positions(wide ? Float64Array : Float32Array);
@@ -284,8 +364,23 @@ if (Symbol.dispose) {
   for (const Type of [Mesh, Session]) Type.prototype[Symbol.dispose] = Type.prototype.free;
 }
 
-/** A report of a step: columns, and numbers in the order in which the bindings have them. */
-function report(contacts, numbers, copy) {
+/** @internal Columns of contacts; `borrow`: as views. */
+export function columns(places, { geometry, borrow, memory }) {
+  const contacts = {};
+  const lists = views(places, Object.values(COLUMNS), memory);
+  Object.keys(COLUMNS).forEach((name, i) => {
+    if (geometry || !GEOMETRY.includes(name)) {
+      contacts[name] = borrow ? lists[i] : lists[i].slice();
+    }
+  });
+  contacts.length = contacts.kind.length;
+  return contacts;
+}
+
+/**
+ * @internal A report of a step: columns, and numbers in the order in which the bindings have them.
+ */
+export function report(contacts, numbers, copy, backend) {
   const [toi, undecided, rebuilt] = numbers;
   const perKind = (from) => Object.fromEntries(KINDS.map((kind, i) => [kind, numbers[from + i]]));
   const [boxes, build, traverse, narrow, total] = numbers.subarray(15);
@@ -296,6 +391,6 @@ function report(contacts, numbers, copy) {
     rebuilt: rebuilt === 1,
     counts: { contacts: perKind(3), candidates: perKind(7), filtered: perKind(11) },
     ms: { boxes, build, traverse, narrow, copy, total: total + copy },
-    backend: "cpu",
+    backend,
   };
 }

@@ -9,8 +9,10 @@ $("no-webgl").hidden = view !== null;
 $("canvas").hidden = view === null;
 $("legend").hidden = view === null;
 $("webgpu").textContent = navigator.gpu
-  ? "This browser has WebGPU; it is not used."
-  : "This browser has no WebGPU; nothing here needs it.";
+  ? "This browser has WebGPU: two meshes can be checked there."
+  : "This browser has no WebGPU here, so two meshes are checked on the CPU as well.";
+$("gpu").disabled = !navigator.gpu;
+const NAMES = { cpu: "CPU (WebAssembly)", gpu: "GPU (WebGPU)" };
 
 /** Asks the worker; one answer for each question. */
 const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
@@ -121,7 +123,7 @@ async function step() {
     ["free", free],
     ["one frame", ms(frame.total)],
     ["of it detection, 3 calls", ms(frame.detection)],
-    ["backend", "CPU (WebAssembly)"],
+    ["backend", NAMES.cpu],
     ...stages(frame.ms).map(([name, value]) => [`last call: ${name}`, value]),
   ]);
 }
@@ -175,7 +177,8 @@ async function check() {
   try {
     const minDistance = exact ? 0 : Number($("distance").value);
     const mode = exact ? "exact" : "conservative";
-    result = await ask("check", { files, minDistance, mode });
+    const device = $("gpu").checked ? "gpu" : "cpu";
+    result = await ask("check", { files, minDistance, mode, device });
     $("result").hidden = false;
     tellResult();
     showFrames();
@@ -208,7 +211,7 @@ function tellResult() {
     ["loading", ms(loading)],
     ["detection", ms(t.total)],
     ...stages(t).map(([name, value]) => [`of it ${name}`, value]),
-    ["backend", "CPU (WebAssembly)"],
+    ["backend", NAMES[result.backend]],
   ]);
   scrub();
 }
@@ -243,6 +246,7 @@ $("jump").onclick = () => { $("time").value = result.toi; scrub(); };
 $("swap").onclick = () => { files.reverse(); check(); };
 $("distance").onchange = check;
 $("exact").onchange = check;
+$("gpu").onchange = check;
 $("pick").onchange = () => take($("pick").files);
 $("example").onclick = () => {
   const { x0, x1, faces } = scene();

@@ -38,7 +38,7 @@ const answers = {
   },
 
   /** Contacts of a step from one file to another. */
-  check({ files, minDistance, mode }) {
+  async check({ files, minDistance, mode, device }) {
     const begun = performance.now();
     const [before, after] = files.map(({ bytes, name }) => readMesh(new Uint8Array(bytes), name));
     const loading = performance.now() - begun;
@@ -53,10 +53,10 @@ const answers = {
         + "of one mesh, with the same vertices and faces in the same order");
     }
     const mesh = new Mesh(before.x.length / 3, null, before.faces);
-    const session = new Session(mesh, { minDistance, mode });
+    const session = await Session.open(mesh, { minDistance, mode, device });
     try {
-      const { contacts, counts, ms, undecided, toi }
-        = session.step(before.x, after.x, { geometry: true });
+      const { contacts, counts, ms, undecided, toi, backend }
+        = await session.stepAsync(before.x, after.x, { geometry: true });
       checked = { contacts, polygons: before.polygons };
       return {
         faces: before.faces,
@@ -64,7 +64,7 @@ const answers = {
         points: Float32Array.from(contacts.point),
         times: contacts.toi,
         nEdges: mesh.edges.length / 2,
-        counts, ms, undecided, toi, loading,
+        counts, ms, undecided, toi, loading, backend,
       };
     } finally {
       session.free();

@@ -8,6 +8,8 @@
 #![deny(unsafe_code)]
 
 mod columns;
+#[cfg(feature = "gpu")]
+mod gpu;
 mod options;
 mod session;
 
@@ -24,6 +26,8 @@ extern "C" {
 #[wasm_bindgen(start)]
 fn start() {
     ccd::set_clock(now);
+    #[cfg(feature = "gpu")]
+    ccd::gpu::set_clock(now);
     std::panic::set_hook(Box::new(|info| wasm_bindgen::throw_str(&info.to_string())));
 }
 

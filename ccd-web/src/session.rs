@@ -3,11 +3,11 @@
 use crate::columns::{Columns, Places, place};
 use crate::options::{RawMesh, RawOptions};
 use crate::refused;
-use ccd::{PerKind, Session};
+use ccd::{PerKind, Report, Session};
 use wasm_bindgen::prelude::*;
 
 /// Positions at both ends of a step, for one precision.
-type Ends<T> = [Vec<[T; 3]>; 2];
+pub type Ends<T> = [Vec<[T; 3]>; 2];
 
 /// A session of the library, with buffers for what goes in and comes out.
 #[wasm_bindgen]
@@ -48,13 +48,7 @@ impl RawSession {
     /// vertices.
     pub fn positions(&mut self, in_f64: bool) -> Places {
         let n = self.inner.mesh().n_vertices();
-        if in_f64 {
-            self.f64.iter_mut().for_each(|x| x.resize(n, [0.0; 3]));
-            Places(self.f64.iter().map(|x| place(x.as_flattened())).collect())
-        } else {
-            self.f32.iter_mut().for_each(|x| x.resize(n, [0.0; 3]));
-            Places(self.f32.iter().map(|x| place(x.as_flattened())).collect())
-        }
+        places(&mut self.f32, &mut self.f64, n, in_f64)
     }
 
     /// Finds the contacts in a window of time.
@@ -84,14 +78,7 @@ impl RawSession {
     /// Numbers of the last report: the earliest time or NaN, undecided contacts, whether trees
     /// were built anew, then per kind contacts, candidates and what filters left, then times.
     pub fn numbers(&self) -> Vec<f64> {
-        let report = self.inner.report();
-        let times = &report.times;
-        let per_kind = |n: PerKind| [n.vf, n.ee, n.ve, n.vv].map(|n| n as f64);
-        let first =
-            [report.toi.unwrap_or(f64::NAN), report.undecided as f64, report.rebuilt as u8 as f64];
-        let counts = [report.n_contacts(), report.candidates, report.filtered].map(per_kind);
-        let times = [times.boxes, times.build, times.traverse, times.narrow, times.total];
-        [&first[..], counts.as_flattened(), &times].concat()
+        numbers(self.inner.report())
     }
 
     /// The earliest time of impact.
@@ -152,4 +139,26 @@ impl RawSession {
     pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
         self.inner.set_sleeping(body, sleeping).map_err(refused)
     }
+}
+
+/// Where the positions of `n` vertices go.
+pub fn places(f32: &mut Ends<f32>, f64: &mut Ends<f64>, n: usize, in_f64: bool) -> Places {
+    if in_f64 {
+        f64.iter_mut().for_each(|x| x.resize(n, [0.0; 3]));
+        Places(f64.iter().map(|x| place(x.as_flattened())).collect())
+    } else {
+        f32.iter_mut().for_each(|x| x.resize(n, [0.0; 3]));
+        Places(f32.iter().map(|x| place(x.as_flattened())).collect())
+    }
+}
+
+/// Numbers of a report; see [`RawSession::numbers`].
+pub fn numbers(report: &Report) -> Vec<f64> {
+    let times = &report.times;
+    let per_kind = |n: PerKind| [n.vf, n.ee, n.ve, n.vv].map(|n| n as f64);
+    let first =
+        [report.toi.unwrap_or(f64::NAN), report.undecided as f64, report.rebuilt as u8 as f64];
+    let counts = [report.n_contacts(), report.candidates, report.filtered].map(per_kind);
+    let times = [times.boxes, times.build, times.traverse, times.narrow, times.total];
+    [&first[..], counts.as_flattened(), &times].concat()
 }

@@ -1,13 +1,14 @@
 // Every call with its types, as a user writes it. Compiled, not run; errors that must be are marked.
 
 import {
-  init, initSync, KINDS, Mesh, Session, STATES, version, wasmUrl,
+  gpuWasmUrl, init, initSync, KINDS, Mesh, Session, STATES, version, wasmUrl,
   type Contacts, type ContactsWithGeometry, type FirstContact, type Intersection, type Kind,
   type Options, type Report,
 } from "../pkg/index.js";
 
 await init();
 await init(wasmUrl);
+const kernels: URL = gpuWasmUrl;
 initSync(new Uint8Array());
 const text: string = version();
 const kind: Kind | undefined = KINDS[0];
@@ -33,6 +34,12 @@ const first: FirstContact | null = session.firstContact(x0, x1);
 const pairs: Uint32Array = session.candidates(x0, x1).ee;
 const through: Intersection[] = session.intersections(x0);
 const any: boolean = session.hasIntersections(x0);
+const opened: Session = await Session.open(mesh, { ...options, device: "auto" });
+const where: "cpu" | "gpu" = (await opened.stepAsync(x0, x1, { window: [0, 1] })).backend;
+const normals: Float64Array
+  = (await opened.stepAsync(x0, x1, { geometry: true })).contacts.normal;
+const soon: number | null = await opened.earliestToiAsync(x0, x1);
+const why: string | null = opened.whyCpu ?? opened.adapter;
 session.setMinDistance(0);
 session.setFixed(0, true);
 session.setSleeping(1, false);
@@ -45,7 +52,11 @@ report.contacts.point;
 new Session(mesh, { mode: "fast" });
 // @ts-expect-error: positions are typed arrays
 session.step([0, 0, 0], x1);
+// @ts-expect-error: there is no such device
+Session.open(mesh, { device: "tpu" });
+// @ts-expect-error: what is awaited is copied
+opened.stepAsync(x0, x1, { views: true });
 // @ts-expect-error: there is no such backend
 report.backend === "webgpu";
 
-export { text, kind, state, edges, plain, counted, toi, size, free, first, pairs, through, any };
+export { text, kernels, kind, state, edges, plain, counted, toi, size, free, first, pairs, through, any, where, normals, soon, why };

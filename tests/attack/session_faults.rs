@@ -45,7 +45,8 @@ fn fail_driver(
         session.reserve(entries)?;
     }
     let call = [0, 0, 0, 1, 2][random.below(5)];
-    set_faults(device, Faults { skip, n, error: Some(error.clone()), short_rounds });
+    let provoked = Some(error.clone());
+    set_faults(device, Faults { skip, n, error: provoked, late: false, short_rounds });
     let done = match call {
         0 => session.step(x0, x1).map(|_| ()),
         1 => session.earliest_toi(x0, x1).map(|_| ()),

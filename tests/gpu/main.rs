@@ -17,6 +17,7 @@ mod end_points;
 mod engine;
 mod failures;
 mod geometry;
+mod in_flight;
 mod intervals;
 mod kept_order;
 mod kernels;
@@ -145,6 +146,7 @@ fn main() {
             failures::TESTS,
             limits::TESTS,
             recovery::TESTS,
+            in_flight::TESTS,
             codimensional::TESTS,
             geometry::TESTS,
             scenes::TESTS,

@@ -34,7 +34,8 @@ fn failing<T>(
     call: impl FnOnce() -> Result<T, Error>,
 ) -> (Option<T>, bool) {
     let error = Some(error.clone());
-    let old = set_faults(device, Faults { skip, n, error: error.clone(), short_rounds: true });
+    let faults = Faults { skip, n, error: error.clone(), late: false, short_rounds: true };
+    let old = set_faults(device, faults);
     let got = call();
     let left = set_faults(device, old);
     let failed = left.n < n;

@@ -48,7 +48,7 @@ const UNSAFE_FILES: [&str; 27] = [
 /// A word, and the only places where it may stand.
 const OWNERS: [(&str, &[&str]); 4] = [
     ("rayon", &["ccd-cpu/", "xtask/"]),
-    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "ccd-cli/", "tests/"]),
+    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "ccd-cli/", "ccd-web/", "tests/"]),
     ("spirv_std", &["ccd-shaders/"]),
     // `Device::write`, which reports that there is no memory.
     ("write_buffer", &["ccd-gpu/src/device.rs", "examples/", "tests/"]),

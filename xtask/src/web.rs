@@ -9,9 +9,12 @@ use std::process::Command;
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "meshccd-web";
 const FOLDER: &str = "ccd-web";
+/// Names of the modules, with their features: that of the CPU, and one that has the kernels, too.
+const MODULES: [(&str, &[&str]); 2] = [("meshccd", &[]), ("meshccd_gpu", &["--features", "gpu"])];
 /// Files of the package that are written by hand.
-const FILES: [(&str, &str); 6] = [
+const FILES: [(&str, &str); 7] = [
     ("ccd-web/js/index.js", "index.js"),
+    ("ccd-web/js/gpu.js", "gpu.js"),
     ("ccd-web/js/index.d.ts", "index.d.ts"),
     ("ccd-web/js/package.json", "package.json"),
     ("ccd-web/js/README.md", "README.md"),
@@ -42,26 +45,32 @@ pub fn run(root: &Path, page: bool) -> Result<(), String> {
     if page {
         // The crate is empty on the target for which clippy checks the workspace.
         let clippy = ["cargo", "clippy", "--profile", "web", "-p", CRATE, "--target", TARGET];
-        command_with(root, &[&clippy[..], &["--", "-D", "warnings"]].concat(), &SIMD)?;
+        for (_, features) in MODULES {
+            let clippy = [&clippy[..], features, &["--", "-D", "warnings"]].concat();
+            command_with(root, &clippy, &SIMD)?;
+        }
         command(&folder, &["npm", "run", "--silent", "test:page"])?;
     }
     Ok(())
 }
 
-/// The module and its bindings, and what is written by hand, into one folder.
+/// The modules and their bindings, and what is written by hand, into one folder.
 fn build(root: &Path) -> Result<(), String> {
-    let build = ["cargo", "build", "--profile", "web", "-p", CRATE, "--lib", "--target", TARGET];
-    command_with(root, &build, &SIMD)?;
-    let module = target_folder(root).join(TARGET).join("web").join(CRATE.replace('-', "_"));
     let package = root.join(FOLDER).join("pkg");
     let failed = |what: &Path, e: std::io::Error| format!("{}: {e}", what.display());
     let _ = std::fs::remove_dir_all(&package);
     std::fs::create_dir_all(&package).map_err(|e| failed(&package, e))?;
-    let mut bindings = wasm_bindgen_cli_support::Bindgen::new();
-    bindings.input_path(module.with_extension("wasm")).out_name("meshccd").typescript(false);
-    bindings.remove_name_section(true).remove_producers_section(true);
-    let generated = bindings.web(true).and_then(|bindings| bindings.generate(&package));
-    generated.map_err(|e| format!("wasm-bindgen: {e:#}"))?;
+    for (name, features) in MODULES {
+        let build =
+            ["cargo", "build", "--profile", "web", "-p", CRATE, "--lib", "--target", TARGET];
+        command_with(root, &[&build[..], features].concat(), &SIMD)?;
+        let module = target_folder(root).join(TARGET).join("web").join(CRATE.replace('-', "_"));
+        let mut bindings = wasm_bindgen_cli_support::Bindgen::new();
+        bindings.input_path(module.with_extension("wasm")).out_name(name).typescript(false);
+        bindings.remove_name_section(true).remove_producers_section(true);
+        let generated = bindings.web(true).and_then(|bindings| bindings.generate(&package));
+        generated.map_err(|e| format!("wasm-bindgen: {e:#}"))?;
+    }
     for (from, to) in FILES {
         let from = root.join(from);
         std::fs::copy(&from, package.join(to)).map_err(|e| failed(&from, e))?;

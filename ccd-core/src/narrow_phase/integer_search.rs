@@ -73,8 +73,8 @@ const DEPTH: u32 = 31;
 /// Rounds of a search: halvings, and intervals that are left. Most take 32; who needs more than
 /// this has the cubic near 0 for long, and is open.
 const MAX_ROUNDS: u32 = 128;
-/// Depth at which a pair is left whose features are apart around the whole interval.
-const EARLY: u32 = 3;
+/// Depths at which a pair is left whose features are apart around the whole interval.
+const EARLY: [u32; 3] = [3, 8, 14];
 
 /// A point or a vector at the start and the end of the step.
 pub type Ends = [[Q62; 3]; 2];
@@ -287,7 +287,7 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
         if !is_over {
             // The first interval that may have a zero begins where there certainly is none.
             let last = depth == DEPTH;
-            if last || depth == EARLY {
+            if last || depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2] {
                 let crosses = sign(c[0]) | sign(c[3]) == 3;
                 // Where the sign after the zero is not certain, it may be within the tolerance.
                 let widened = last && !crosses;

@@ -25,7 +25,7 @@ pub mod worlds;
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs, until_complete};
+use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
@@ -140,8 +140,17 @@ impl BroadPhase {
     /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
     /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
-        let n = self.find([&[], boxes, &[]])?;
-        self.read(n)
+        self.device.clone().block_on(self.self_pairs_async(boxes))
+    }
+
+    /// As [`BroadPhase::self_pairs`], without blocking. Dropped before it is done, it leaves a
+    /// broad phase that finds what a new one does.
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::self_pairs`].
+    pub async fn self_pairs_async(&mut self, boxes: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
+        let n = self.find([&[], boxes, &[]]).await?;
+        self.read(n).await
     }
 
     /// All pairs of a box of `a` with a box of `b` that overlap.
@@ -150,8 +159,20 @@ impl BroadPhase {
     /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
     /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
-        let n = self.find([a, &[], b])?;
-        self.read(n)
+        self.device.clone().block_on(self.pairs_async(a, b))
+    }
+
+    /// As [`BroadPhase::pairs`], without blocking; see [`BroadPhase::self_pairs_async`].
+    ///
+    /// # Errors
+    /// Those of [`BroadPhase::pairs`].
+    pub async fn pairs_async(
+        &mut self,
+        a: &[Aabb<f32>],
+        b: &[Aabb<f32>],
+    ) -> Result<Vec<Pair>, Error> {
+        let n = self.find([a, &[], b]).await?;
+        self.read(n).await
     }
 
     /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and
@@ -161,14 +182,14 @@ impl BroadPhase {
     /// [`Error::Input`] with a bad box, or with too many boxes or pairs; what the device refuses,
     /// as [`Error::TooLarge`] and [`Error::Lost`].
     pub fn self_pairs_on_device(&mut self, boxes: &[Aabb<f32>]) -> Result<(u32, &List), Error> {
-        let n = self.find([&[], boxes, &[]])?;
+        let n = self.device.clone().block_on(self.find([&[], boxes, &[]]))?;
         Ok((n, &self.pairs))
     }
 
     /// Fills the list of pairs; returns their number.
-    fn find(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<u32, Error> {
+    async fn find(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<u32, Error> {
         self.send(sets)?;
-        self.again()
+        self.search().await
     }
 
     /// Checks boxes and sends them to the device, by all threads of the host, and waits until they
@@ -189,6 +210,11 @@ impl BroadPhase {
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
         self.is_sent = false;
+        if device.failed_late() {
+            self.pairs = List::new(device, "pairs", 2, self.pairs.capacity())?;
+            self.buffers = None;
+            self.readback = Readback::default();
+        }
         if self.buffers.as_ref().is_none_or(|b| b.count != count) {
             self.buffers = None;
             self.bench.forget();
@@ -216,13 +242,19 @@ impl BroadPhase {
     /// [`Error::NoBoxes`] before the first call, and after one whose boxes did not get there; those
     /// of [`BroadPhase::self_pairs`].
     pub fn again(&mut self) -> Result<u32, Error> {
+        self.device.clone().block_on(self.search())
+    }
+
+    async fn search(&mut self) -> Result<u32, Error> {
         let Self { device, bench, readback, buffers, is_sent, pairs, .. } = self;
         let Some(Buffers { count, source }) = buffers.as_mut().filter(|_| *is_sent) else {
             return Err(Error::NoBoxes);
         };
         let frame = frame_of(*count);
         let kinds: Vec<u32> = kinds_of(*count).collect();
-        until_complete(|| {
+        let mut runs = Runs::default();
+        loop {
+            runs.another()?;
             let mut plan = Plan::default();
             let of_source: Vec<_> =
                 source.lists().iter().map(|_| plan.part(HEADER_BYTES)).collect();
@@ -250,14 +282,15 @@ impl BroadPhase {
                     recorder.read(&reading, *part, counters, range.start);
                 }
             })?;
-            let (of_source, found, counted) = reading.with(device, |bytes| {
+            let read = reading.with(device, |bytes| {
                 let headers = of_source.iter().map(|part| read_header(part.of(bytes)));
                 let headers = headers.collect::<Result<Vec<Header>, Error>>()?;
                 let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
                 let counted: Vec<Vec<u32>> = of_counters.iter().map(words).collect();
                 Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, counted))
-            })??;
-            self.stages = bench.times(&stages)?;
+            });
+            let (of_source, found, counted) = read.await??;
+            self.stages = bench.begin_times(stages)?.read().await?;
             let lists = source.lists_mut().into_iter().zip(of_source);
             let lists = lists.chain([(&mut *pairs, found)]);
             let grown = List::grow_all(device, lists.map(|(list, header)| (list, header.wanted)));
@@ -269,16 +302,18 @@ impl BroadPhase {
             }
             let grown = grown?;
             settled?;
-            Ok((!grown).then_some(found.wanted))
-        })
+            if !grown {
+                return Ok(found.wanted);
+            }
+        }
     }
 
-    fn read(&mut self, n: u32) -> Result<Vec<Pair>, Error> {
+    async fn read(&mut self, n: u32) -> Result<Vec<Pair>, Error> {
         let Self { device, bench, readback, pairs, .. } = self;
         let mut plan = Plan::default();
         let part = plan.part(pairs.bytes(n));
         let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| recorder.read(&reading, part, pairs.buffer(), 0))?;
-        reading.with(device, |bytes| read_pairs(part.of(bytes)))
+        reading.with(device, |bytes| read_pairs(part.of(bytes))).await
     }
 }

@@ -61,7 +61,7 @@ pub fn read(
             recorder.read(&reading, *part, counted.buffer, counted.first);
         }
     })?;
-    reading.with(device, |bytes| {
+    reading.wait_with(device, |bytes| {
         let mut all = Vec::new();
         for (part, counted) in parts.iter().zip(counts) {
             all.extend(part.of(bytes).chunks_exact(8).map(|words| {

@@ -1,15 +1,16 @@
 //! Kernels of a device, compiled when they are first used, by all threads of the host.
 
 use super::{Device, Inner};
+use crate::clock::Instant;
 use crate::error::Error;
 use crate::pipeline::Pipeline;
 use crate::shaders::{check, packed};
 use ccd_core::backend::kernel::Id;
+use core::time::Duration;
 use std::cmp::Reverse;
 use std::sync::MutexGuard;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
 
 /// What the kernels that a device has used so far took to compile.
 ///

@@ -1,10 +1,10 @@
 //! Results that stay where a device has them, for work that goes on there.
 
 use super::Engine;
+use super::in_flight::Sought;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::step::frame::Frames;
-use crate::step::{Goal, WHOLE};
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::{AsPositions, Gathered, ends};
 use ccd_core::model::session;
@@ -85,7 +85,8 @@ impl Engine {
         let mut gathered = Gathered::default();
         let given = session::given(&self.state.mesh, &mut gathered, ends(x0, x1));
         let done = given.map_err(Error::from);
-        done.and_then(|given| self.run((given, None), WHOLE, Goal::Candidates))
+        let device = self.device.clone();
+        done.and_then(|given| device.block_on(self.run((given, None), Sought::CANDIDATES)))
             .inspect_err(|_| session::Engine::clear(self))?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
@@ -115,6 +116,7 @@ impl Engine {
             return Err(Error::Codimensional);
         }
         self.check_conservative()?;
+        self.abandon();
         let b =
             self.frames.record(&self.device, (&self.state.mesh, &self.state.options), encoder)?;
         Ok(OnDevice {
@@ -143,6 +145,7 @@ impl Engine {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<GeometryOnDevice<'_>, Error> {
         self.check_conservative()?;
+        self.abandon();
         let Frames { buffers, geometry, .. } = &mut self.frames;
         let geometry = geometry.record(&self.device, buffers, &self.state.options, encoder)?;
         Ok(GeometryOnDevice { contacts: &buffers.contacts, geometry })

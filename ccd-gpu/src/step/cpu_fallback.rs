@@ -22,11 +22,12 @@ pub fn decide<T: Real>(
     out: &mut Vec<Contact>,
 ) {
     let one = |&pair: &Pair| decider.contact(mesh, kind, pair, x);
-    if pairs.len() <= MIN_SHARE {
+    let share = pairs.len().div_ceil(cores()).max(MIN_SHARE);
+    // Also where there is one thread, which can start no other: in a browser.
+    if pairs.len() <= share {
         out.extend(pairs.iter().filter_map(one));
         return;
     }
-    let share = pairs.len().div_ceil(cores()).max(MIN_SHARE);
     std::thread::scope(|scope| {
         let threads: Vec<_> = pairs
             .chunks(share)

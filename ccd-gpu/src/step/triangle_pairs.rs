@@ -175,9 +175,12 @@ impl TrianglePairs {
             let threads = thread::available_parallelism().map_or(1, |n| n.get());
             let share = roots.len().div_ceil(threads).max(1);
             thread::scope(|scope| {
-                for part in roots.chunks_mut(share) {
+                let mut parts = roots.chunks_mut(share);
+                let own = parts.next();
+                for part in parts {
                     scope.spawn(move || part.iter_mut().for_each(certify));
                 }
+                own.into_iter().flatten().for_each(certify);
             });
         });
         let words = bytemuck::cast_slice(regions.of_face());

@@ -1,0 +1,124 @@
+//! A frame on its way to the device: what is recorded, submitted and read with it.
+
+use super::Frames;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::HEADER_BYTES;
+use crate::readback::{Mapping, Part, Plan};
+use crate::recorder::{Times, submit};
+use crate::step::Goal;
+use crate::step::contact_order::{self, ContactOrder};
+use crate::step::kept_order::KeptOrder;
+use crate::step::lists::Lists;
+use crate::step::triangle_pairs::COUNT_BYTES;
+use ccd_core::backend::layout::Touch;
+use ccd_core::model::options::Options;
+
+/// A frame as it was submitted.
+pub struct Attempt {
+    /// Contacts that are read with it.
+    pub guess: u32,
+    /// The order that was kept, which holds on if the frame comes to a good end.
+    pub order: KeptOrder,
+    pub kept: bool,
+    pub parts: Parts,
+    pub mapping: Mapping,
+    pub times: Times,
+}
+
+/// Where results are in the reading of a frame.
+pub struct Parts {
+    pub earliest: [Part; 2],
+    pub sample: Part,
+    pub lists: Lists<Part>,
+    pub contacts: Part,
+    pub counters: Vec<Part>,
+    pub counts: Part,
+}
+
+impl Frames {
+    /// Makes buffers for the order of as many contacts as are expected, if they are many. Returns
+    /// how many are to be read at once.
+    fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
+        let Self { buffers, bench, expected, .. } = self;
+        let n = if goal == Goal::Contacts {
+            (*expected + *expected / 4 + 256).min(buffers.contacts.capacity())
+        } else {
+            0
+        };
+        buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
+        if buffers.order.as_ref().map_or(0, ContactOrder::capacity) < buffers.to_order {
+            device.give_back(buffers.order.take().map_or(0, |old| old.bytes));
+            bench.forget();
+            // As for lists: some more, or else just enough; where there is no memory even for that,
+            // the host sorts.
+            let with_some_more = ContactOrder::new(device, n + n / 4);
+            match with_some_more.or_else(|_| ContactOrder::new(device, n)) {
+                Ok(order) => buffers.order = Some(order),
+                Err(e) if e.is_of_memory() => buffers.to_order = 0,
+                Err(e) => return Err(e),
+            }
+        }
+        Ok(n)
+    }
+
+    /// Submits a frame and asks for its results.
+    pub(super) fn attempt(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        (goal, window): (Goal, [f64; 2]),
+    ) -> Result<Attempt, Error> {
+        let guess = self.plan_contacts(device, goal)?;
+        // Without an order until this frame has come to a good end.
+        let order = std::mem::take(&mut self.order);
+        let kept = order.holds(self.buffers.n_boxes());
+        let Self { buffers, bench, readback, .. } = self;
+        buffers.keeps_order = kept;
+        let frame = buffers.describe(options, window);
+        let mut plan = Plan::default();
+        let wide = device.info().wide;
+        let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
+        let of_earliest = [(); 2].map(|()| plan.part(asked(goal.is_earliest(), 4)));
+        let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
+        let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
+        let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
+        let counters = buffers.source.finder().counters();
+        let of_counters: Vec<_> =
+            counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
+        let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
+        let reading = readback.prepare(device, plan)?;
+        let stages = submit(device, bench, |recorder| {
+            buffers.record(recorder, &frame, goal, wide);
+            recorder.end_of_work();
+            for (part, earliest) in of_earliest.iter().zip(&buffers.earliest) {
+                recorder.read(&reading, *part, earliest, 0);
+            }
+            recorder.read(&reading, of_sample, &buffers.sample, 0);
+            let lists = buffers.lists().zip(of_lists.clone());
+            lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            for (part, (counters, range)) in of_counters.iter().zip(&counters) {
+                recorder.read(&reading, *part, counters, range.start);
+            }
+            if let Some(triangles) = buffers.source.triangles() {
+                recorder.read(&reading, of_counts, triangles.counts(), 0);
+            }
+            match &buffers.order {
+                Some(order) if buffers.to_order > 0 => {
+                    recorder.read(&reading, of_contacts, &order.ordered, 0)
+                }
+                _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
+            }
+        })?;
+        let parts = Parts {
+            earliest: of_earliest,
+            sample: of_sample,
+            lists: of_lists,
+            contacts: of_contacts,
+            counters: of_counters,
+            counts: of_counts,
+        };
+        let (mapping, times) = (reading.begin(device)?, bench.begin_times(stages)?);
+        Ok(Attempt { guess, order, kept, parts, mapping, times })
+    }
+}

@@ -1,0 +1,268 @@
+//! A frame in flight: submitted, read when its results arrive, and submitted again if a list was
+//! too short. Dropped at any time, it leaves what an error leaves.
+
+use super::attempt::Attempt;
+use super::{Found, Frames};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
+use crate::readback::{Mapping, Part, Plan, word};
+use crate::recorder::submit;
+use crate::step::buffers::Buffers;
+use crate::step::triangle_pairs::read_counts;
+use crate::step::{Goal, SAMPLE, cpu_fallback};
+use ccd_core::backend::layout::{Pair, Touch};
+use ccd_core::model::cancel::CancelToken;
+use ccd_core::model::contact::{Contact, PerKind};
+use ccd_core::model::options::Options;
+use std::task::{Context, Poll, ready};
+
+/// A frame whose results are not here yet.
+pub struct Flight {
+    goal: Goal,
+    window: [f64; 2],
+    runs: Runs,
+    stage: Stage,
+}
+
+/// What is awaited.
+enum Stage {
+    /// The frame's own reading.
+    Results(Attempt),
+    /// What that left.
+    Rest(Found, Rest),
+}
+
+/// All contacts, if they were more than expected, and pairs that are left open.
+struct Rest {
+    /// Contacts so far.
+    listed: Vec<Contact>,
+    mapping: Mapping,
+    n_contacts: u32,
+    contacts: Part,
+    open: [Part; 2],
+}
+
+/// What became of a frame.
+enum End {
+    Found(Found),
+    Rest(Found, Rest),
+    /// A list was too short and has been replaced.
+    Incomplete,
+}
+
+impl Frames {
+    /// Submits a frame over a window of the step; [`Frames::poll`] then gets its results.
+    pub fn begin(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        (goal, window): (Goal, [f64; 2]),
+    ) -> Result<(), Error> {
+        self.flight = None;
+        let mut runs = Runs::default();
+        let stage = self.submit(device, options, (goal, window), &mut runs)?;
+        self.flight = Some(Flight { goal, window, runs, stage });
+        Ok(())
+    }
+
+    /// Forgets the frame that is in flight, if there is one.
+    pub fn abandon(&mut self) {
+        self.flight = None;
+    }
+
+    /// What the frame in flight has found, when it is here; until then the same is submitted again
+    /// for as long as a list was too short. Contacts of the device go to `contacts`.
+    pub fn poll(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        contacts: &mut Vec<Contact>,
+        context: &mut Context,
+    ) -> Poll<Result<Found, Error>> {
+        loop {
+            let Some(flight) = &self.flight else { return Poll::Ready(Err(Error::NotSubmitted)) };
+            let here = match &flight.stage {
+                Stage::Results(attempt) => match attempt.mapping.poll(context) {
+                    Poll::Ready(Ok(())) => attempt.times.poll(context),
+                    other => other,
+                },
+                Stage::Rest(_, rest) => rest.mapping.poll(context),
+            };
+            let here = ready!(here);
+            // An error ends the flight.
+            let Some(mut flight) = self.flight.take() else { continue };
+            here?;
+            let found = match flight.stage {
+                Stage::Results(attempt) => {
+                    match self.take(device, attempt, flight.goal, contacts)? {
+                        End::Found(found) => found,
+                        End::Rest(found, rest) => {
+                            flight.stage = Stage::Rest(found, rest);
+                            self.flight = Some(flight);
+                            continue;
+                        }
+                        End::Incomplete => {
+                            self.grown += 1;
+                            let asked = (flight.goal, flight.window);
+                            flight.stage = self.submit(device, options, asked, &mut flight.runs)?;
+                            self.flight = Some(flight);
+                            continue;
+                        }
+                    }
+                }
+                Stage::Rest(mut found, rest) => {
+                    found.open = rest.take(contacts)?;
+                    found
+                }
+            };
+            self.geometry.listed = flight.goal == Goal::Contacts;
+            return Poll::Ready(Ok(found));
+        }
+    }
+
+    fn submit(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        asked: (Goal, [f64; 2]),
+        runs: &mut Runs,
+    ) -> Result<Stage, Error> {
+        runs.another()?;
+        if self.cancel.as_ref().is_some_and(CancelToken::is_cancelled) {
+            // What was uploaded is in no order yet.
+            self.order.forget();
+            return Err(ccd_core::Error::Cancelled.into());
+        }
+        self.attempt(device, options, asked).map(Stage::Results)
+    }
+
+    /// Takes the results of a frame, which are here.
+    fn take(
+        &mut self,
+        device: &Device,
+        attempt: Attempt,
+        goal: Goal,
+        contacts: &mut Vec<Contact>,
+    ) -> Result<End, Error> {
+        let Attempt { guess, mut order, kept, parts, mapping, times } = attempt;
+        let Self { buffers, bench, .. } = self;
+        let mut found = Found { sorted: !kept, ..Found::default() };
+        let mut sampled_of = 0;
+        let (headers, counted) = mapping.read(|bytes| {
+            if goal.is_earliest() {
+                let [vf, ee] = parts.earliest.map(|part| word(part.of(bytes), 0));
+                found.earliest = vf.min(ee);
+            }
+            if goal == Goal::Earliest {
+                let at = |i| word(parts.sample.of(bytes), i) as u64;
+                (found.sampled, sampled_of) = (at(0) + at(1), at(2) + at(3));
+            }
+            let headers = parts.lists.try_map(|part| match part.bytes {
+                0 => Ok(Header::default()),
+                _ => read_header(part.of(bytes)),
+            })?;
+            let n = headers.contacts.wanted.min(guess) as usize;
+            let touches = &parts.contacts.of(bytes)[..n * size_of::<Touch>()];
+            cpu_fallback::take_touches(touches, contacts);
+            let triangles = buffers.source.triangles();
+            found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
+            let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
+            let counted: Vec<Vec<u32>> = parts.counters.iter().map(words).collect();
+            Ok::<_, Error>((headers, counted))
+        })??;
+        self.stages = times.take()?;
+        let lists = buffers.lists_mut().zip(headers.clone()).into_vec();
+        let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
+        let grown = List::grow_all(device, lists);
+        let complete = matches!(grown, Ok(false));
+        // Also where a list cannot grow: the source learns that the search was not complete.
+        let settled = buffers.source.finder_mut().settle(device, &counted, complete);
+        if !complete || !matches!(settled, Ok(false)) {
+            bench.forget();
+        }
+        if !complete {
+            contacts.clear();
+        }
+        let grown = grown?;
+        settled?;
+        if grown {
+            return Ok(End::Incomplete);
+        }
+        let of_lists = buffers.source.finder().work(&headers.source);
+        order.took(
+            kept,
+            if goal == Goal::Earliest { of_lists.and(Some(sampled_of)) } else { of_lists },
+        );
+        self.order = order;
+        let [vf, ee] = &headers.survivors;
+        found.filtered = PerKind::new(vf.wanted as u64, ee.wanted as u64);
+        found.candidates = if goal == Goal::Candidates {
+            let [vf, ee] = &headers.candidates;
+            PerKind::new(vf.wanted as u64, ee.wanted as u64)
+        } else {
+            PerKind::new(vf.looked_at as u64, ee.looked_at as u64)
+        };
+        if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
+            self.at_once = AT_ONCE;
+        }
+        let n_contacts = headers.contacts.wanted;
+        let n_open = headers.undecided.map(|header| header.wanted);
+        let beyond = n_contacts > guess;
+        if goal == Goal::Contacts {
+            self.expected = n_contacts;
+        }
+        found.in_order = !beyond && buffers.to_order > 0;
+        if beyond || n_open != [0, 0] {
+            let n_contacts = if beyond { n_contacts } else { 0 };
+            let rest = self.begin_rest(device, n_contacts, n_open, std::mem::take(contacts))?;
+            return Ok(End::Rest(found, rest));
+        }
+        Ok(End::Found(found))
+    }
+
+    /// Asks for what the frame's own reading left: all contacts, if they were more than expected,
+    /// and pairs that are left open.
+    fn begin_rest(
+        &mut self,
+        device: &Device,
+        n_contacts: u32,
+        n_open: [u32; 2],
+        listed: Vec<Contact>,
+    ) -> Result<Rest, Error> {
+        let Self { buffers, bench, readback, .. } = self;
+        let Buffers { contacts: list, undecided: [vf, ee], .. } = buffers;
+        let mut plan = Plan::default();
+        let of_contacts = plan.part(list.bytes(n_contacts));
+        let (of_vf, of_ee) = (plan.part(vf.bytes(n_open[0])), plan.part(ee.bytes(n_open[1])));
+        let reading = readback.prepare(device, plan)?;
+        submit(device, bench, |recorder| {
+            for (part, list) in [(of_contacts, &*list), (of_vf, vf), (of_ee, ee)] {
+                recorder.read(&reading, part, list.buffer(), 0);
+            }
+        })?;
+        let mapping = reading.begin(device)?;
+        Ok(Rest { listed, mapping, n_contacts, contacts: of_contacts, open: [of_vf, of_ee] })
+    }
+}
+
+impl Rest {
+    /// Takes contacts, if some were left, and the pairs that are left open.
+    fn take(self, contacts: &mut Vec<Contact>) -> Result<[Vec<Pair>; 2], Error> {
+        let Self { listed, mapping, n_contacts, contacts: of_contacts, open } = self;
+        *contacts = listed;
+        mapping.read(|bytes| {
+            if n_contacts > 0 {
+                contacts.clear();
+                let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
+                cpu_fallback::take_touches(touches, contacts);
+            }
+            open.map(|part| read_pairs(part.of(bytes)))
+        })
+    }
+}
+
+/// If more than a quarter of the candidates is left after paths were cut, so many of the next calls
+/// do without: what is cut takes less time than the sample, the cut and the second fit only where
+/// most candidates go.
+const AT_ONCE: u32 = 63;

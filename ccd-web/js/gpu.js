@@ -1,0 +1,69 @@
+// Sessions on WebGPU: the module with the kernels, and the device, both opened when one is asked
+// for.
+
+import load, { RawDevice, RawGpuSession, RawMesh, RawOptions } from "./meshccd_gpu.js";
+import { columns, gpuWasmUrl, rawOptions, report, sourceOf } from "./index.js";
+
+let opening = null;
+
+/** The module's exports and the device, once in each thread. */
+async function opened() {
+  if (!globalThis.navigator?.gpu) throw new Error("there is no WebGPU here");
+  opening ??= (async () => {
+    const wasm = await load({ module_or_path: await sourceOf(gpuWasmUrl) });
+    return { wasm, device: await RawDevice.open() };
+  })();
+  try {
+    return await opening;
+  } catch (why) {
+    opening = null;
+    throw why;
+  }
+}
+
+/** A session for the mesh of another module. `free`: not where a CPU plays the GPU. */
+export async function open(mesh, options, free) {
+  const { wasm, device } = await opened();
+  if (free && device.is_emulated()) throw new Error("the browser's GPU is played by the CPU");
+  const raw = rawOptions(options, RawOptions);
+  const topology = new RawMesh(mesh.nVertices, mesh.edges, mesh.faces);
+  try {
+    return new GpuSession(new RawGpuSession(device, topology, raw), device.name(), wasm.memory);
+  } finally {
+    topology.free();
+    raw.free();
+  }
+}
+
+class GpuSession {
+  constructor(raw, adapter, memory) {
+    Object.assign(this, { raw, adapter, memory });
+  }
+
+  /** Copies positions. */
+  place(x, wide) {
+    const places = this.raw.positions(wide);
+    const all = places.all();
+    places.free();
+    const Type = wide ? Float64Array : Float32Array;
+    x.forEach((from, i) => (
+      new Type(this.memory.buffer, all[2 * i], all[2 * i + 1]).set(from)
+    ));
+  }
+
+  async step(wide, { window = [0, 1], geometry = false }) {
+    await this.raw.step(wide, window[0], window[1], geometry);
+    const numbers = this.raw.numbers();
+    const begun = performance.now();
+    const contacts = columns(this.raw.columns(), { geometry, memory: this.memory });
+    return report(contacts, numbers, performance.now() - begun, "gpu");
+  }
+
+  async earliestToi(wide) {
+    return (await this.raw.earliest_toi(wide)) ?? null;
+  }
+
+  free() {
+    this.raw.free();
+  }
+}

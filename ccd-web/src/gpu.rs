@@ -1,0 +1,134 @@
+//! A session on WebGPU, whose calls are awaited: the browser's thread may not wait for a device.
+
+use crate::columns::{Columns, Places};
+use crate::options::{RawMesh, RawOptions};
+use crate::refused;
+use crate::session::{Ends, numbers, places};
+use ccd::Aabb;
+use ccd::gpu::wgpu::DeviceType;
+use ccd::gpu::{BroadPhase, Device, DeviceOptions, Session};
+use ccd::method::{BroadPhaseMethod, TreeOptions};
+use wasm_bindgen::prelude::*;
+
+/// A device of the browser.
+#[wasm_bindgen]
+pub struct RawDevice(Device);
+
+#[wasm_bindgen]
+impl RawDevice {
+    /// The one that the browser prefers.
+    pub async fn open() -> Result<RawDevice, JsError> {
+        Device::open_async(&DeviceOptions::default()).await.map(Self).map_err(refused)
+    }
+
+    /// The adapter's name, which a browser may keep to itself.
+    pub fn name(&self) -> String {
+        self.0.info().adapter.name.clone()
+    }
+
+    /// Whether a CPU plays the GPU.
+    pub fn is_emulated(&self) -> bool {
+        self.0.info().adapter.device_type == DeviceType::Cpu
+    }
+
+    /// For tests: pairs of boxes that overlap, two ids each, by a tree, whose kernels even a
+    /// browser without a GPU compiles in seconds. A box is its least coordinates, then its
+    /// greatest.
+    pub async fn box_pairs(&self, bounds: Vec<f32>) -> Result<Vec<u32>, JsError> {
+        let (bounds, _) = bounds.as_chunks::<3>();
+        let (boxes, _) = bounds.as_chunks::<2>();
+        let boxes: Vec<Aabb<f32>> = boxes.iter().map(|&[min, max]| Aabb { min, max }).collect();
+        let method = BroadPhaseMethod::Tree(TreeOptions::default());
+        let mut broad = BroadPhase::new(&self.0, method).map_err(refused)?;
+        let pairs = broad.self_pairs_async(&boxes).await.map_err(refused)?;
+        Ok(pairs.iter().flat_map(|pair| [pair.a, pair.b]).collect())
+    }
+}
+
+/// A session of the library on a device, with buffers for what goes in and comes out.
+#[wasm_bindgen]
+pub struct RawGpuSession {
+    inner: Session,
+    f32: Ends<f32>,
+    f64: Ends<f64>,
+    columns: Columns,
+}
+
+#[wasm_bindgen]
+impl RawGpuSession {
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        device: &RawDevice,
+        mesh: &RawMesh,
+        options: &RawOptions,
+    ) -> Result<RawGpuSession, JsError> {
+        let inner = Session::new(&device.0, mesh.0.clone(), options.0.clone()).map_err(refused)?;
+        let (f32, f64, columns) = Default::default();
+        Ok(Self { inner, f32, f64, columns })
+    }
+
+    /// Where positions of this precision go; see `RawSession`.
+    pub fn positions(&mut self, in_f64: bool) -> Places {
+        let n = self.inner.mesh().n_vertices();
+        places(&mut self.f32, &mut self.f64, n, in_f64)
+    }
+
+    /// Finds the contacts in a window of time.
+    pub async fn step(
+        &mut self,
+        in_f64: bool,
+        from: f64,
+        to: f64,
+        geometry: bool,
+    ) -> Result<(), JsError> {
+        self.columns.clear();
+        let Self { inner, f32, f64, columns } = self;
+        let window = [from, to];
+        let report = if in_f64 {
+            inner.step_window_async(&f64[0], &f64[1], window).await
+        } else {
+            inner.step_window_async(&f32[0], &f32[1], window).await
+        };
+        let report = report.map_err(refused)?;
+        columns.fill(&report.contacts);
+        if geometry && in_f64 {
+            columns.fill_geometry(&report.contacts, report.mesh(), [&f64[0], &f64[1]]);
+        } else if geometry {
+            columns.fill_geometry(&report.contacts, report.mesh(), [&f32[0], &f32[1]]);
+        }
+        Ok(())
+    }
+
+    /// Columns of the contacts.
+    pub fn columns(&self) -> Places {
+        self.columns.places()
+    }
+
+    /// Numbers of the last report; see `RawSession`.
+    pub fn numbers(&self) -> Vec<f64> {
+        numbers(self.inner.report())
+    }
+
+    /// The earliest time of impact.
+    pub async fn earliest_toi(&mut self, in_f64: bool) -> Result<Option<f64>, JsError> {
+        let Self { inner, f32, f64, .. } = self;
+        let toi = if in_f64 {
+            inner.earliest_toi_async(&f64[0], &f64[1]).await
+        } else {
+            inner.earliest_toi_async(&f32[0], &f32[1]).await
+        };
+        toi.map_err(refused)
+    }
+
+    pub fn set_min_distance(&mut self, distance: f64) -> Result<(), JsError> {
+        self.inner.set_min_distance(distance).map_err(refused)
+    }
+
+    pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), JsError> {
+        self.inner.set_fixed(body, fixed).map_err(refused)
+    }
+
+    pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
+        self.inner.set_sleeping(body, sleeping).map_err(refused)
+    }
+}
