@@ -22,10 +22,10 @@ impl Q62 {
         Self { hi: 0, lo: n }
     }
 
-    /// The `f64` of these bits, low word first, in a unit of 2^`exponent` / 4, that is
-    /// `x / 2^exponent / 4`, cut towards 0 to a multiple of `u`; modulo 4, so that differences below
-    /// 2 are right however far from 0 their operands are. `x`: finite; a subnormal one is taken as
-    /// 0, which is less than `u` off where `exponent > -962`.
+    /// The `f64` of these bits, low word first, in a unit of 2^`exponent` times 4, that is
+    /// `x / 2^exponent / 4`, cut towards 0 to a multiple of `u`; modulo 4, so that differences
+    /// below 2 are right however far from 0 their operands are. `x`: finite; a subnormal one is
+    /// taken as 0, which is less than `u` off where `exponent > -962`.
     #[inline(never)]
     pub fn of([lo, hi]: [u32; 2], exponent: i32) -> Self {
         let biased = (hi >> 20) & 0x7ff;

@@ -149,9 +149,9 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave open
-/// in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if paths
-/// are not exact.
+/// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave
+/// open in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if
+/// paths are not exact.
 #[inline(always)]
 pub fn narrow(
     pair: Pair,

@@ -1,12 +1,13 @@
 //! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted
 //! here.
 
+mod decision;
 mod params;
 
+pub use decision::{Decision, IntegerDecision};
 pub use params::{
-    BlockDescent, Blocks, Building, ContactSort, Decision, Dispatch, Expansion, Frame,
-    IntegerDecision, Intervals, NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing,
-    Worlds,
+    BlockDescent, Blocks, Building, ContactSort, Dispatch, Expansion, Frame, Intervals,
+    NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing, Worlds,
 };
 
 use crate::math::aabb::Aabb;

@@ -2,7 +2,6 @@
 
 use super::{MAX_LEVELS, split};
 use crate::math::real::Real;
-use crate::narrow_phase::integer_search::Window;
 use crate::narrow_phase::search::Search;
 use bytemuck::{Pod, Zeroable};
 
@@ -316,39 +315,6 @@ pub struct SortPass {
     pub n_tiles: u32,
 }
 
-/// Parameters of the kernels that look at one listed pair a thread.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Decision {
-    /// 0: vertices against faces, 1: edges against edges.
-    pub kind: u32,
-    /// Capacity of the list of undecided pairs.
-    pub capacity_open: u32,
-}
-
-/// Parameters of the kernel that decides listed pairs without `f64`. Times are in 2^-31 of the step,
-/// as in [`Window`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct IntegerDecision {
-    /// As where pairs are decided otherwise.
-    pub of_pairs: Decision,
-    /// First time, rounded up.
-    pub from: u32,
-    /// Last time, rounded down.
-    pub until: u32,
-    /// How early a time of impact may be, rounded down; 0: integers are not asked.
-    pub tolerance: u32,
-}
-
-impl IntegerDecision {
-    /// In a window; without one integers are not asked.
-    pub fn new(of_pairs: Decision, window: Option<Window>) -> Self {
-        let Window { from, until, tolerance } = window.unwrap_or_default();
-        Self { of_pairs, from, until, tolerance }
-    }
-}
-
 /// Parameters of the kernels that expand pairs of triangles; see
 /// [`expansion`](crate::backend::triangle_pairs::expansion).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
@@ -402,7 +368,7 @@ const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 12);
 const _: () = assert!(size_of::<NodeDescent>() == 76 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
-const _: () = assert!(size_of::<Decision>() == 8 && size_of::<ContactSort>() == 4);
-const _: () = assert!(size_of::<Worlds>() == 4 && size_of::<IntegerDecision>() == 20);
+const _: () = assert!(size_of::<ContactSort>() == 4);
+const _: () = assert!(size_of::<Worlds>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);
