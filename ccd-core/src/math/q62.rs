@@ -72,7 +72,7 @@ impl Q62 {
 
     /// The number with the other sign.
     #[inline(always)]
-    pub fn neg(self) -> Self {
+    pub fn negated(self) -> Self {
         let carry = if self.lo == 0 { 1 } else { 0 };
         Self { hi: (!self.hi).wrapping_add(carry), lo: (!self.lo).wrapping_add(1) }
     }
@@ -88,13 +88,13 @@ impl Q62 {
     /// The absolute value.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        if self.is_negative() { self.neg() } else { self }
+        if self.is_negative() { self.negated() } else { self }
     }
 
     /// The number, or the other sign of it.
     #[inline(always)]
     pub fn negated_if(self, negative: bool) -> Self {
-        if negative { self.neg() } else { self }
+        if negative { self.negated() } else { self }
     }
 
     /// Whether the number is greater; for numbers that differ by less than 2.
@@ -163,7 +163,7 @@ impl Q62 {
 #[inline(always)]
 fn wide_product(a: u32, b: u32) -> [u32; 2] {
     let [a1, a0, b1, b0] = [a >> 16, a & 0xffff, b >> 16, b & 0xffff];
-    let middle = a1 * b0 + (a0 * b0 >> 16);
+    let middle = a1 * b0 + ((a0 * b0) >> 16);
     let rest = a0 * b1 + (middle & 0xffff);
     [a1 * b1 + (middle >> 16) + (rest >> 16), a.wrapping_mul(b)]
 }
@@ -196,7 +196,7 @@ mod tests {
             let (a, b) = (of(x), of(y));
             assert_eq!(a.plus(b).units(), x.wrapping_add(y), "{x} {y}");
             assert_eq!(a.minus(b).units(), x.wrapping_sub(y), "{x} {y}");
-            assert_eq!(a.neg().units(), x.wrapping_neg(), "{x}");
+            assert_eq!(a.negated().units(), x.wrapping_neg(), "{x}");
             assert_eq!(a.abs().units(), x.wrapping_abs(), "{x}");
             for n in [0, 1, 7, 31] {
                 assert_eq!(a.shifted_down(n).units(), x >> n, "{x} {n}");
@@ -211,7 +211,7 @@ mod tests {
             let wide = exact.abs() >> 125 == 0;
             assert!(!wide || (0..5).contains(&cut), "{x} {y}: {cut}");
             assert!(!wide || product == 0 || (product < 0) == (exact < 0), "{x} {y}");
-            for n in [0, 1, 1 << 31, 0x7fff_ffff, random.bits() as u32 >> 1] {
+            for n in [0, 1, 1 << 31, 0x7fff_ffff, random.bits() >> 1] {
                 let exact = x as i128 * n as i128;
                 let want = (exact.abs() >> 31) * exact.signum();
                 assert_eq!(a.times_fraction(n).units() as i128, want, "{x} {n}");
@@ -222,7 +222,7 @@ mod tests {
     #[test]
     fn coordinates_are_cut_to_units() {
         let mut random = Random::new(2);
-        let mut check = |x: f64, exponent: i32| {
+        let check = |x: f64, exponent: i32| {
             let bits = x.to_bits();
             let found = Q62::of([bits as u32, (bits >> 32) as u32], exponent).units();
             let units = x * 2f64.powi(60 - exponent);

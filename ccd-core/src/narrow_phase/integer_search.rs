@@ -250,7 +250,7 @@ fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
         }
     };
     let is_inside = |x: Q62, error: Q62| x.is_above(error);
-    let is_outside = |x: Q62, error: Q62| x.neg().is_above(error);
+    let is_outside = |x: Q62, error: Q62| x.negated().is_above(error);
     if is_outside(s, s_error)
         || is_outside(r, r_error)
         || is_outside(third, third_error)

@@ -150,7 +150,7 @@ fn control_values_are_within_their_bound() {
         let mut coordinate = |i: usize| {
             let x = random.unit() + random.unit() / (1u64 << 24) as f64;
             let x = x - random.unit() / (1u64 << 48) as f64;
-            (if i % 2 == 0 { x } else { 0.9999999 - x * 1e-8 })
+            (if i.is_multiple_of(2) { x } else { 0.9999999 - x * 1e-8 })
                 * if random.below(2) == 0 { -0.5 } else { 0.5 }
         };
         let query: Query = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate(i))));
