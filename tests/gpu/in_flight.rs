@@ -103,7 +103,10 @@ fn check_polled(device: &Device) {
     // A second one takes the place of the first, and so does a call that blocks.
     session.submit(&step.x1, &step.x1).expect("submitted");
     session.submit(&step.x0, &step.x1).expect("submitted");
-    assert!(report(&mut session).expect("contacts") == want.0, "of the second");
+    let found = report(&mut session).expect("contacts");
+    let differs = found.iter().zip(&want.0).find(|(found, want)| found != want);
+    let n = [found.len(), want.0.len()];
+    assert!(found == want.0, "of the second: {n:?} contacts, {differs:?}");
     session.submit(&step.x0, &step.x1).expect("submitted");
     assert_eq!(session.earliest_toi(&step.x0, &step.x1).expect("a time"), want.1);
     assert!(matches!(session.poll(), Err(Error::NotSubmitted)), "it is still in flight");

@@ -192,6 +192,7 @@ pub fn check_decorations() {
                 &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72]
             }
             "BlockDescent" => &[0, 76],
+            "IntegerDecision" => &[0, 8, 12, 16],
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
