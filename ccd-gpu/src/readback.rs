@@ -3,13 +3,26 @@
 use crate::device::{BLOCKS, Device};
 use crate::error::Error;
 use std::future::poll_fn;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::task::{Context, Poll, Waker, ready};
 
 /// A buffer that is mapped for reading; grows, is kept.
+///
+/// A mapping that is dropped before its bytes are here spoils the buffer, which is not used again:
+/// wgpu keeps the first wish to map it, and fulfils the next one when the first's commands are
+/// done, before those of the next.
 #[derive(Default)]
 pub struct Readback {
-    buffer: Option<wgpu::Buffer>,
+    buffer: Option<Mappable>,
+}
+
+/// A buffer, and whether a mapping of it was dropped before its bytes were here.
+#[derive(Clone, Debug)]
+struct Mappable {
+    buffer: wgpu::Buffer,
+    spoiled: Arc<AtomicBool>,
 }
 
 /// Parts that are to be read together.
@@ -29,6 +42,7 @@ pub struct Part {
 #[derive(Clone, Debug)]
 pub struct Reading {
     pub buffer: wgpu::Buffer,
+    spoiled: Arc<AtomicBool>,
     bytes: u64,
 }
 
@@ -45,8 +59,9 @@ impl Readback {
     /// Makes the buffer large enough for a plan.
     pub fn prepare(&mut self, device: &Device, plan: Plan) -> Result<Reading, Error> {
         let Plan { bytes } = plan;
-        let buffer = match self.buffer.take().filter(|b| b.size() >= bytes) {
-            Some(buffer) => buffer,
+        let fits = |b: &Mappable| b.buffer.size() >= bytes && !b.spoiled.load(Relaxed);
+        let mappable = match self.buffer.take().filter(fits) {
+            Some(mappable) => mappable,
             None => {
                 let limit = device.info().limits.max_buffer_size;
                 if bytes > limit {
@@ -60,18 +75,21 @@ impl Readback {
                     usage,
                     mapped_at_creation: false,
                 };
-                device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?
+                let buffer =
+                    device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?;
+                Mappable { buffer, spoiled: Arc::default() }
             }
         };
-        self.buffer = Some(buffer.clone());
-        Ok(Reading { buffer, bytes })
+        self.buffer = Some(mappable.clone());
+        let Mappable { buffer, spoiled } = mappable;
+        Ok(Reading { buffer, spoiled, bytes })
     }
 }
 
 impl Reading {
     /// Asks for the bytes of all parts; see [`Part::of`].
     pub fn begin(&self, device: &Device) -> Result<Mapping, Error> {
-        Mapping::new(device, &self.buffer, self.bytes)
+        Mapping::new(device, &self.buffer, &self.spoiled, self.bytes)
     }
 
     /// Waits and calls `read` with the bytes of all parts.
@@ -98,6 +116,7 @@ pub struct Mapping {
     buffer: wgpu::Buffer,
     bytes: u64,
     arrival: Arc<Mutex<Arrival>>,
+    spoiled: Arc<AtomicBool>,
 }
 
 enum Arrival {
@@ -108,8 +127,14 @@ enum Arrival {
 }
 
 impl Mapping {
-    /// Asks for the first bytes of a mappable buffer.
-    pub fn new(device: &Device, buffer: &wgpu::Buffer, bytes: u64) -> Result<Self, Error> {
+    /// Asks for the first bytes of a mappable buffer. `spoiled` is set if the mapping is dropped
+    /// before they are here; see [`Readback`].
+    pub fn new(
+        device: &Device,
+        buffer: &wgpu::Buffer,
+        spoiled: &Arc<AtomicBool>,
+        bytes: u64,
+    ) -> Result<Self, Error> {
         let arrival = if bytes == 0 { Arrival::Here } else { Arrival::Underway(None) };
         let arrival = Arc::new(Mutex::new(arrival));
         if bytes > 0 {
@@ -133,7 +158,8 @@ impl Mapping {
                 }
             })?;
         }
-        Ok(Self { device: device.clone(), buffer: buffer.clone(), bytes, arrival })
+        let (device, buffer, spoiled) = (device.clone(), buffer.clone(), spoiled.clone());
+        Ok(Self { device, buffer, bytes, arrival, spoiled })
     }
 
     /// Whether the bytes are here and the device has reported of all commands, or an error.
@@ -185,6 +211,9 @@ impl Mapping {
 
 impl Drop for Mapping {
     fn drop(&mut self) {
+        if matches!(&*lock(&self.arrival), Arrival::Underway(_)) {
+            self.spoiled.store(true, Relaxed);
+        }
         if self.bytes > 0 && !matches!(&*lock(&self.arrival), Arrival::Failed(_)) {
             // Of a lost device it is not mapped any more.
             self.device.quietly(|| self.buffer.unmap());
