@@ -21,7 +21,7 @@ pub struct Verdicts {
     pub touches: bool,
     /// 1 if not decided.
     pub undecided: u32,
-    /// The word of [`Approach`](crate::narrow_phase::approach::Approach).
+    /// The word of [`Approach`].
     pub approach: u32,
     /// Time of impact: bits of an `f64`, low word first.
     pub toi: [u32; 2],

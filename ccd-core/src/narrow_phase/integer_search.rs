@@ -22,7 +22,7 @@
 //! | three times the others | 9/32 | `3 (8.25 + 24 / 4 + 2 / 4 + 5) u < 60 u` |
 //!
 //! A halving adds `1.5 u` (three means, each up to `u / 2` too low), 31 of them `46.5 u`, and the
-//! values of another interval `3 u` (three interpolations): below `128 u` together ([`BAND`]).
+//! values of another interval `3 u` (three interpolations): below `128 u` together (`BAND`).
 
 use crate::math::q62::Q62;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
@@ -91,7 +91,7 @@ pub fn unit(rounded: &Motion<f32>) -> i32 {
     if biased >= 64 && biased <= 190 { biased - 126 } else { NO_UNIT }
 }
 
-/// No unit, see [`unit`].
+/// No unit, see [`unit()`].
 pub const NO_UNIT: i32 = i32::MAX;
 
 /// The vectors of a query, of its points at both times.
@@ -270,7 +270,7 @@ fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
 
 /// Decides a query: contact as coplanarity and containment.
 ///
-/// `points`: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`, in the unit of [`unit`].
+/// `points`: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`, in the unit of [`unit()`].
 #[inline(always)]
 pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let vectors = vectors(patch, points);
