@@ -118,6 +118,23 @@ fn times_may_be_where_the_step_is_halved() {
     }
 }
 
+/// Components are below the unit, also where their bound was rounded down past a power of two.
+#[test]
+fn a_unit_is_above_all_components() {
+    let motion = |greatest: f32| {
+        let x = [[0.0; 3], [greatest, 0.0, 0.0], [0.0; 3], [0.0; 3]];
+        Motion::edge_edge(&x, &x, 0.0)
+    };
+    for (greatest, want) in [(0.75, 0), (1.0, 1), (1.5, 1), (0.5f32.next_up(), 0)] {
+        assert_eq!(unit(&motion(greatest)), want, "{greatest}");
+    }
+    // Less than 4 units in the last place below 1, which it may be in truth.
+    assert_eq!(unit(&motion(1.0f32.next_down().next_down())), 1);
+    for greatest in [0.0, 1e-20, 1e20, f32::INFINITY, f32::NAN] {
+        assert_eq!(unit(&motion(greatest)), NO_UNIT, "{greatest}");
+    }
+}
+
 #[test]
 fn degenerate_queries_are_never_wrong() {
     let mut random = Random::new(6);
