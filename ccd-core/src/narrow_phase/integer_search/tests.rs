@@ -103,6 +103,10 @@ fn verdicts_are_those_of_exact_arithmetic() {
     assert!(open < 600, "{:?}", count.0);
 }
 
+fn is_hit(found: Found) -> bool {
+    matches!(found, Found::Hit(_))
+}
+
 /// Contacts at halves and quarters of the step are no ties.
 #[test]
 fn times_may_be_where_the_step_is_halved() {
@@ -115,6 +119,20 @@ fn times_may_be_where_the_step_is_halved() {
         let found = by_integers(Patch::Triangle, [t0, t1], &window);
         let want = (k as u32) << 28;
         assert!(matches!(found, Found::Hit(at) if at <= want && want - at < 2000), "{found:?}");
+        // The window ends or begins just before that time, at it, or just after it.
+        let near = 2f64.powi(-40);
+        for end in [y - near, y, y + near] {
+            let of = |from: f64, until: f64| {
+                let window = Search { from, until, ..Search::whole(0.0) };
+                let window = Window::of(&window).expect("a window");
+                by_integers(Patch::Triangle, [t0, t1], &window)
+            };
+            let (before, after) = (of(0.0, end), of(end, 1.0));
+            assert!(if end < y { !is_hit(before) } else { before != Found::Miss }, "{end}");
+            assert!(if end > y { !is_hit(after) } else { after != Found::Miss }, "{end}");
+            let begin = end * (1u64 << DEPTH) as f64;
+            assert!(!matches!(after, Found::Hit(at) if (at as f64) < begin), "{end}: {after:?}");
+        }
     }
 }
 
