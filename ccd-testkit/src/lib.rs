@@ -6,6 +6,7 @@ pub mod brute;
 pub mod collapse;
 pub mod compare;
 pub mod data;
+pub mod degenerate;
 pub mod grazing;
 pub mod methods;
 pub mod oracle;

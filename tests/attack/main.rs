@@ -7,6 +7,7 @@
 //! too. Cases that failed once stand in `tests/attack_cases` and are replayed before every search.
 
 mod boxes;
+mod exact;
 mod queries;
 mod query_families;
 mod session_check;
@@ -34,18 +35,26 @@ use std::time::{Duration, Instant};
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/attack_cases");
 /// Consecutive cases on one device: an emulated one compiles for half a minute.
 const IN_A_ROW: u64 = 16;
-const KINDS: [Kind; 3] =
-    [Kind::of::<boxes::Case>(), Kind::of::<queries::Case>(), Kind::of::<sessions::Case>()];
+const KINDS: [Kind; 4] = [
+    Kind::of::<boxes::Case>(),
+    Kind::of::<queries::Case>(),
+    Kind::of::<sessions::Case>(),
+    Kind::of::<exact::Case>(),
+];
 
 /// Searches for wrong answers: boxes by every method against brute force, nearly degenerate queries
-/// against exact answers, changing and failing sessions against new ones. A case that fails is
-/// shrunk and written as JSON.
+/// against exact answers, changing and failing sessions against new ones, decisions by integers
+/// against rational arithmetic. A case that fails is shrunk and written as JSON.
 #[derive(Parser)]
 #[command(name = "cargo xtask attack")]
 struct Options {
     /// How long, all kinds together
     #[arg(long, default_value_t = 10.0)]
     minutes: f64,
+    /// So many cases of each kind, however long they take; one of the kind `exact` has 100 queries
+    /// of each family, so that 10000 are a million
+    #[arg(long, conflicts_with = "minutes")]
+    cases: Option<u64>,
     /// Where the work under test runs: the GPU through both paths, with and without f64, in turn
     /// (CCD_ADAPTER chooses one; an error if there is none)
     #[arg(long, default_value = "cpu", value_parser = ["cpu", "gpu"])]
@@ -256,7 +265,11 @@ fn search<C: Case>(options: &Options, places: &[Place], share: Duration) -> Resu
             break Some((place, case, what));
         }
         number += 1;
-        if only.is_some() || start.elapsed() >= share {
+        let is_over = match options.cases {
+            Some(n) => number >= n,
+            None => start.elapsed() >= share,
+        };
+        if only.is_some() || is_over {
             break None;
         }
         if shown.elapsed().as_secs() >= 10 && std::io::stdout().is_terminal() {

@@ -1,83 +1,69 @@
 //! Exact decisions against an oracle of another algorithm, on coordinates so few that most queries
 //! are degenerate: coplanar, collinear, at rest, touching at an end or a corner.
 
+use ccd::VertexFace;
 use ccd::exact::{self, Exact};
-use ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use ccd_testkit::degenerate::{FAMILIES, KINDS, Outcome, Query};
 use ccd_testkit::grazing::random::Random;
-use ccd_testkit::{compare, sturm};
+use ccd_testkit::sturm;
 
-/// Another number of queries than by default.
-const QUERIES: &str = "CCD_EXACT";
-
-/// Both enclosures have a time in common, or there is no contact.
-#[track_caller]
-fn same(found: Option<Exact>, want: Option<[f64; 2]>, what: &dyn Fn() -> String) {
-    match (found, want) {
-        (Some(Exact::Miss), None) => (),
-        (Some(Exact::Contact([lo, hi])), Some([least, most])) => {
-            let right = lo <= most && least <= hi && hi <= lo.next_up().next_up();
-            assert!(right, "{lo:e} to {hi:e}, right is {least:e} to {most:e}: {}", what());
-        }
-        other => panic!("{other:?}: {}", what()),
-    }
-}
-
+/// A few of each family and kind; `cargo xtask attack --kind exact` takes as many as it is told.
 #[test]
-fn queries_on_a_lattice() {
-    let n_queries = std::env::var(QUERIES).map_or(200, |n| n.parse().expect("a number"));
+fn degenerate_queries() {
     let mut random = Random::new(11);
-    let mut contacts = [0; 4];
-    for i in 0..n_queries {
-        let n = [2, 3, 4, 9][i % 4];
-        let mut four = || {
-            [(); 4].map(|()| {
-                let p = [(); 3].map(|()| random.below(n) as f64);
-                if i % 3 == 0 { [p[0], p[1], 0.0] } else { p }
-            })
-        };
-        let (t0, t1) = (four(), four());
-        let window = [[0.0, 1.0], [0.25, 0.75], [0.5, 0.5], [0.1, 0.9]][i / 7 % 4];
-        let what = || format!("query {i}, {window:?}: {t0:?} {t1:?}");
-        let three = |x: &[[f64; 3]; 4]| [x[0], x[1], x[2]];
-        let ([a0, a1], [b0, b1]) = ([three(&t0), three(&t1)], [t0, t1].map(|x| [x[0], x[1]]));
-        let rods = |x: [[f64; 3]; 2]| [x[0], x[1], x[1]];
-        let answers = [
-            (
-                exact::vertex_face(&VertexFace { t0, t1 }, window),
-                sturm::vertex_face(&t0, &t1, window),
-            ),
-            (exact::edge_edge(&EdgeEdge { t0, t1 }, window), sturm::edge_edge(&t0, &t1, window)),
-            (
-                exact::vertex_edge(&VertexEdge { t0: a0, t1: a1 }, window),
-                sturm::vertex_edge(&a0, &a1, window),
-            ),
-            (
-                exact::vertex_vertex(&VertexVertex { t0: b0, t1: b1 }, window),
-                sturm::vertex_edge(&rods(b0), &rods(b1), window),
-            ),
-        ];
-        for (k, (found, want)) in answers.into_iter().enumerate() {
-            contacts[k] += want.is_some() as usize;
-            same(found, want, &what);
-        }
+    let mut contacts = [0; FAMILIES.len()];
+    for i in 0..20 * FAMILIES.len() * KINDS.len() {
+        let (family, kind) = (i % FAMILIES.len(), i / FAMILIES.len() % KINDS.len());
+        let outcome = Query::new(family, kind, &mut random).judged();
+        contacts[family] += (outcome.unwrap() != Outcome::Miss) as usize;
     }
-    assert!(contacts.iter().all(|&n| n > n_queries / 50), "{contacts:?}");
+    assert!(contacts.iter().all(|&n| n > 60), "{contacts:?}");
 }
 
+/// The first of two crossings, near each other: `8 t^2 - 2 t + 1/16 = 0`, by a face that turns.
 #[test]
-fn the_comparison_can_fail() {
-    let contact = |lo, hi| Some(Exact::Contact([lo, hi]));
-    same(contact(0.5, 0.5), Some([0.5, 0.5]), &String::new);
-    let wrong = [
-        (None, None),
-        (Some(Exact::Miss), Some([0.5, 0.5])),
-        (contact(0.5, 0.5), None),
-        (contact(0.5, 0.5), Some([0.5f64.next_up(); 2])),
-        (contact(0.5, 0.5f64.next_up().next_up().next_up()), Some([0.5, 0.5])),
-    ];
-    for (found, want) in wrong {
-        assert!(compare::fails(|| same(found, want, &String::new)), "{found:?} {want:?}");
+fn the_first_of_two_crossings_is_found() {
+    let (z, n) = (0.765625, 4.0);
+    let at = |t: f64| {
+        let face = [[0.0; 3], [n, 0.0, 3.0 - 4.0 * t], [0.0, n, 0.0]];
+        [[1.0 + 2.0 * t, 1.0, z], face[0], face[1], face[2]]
+    };
+    let query = VertexFace { t0: at(0.0), t1: at(1.0) };
+    let times = [(2.0 - 2f64.sqrt()) / 16.0, (2.0 + 2f64.sqrt()) / 16.0];
+    let after = (times[0] + times[1]) / 2.0;
+    for (window, time) in [([0.0, 1.0], times[0]), ([after, 1.0], times[1])] {
+        let Some(Exact::Contact([lo, hi])) = exact::vertex_face(&query, window) else { panic!() };
+        assert!((lo - time).abs() < 1e-15, "{lo:e}, right is {time:e}");
+        sturm::vertex_face(&query.t0, &query.t1, window).check(Some([lo, hi])).unwrap();
     }
+    assert_eq!(sturm::vertex_face(&query.t0, &query.t1, [0.0, 1.0]).count(), 2);
+    assert_eq!(exact::vertex_face(&query, [0.0625, 0.125]), Some(Exact::Miss));
+}
+
+/// Of Tight-Inclusion's first report: a vertex near a face, for which inclusion alone said 0.
+#[test]
+fn the_first_report_of_tight_inclusion_is_decided() {
+    let t0 = [
+        [3.5000000000e-01, 0.0000000000e+00, 3.5000000000e-01],
+        [3.4604643638e-01, 2.7847887896e-03, 3.4658121160e-01],
+        [3.5000819263e-01, -1.5763377304e-06, 3.5001214242e-01],
+        [3.4903882032e-01, -1.5866575093e-03, 3.4560164356e-01],
+    ];
+    let by = [
+        [0.0000000000e+00, 0.0000000000e+00, 0.0000000000e+00],
+        [1.0120300789e-07, -1.4009994248e-04, -8.5653091896e-05],
+        [-9.2976239634e-07, 1.4361165221e-06, 5.5168830145e-07],
+        [1.1649271683e-04, -3.6172565398e-05, -4.7128237917e-05],
+    ];
+    let t1 = std::array::from_fn(|i| std::array::from_fn(|k| t0[i][k] + by[i][k]));
+    let query = VertexFace { t0, t1 };
+    let found = match exact::vertex_face(&query, [0.0, 1.0]) {
+        Some(Exact::Contact(times)) => Some(times),
+        Some(Exact::Miss) => None,
+        None => panic!("not decided"),
+    };
+    sturm::vertex_face(&t0, &t1, [0.0, 1.0]).check(found).unwrap();
+    assert!(found.is_none_or(|[lo, _]| lo > 0.0), "{found:?}");
 }
 
 #[test]

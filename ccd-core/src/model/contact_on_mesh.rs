@@ -2,11 +2,12 @@
 
 use crate::layout::Pair;
 use crate::model::bodies::Bodies;
-use crate::model::contact::{Contact, Kind};
+use crate::model::contact::{Contact, Kind, State};
 use crate::model::mesh::Mesh;
 use crate::model::positions::{AsPositions, Ends, PositionView, ends};
 use crate::model::precision::{Coordinate, Precision};
 use crate::narrow_phase::contact_geometry::{ContactGeometry, contact_geometry};
+use crate::narrow_phase::exact::{Meeting, meeting};
 
 impl Contact {
     /// Its vertices: `v f0 f1 f2`, the vertex and those of the face as the mesh has them, or
@@ -74,6 +75,24 @@ impl Contact {
     }
 }
 
+/// The same with weights and normal of a decided contact, from positions at its time.
+fn met(
+    mut found: ContactGeometry,
+    exact: &Meeting,
+    n_first: usize,
+    x: &[[f64; 3]; 4],
+) -> ContactGeometry {
+    let w = exact.weights;
+    let sum = |of: core::ops::Range<usize>, k: usize| of.map(|i| w[i] * x[i][k]).sum();
+    found.weights = w;
+    found.normal = exact.normal.unwrap_or(found.normal);
+    found.on_a = [0, 1, 2].map(|k| sum(0..n_first, k));
+    found.on_b = [0, 1, 2].map(|k| sum(n_first..4, k));
+    found.point = [0, 1, 2].map(|k| 0.5 * found.on_a[k] + 0.5 * found.on_b[k]);
+    found.distance = 0.0;
+    found
+}
+
 /// [`Contact::geometry`], without the types of positions.
 #[inline(never)]
 pub(super) fn geometry(contact: &Contact, mesh: &Mesh, x: Ends) -> ContactGeometry {
@@ -83,6 +102,13 @@ pub(super) fn geometry(contact: &Contact, mesh: &Mesh, x: Ends) -> ContactGeomet
         Precision::F64(x) => x.map(|x| gather(ids, x)),
     };
     let mut found = contact_geometry(contact.kind.patch(), &t0, &t1, contact.toi, 0.0);
+    if contact.state == State::Hit
+        && let Some(exact) = meeting(contact.kind.patch(), [&t0, &t1], contact.toi)
+    {
+        let t = contact.toi;
+        let at = |i: usize| [0, 1, 2].map(|k| (1.0 - t) * t0[i][k] + t * t1[i][k]);
+        found = met(found, &exact, contact.kind.n_first(), &[0, 1, 2, 3].map(at));
+    }
     // A last vertex that is repeated has all of its weight in its first place.
     let weights = &mut found.weights;
     match contact.kind {

@@ -301,7 +301,7 @@ fn root<R: Real>(x: R) -> R {
 
 /// `v`, which is finite and not zero, in unit length: to two units of roundoff, by a step of
 /// Newton-Raphson after the division.
-fn unit_vector<R: Real>(v: [R; 3]) -> [R; 3] {
+pub(super) fn unit_vector<R: Real>(v: [R; 3]) -> [R; 3] {
     let v = scale(v, power_of_two(max_abs(v)));
     let v = scale(v, R::splat(1.0) / dot(v, v).sqrt_up());
     scale(v, (R::splat(3.0) - dot(v, v)) * R::splat(0.5))

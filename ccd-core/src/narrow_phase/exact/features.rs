@@ -33,6 +33,17 @@ impl<T: Number> Features<T> {
         Self { patch, a, b, c, normal }
     }
 
+    /// The normal of the plane of the patch.
+    pub fn normal(&self) -> &Vector<T> {
+        &self.normal
+    }
+
+    /// `s` and `r` of `a = s b + r c` at contact, and 1, all times the square of the normal.
+    pub fn weights(&self) -> [T; 3] {
+        let Self { a, b, c, normal, .. } = self;
+        [dot(&cross(a, c), normal), dot(&cross(b, a), normal), dot(normal, normal)]
+    }
+
     /// 0 when the features are coplanar.
     pub fn coplanarity(&self) -> T {
         dot(&self.a, &self.normal)

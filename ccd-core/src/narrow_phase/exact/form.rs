@@ -126,6 +126,34 @@ impl<const N: usize> Form<N> {
         out
     }
 
+    /// Its derivative by time, times a positive number.
+    pub fn derivative(&self) -> Self {
+        let n = self.degree;
+        let mut out = Self::zero(n.saturating_sub(1));
+        let times = |c: Fixed<N>, k: usize| c * Fixed::new(k as i64, 0);
+        for i in 0..n {
+            out.c[i] = times(self.c[i + 1], i + 1) - times(self.c[i], n - i);
+        }
+        out
+    }
+
+    /// The least and the greatest of its Bernstein coefficients, between which its values are, and
+    /// both times 12.
+    pub fn range(&self) -> [Fixed<N>; 2] {
+        let binomial = |n: usize, k: usize| (0..k).fold(1, |b, i| b * (n - i) / (i + 1));
+        let at = |i: usize| self.c[i] * Fixed::new(12 / binomial(self.degree, i) as i64, 0);
+        let [mut least, mut most] = [at(0); 2];
+        for c in (1..=self.degree).map(at) {
+            if (c - least).sign() < 0 || !c.is_exact() {
+                least = c;
+            }
+            if (c - most).sign() > 0 || !c.is_exact() {
+                most = c;
+            }
+        }
+        [least, most]
+    }
+
     /// About where it is 0 between its ends, of which it has different signs next to them.
     pub fn guess(&self) -> f64 {
         let bits = self.coefficients().iter().map(Fixed::bits).max().unwrap_or(0);

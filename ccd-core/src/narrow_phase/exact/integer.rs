@@ -81,6 +81,17 @@ impl<const N: usize> Fixed<N> {
         (word(whole) >> part | high, rest, below)
     }
 
+    /// The magnitude as the sum of two numbers, the second below 1 and off by at most `2^-53` of
+    /// itself, times a power of two, given as its exponent.
+    pub fn in_two(&self) -> ([f64; 2], i32) {
+        let (mantissa, _, unit) = self.leading();
+        let whole = Self { negative: self.negative, ..Self::new(mantissa as i64, unit) };
+        let (low, _, low_unit) = (*self - whole).leading();
+        let below = unit - low_unit.min(unit);
+        let low = if below > 1022 { 0.0 } else { low as f64 * power_of_two(-(below as i32)) };
+        ([mantissa as f64, low], unit as i32)
+    }
+
     /// The number in units of `2^bits`, which no bit of it reaches, rounded; what is tiny is 0.
     pub fn rounded(&self, bits: u32) -> f64 {
         let (mantissa, _, exponent) = self.leading();
@@ -240,6 +251,11 @@ impl<const N: usize> Mul for Fixed<N> {
         }
         out.trimmed(len.min(N))
     }
+}
+
+/// `2^e`, a normal number.
+pub fn power_of_two(e: i32) -> f64 {
+    f64::from_bits(((e + 1023) as u64) << 52)
 }
 
 #[cfg(test)]

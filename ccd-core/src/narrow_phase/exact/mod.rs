@@ -25,6 +25,7 @@
 
 mod features;
 mod form;
+mod geometry;
 mod integer;
 mod moment;
 mod refine;
@@ -37,6 +38,7 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Search, Verdict};
 use features::{Features, OnEdge, differences};
 use form::Form;
+pub(crate) use geometry::{Meeting, meeting};
 use integer::{Fixed, parts};
 pub(crate) use moment::shares_a_point;
 use vector::{Vector, minus};

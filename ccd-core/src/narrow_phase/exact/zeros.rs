@@ -13,7 +13,7 @@
 //! divisor of both forms.
 
 use super::form::Form;
-use super::integer::{Fixed, parts};
+use super::integer::{Fixed, parts, power_of_two};
 
 /// A cubic has no more, counted once each.
 const MAX_ZEROS: usize = 3;
@@ -173,7 +173,7 @@ impl<const N: usize> Time<N> {
 
     /// Makes the interval shorter: two of `2^`[`STEPS`] parts, where exact signs confirm what
     /// rounded arithmetic guesses; else a half.
-    fn narrow(&mut self) -> Option<()> {
+    pub fn narrow(&mut self) -> Option<()> {
         if let Time::Between(form, part, sign) = self {
             let [from, to] = *part;
             let guess = form.over(from, to).checked()?.guess();
@@ -325,8 +325,3 @@ fn dyadic<const N: usize>(time: f64) -> Option<Dyadic<N>> {
 
 /// The power of two of the last bit of a denormal.
 const LEAST: i32 = -1074;
-
-/// `2^e`, a normal number.
-fn power_of_two(e: i32) -> f64 {
-    f64::from_bits(((e + 1023) as u64) << 52)
-}
