@@ -199,7 +199,11 @@ fn meeting(family: usize, kind: &str, whole: [f64; 2], r: &mut Random) -> ([[V; 
         // One plane that moves: linear in time.
         (v[1], v[2]) = ([0; 3], [0; 3]);
     }
-    if kind == "double root" {
+    if kind == "double root" && r.below(2) == 0 {
+        // A patch that shrinks to a point has a double root there, and the other at the contact.
+        let by = [-2, -1, 1, 2][r.below(4)];
+        (v[1], v[2]) = (b.map(|x| x / n * by), c.map(|x| x / n * by));
+    } else if kind == "double root" {
         // A patch that turns about a side: coplanar where `h x - n z = m t^2`, and near that time
         // twice or never if `z` is moved.
         let [h0, h1, x1] = vector(r, 3);

@@ -97,8 +97,7 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// How many there are: one if they touch at the beginning, or all the time on one line or in one
-    /// plane.
+    /// How many there are: one if they touch at the beginning, or stay on one line or in one plane.
     pub fn count(&self) -> usize {
         let later = self.later.len();
         self.begin.is_some() as usize + if self.of_one { later } else { later.min(1) }

@@ -3,6 +3,7 @@
 
 mod codimensional;
 mod exact;
+mod exact_geometry;
 mod geometry;
 mod separation;
 mod worlds;

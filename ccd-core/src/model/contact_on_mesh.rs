@@ -64,6 +64,26 @@ impl Contact {
     /// time until which the step is certainly free. One contact takes about a third of a
     /// microsecond.
     ///
+    /// # Of exact times
+    /// Of a hit that begins between its `toi` and the next `f64`, as all do in
+    /// [`Mode::Exact`](super::options::Mode), geometry is that of the true time, by integers:
+    ///
+    /// - each weight is off by at most 0.51 units in the last place, and 0 or 1 if it is that;
+    /// - `on_a` and `on_b` are the positions at `toi`, weighted: off by at most `16 u` of the
+    ///   greatest coordinate, `u = 2^-53`; `distance` is 0;
+    /// - the normal is perpendicular to the face, or to both edges, to `8 u`, on corners and sides
+    ///   too, and points to the side of `b` on which `a` is just before: the relative velocity is
+    ///   never along it. If features touch at the start of the step, that is the side from which
+    ///   the same motion would have come. Needles and nearly parallel edges are no exception.
+    ///
+    /// This takes tens of microseconds. Where features are in one plane all the time the normal is
+    /// by the rules of [`contact_geometry`]; where the face has no area then, edges are parallel,
+    /// or features are an edge or a vertex, so are weights and points, because they are not unique
+    /// or not quotients of the same forms.
+    ///
+    /// A normal away from one of both features is this one for `a`, and its opposite for `b`; of a
+    /// body, [`Hit::normal_towards`](super::session::Hit::normal_towards).
+    ///
     /// # Panics
     /// If the contact is none of this mesh, or there is no position for one of its vertices.
     pub fn geometry<A, B>(&self, mesh: &Mesh, x0: &A, x1: &B) -> ContactGeometry
