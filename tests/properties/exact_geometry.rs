@@ -61,7 +61,7 @@ fn check(family: usize, t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4], toi: f64) -> boo
 fn weights_and_normals_are_those_of_the_true_time() {
     let mut random = Random::new(5);
     let (mut n_judged, mut n_thin) = (0, 0);
-    for i in 0..4000 {
+    for i in 0..800 {
         let (family, is_thin) = (i % 2, i % 3 > 0);
         let mut query = Query::new(family, i / 2 % KINDS.len(), &mut random);
         query.window = [0.0, 1.0];
@@ -73,7 +73,7 @@ fn weights_and_normals_are_those_of_the_true_time() {
         n_judged += is_judged as usize;
         n_thin += (is_judged && is_thin) as usize;
     }
-    assert!(n_judged > 800 && n_thin > 200, "{n_judged}, {n_thin}");
+    assert!(n_judged > 160 && n_thin > 40, "{n_judged}, {n_thin}");
 }
 
 /// The normal towards a body points to the side from which it came, of needles too.

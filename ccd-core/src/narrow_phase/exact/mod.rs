@@ -23,6 +23,7 @@
 //! enough, and a polynomial that is not 0 at a zero of another has coefficients of one sign over a
 //! small enough interval around it.
 
+mod ball;
 mod features;
 mod form;
 mod geometry;
@@ -212,10 +213,7 @@ pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -
         Some(Verdict::Miss) => return Some(Exact::Miss),
         Some(Verdict::Hit { toi }) => {
             let last = (toi + wanted.tolerance).min(until);
-            let [a, b, c] = differences(patch);
-            let ends = |[i, j]: [usize; 2]| [[x[0][i], x[1][i]], [x[0][j], x[1][j]]];
-            let vectors = [ends(a), ends(b), ends(c)];
-            if let Some(time) = refine::rounded_down(vectors, [toi, last]) {
+            if let Some(time) = refine::rounded_down(vectors(patch, x), [toi, last]) {
                 return Some(Exact::Contact([time, time.next_up()]));
             }
         }
@@ -235,6 +233,13 @@ pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) 
     by_integers::<8>(patch, x, window)
         .or_else(|| by_integers::<24>(patch, x, window))
         .or_else(|| by_integers::<96>(patch, x, window))
+}
+
+/// Both points of each difference `a b c`, at both ends of the step.
+fn vectors(patch: Patch, x: [&[[f64; 3]; 4]; 2]) -> [[[[f64; 3]; 2]; 2]; 3] {
+    let ends = |[i, j]: [usize; 2]| [[x[0][i], x[1][i]], [x[0][j], x[1][j]]];
+    let [a, b, c] = differences(patch);
+    [ends(a), ends(b), ends(c)]
 }
 
 /// Positions at the beginning of a window, if they are among those given.

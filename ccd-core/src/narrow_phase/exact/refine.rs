@@ -28,13 +28,16 @@ use core::ops::{Add, Mul, Sub};
 
 /// An unevaluated sum of a number and what rounding took away from it.
 #[derive(Clone, Copy, Debug)]
-struct Double {
-    high: f64,
-    low: f64,
+pub struct Double {
+    /// The sum, rounded.
+    pub high: f64,
+    /// The rest.
+    pub low: f64,
 }
 
 impl Double {
-    fn of((high, low): (f64, f64)) -> Self {
+    /// From a sum or product of [`expansion`] and its rest.
+    pub fn of((high, low): (f64, f64)) -> Self {
         Self { high, low }
     }
 
@@ -118,10 +121,29 @@ fn value([a, b, c]: &[Pair3; 3]) -> f64 {
     (a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1)).high
 }
 
+/// The only zero of `f` in an interval that has one: at `t + correction`, off by at most `off`.
+pub struct Zero {
+    /// A time of the interval.
+    pub t: f64,
+    /// From there to the zero.
+    pub correction: f64,
+    /// Bound of the error.
+    pub off: f64,
+}
+
 /// The time of the only contact in `[lo, hi]`, in which there is one, rounded down; `None` if this
 /// arithmetic does not tell. `vectors`: `p` and `q` at both ends of the step, whose differences are
 /// `a b c`.
 pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Option<f64> {
+    let Zero { t, correction, off } = zero(vectors, [lo, hi])?;
+    let from_t = |x: f64| Double::of(expansion::sum(t, x)).rounded_down();
+    let found = from_t(Real::next_down(correction - off));
+    let same = found == from_t(Real::next_up(correction + off));
+    (same && found >= lo).then_some(found)
+}
+
+/// The same, not rounded.
+pub fn zero(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Option<Zero> {
     let paths = three(|i| Path::new(vectors[i][0], vectors[i][1]));
     let all = paths[0].size * paths[1].size * paths[2].size;
     let fine = |x: f64| (1.0 / LARGE..=LARGE).contains(&x);
@@ -158,10 +180,7 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     let least = (slope.abs() - near).max(least);
     let correction = -f / slope;
     let off = (correction.abs() * (near / least + 16.0 * f64::UNIT) + f_error / least) * 1.001;
-    let from_t = |x: f64| Double::of(expansion::sum(t, x)).rounded_down();
-    let found = from_t(Real::next_down(correction - off));
-    let same = found == from_t(Real::next_up(correction + off));
-    (same && found >= lo).then_some(found)
+    Some(Zero { t, correction, off })
 }
 
 /// Sizes of vectors are between this, 2^100, and its inverse.

@@ -1,0 +1,94 @@
+//! Numbers in double-double with a bound of how far off they are.
+
+use super::refine::Double;
+use super::vector::{Number, Vector};
+use crate::math::expansion;
+use crate::math::real::Num;
+
+/// A number and a bound of its error.
+///
+/// Sums of pairs are off by `3 u^2` of themselves and products by `7 u^2`, `u = 2^-53`
+/// [Joldes 2017], but for what underflows, which is far less than [`UNDERFLOW`] a product. Nothing
+/// here may overflow.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball {
+    value: Double,
+    error: f64,
+}
+
+/// What underflow may add to the error of a product.
+const UNDERFLOW: f64 = 1e-300;
+
+impl Ball {
+    /// `a + b`, exactly.
+    pub fn sum(a: f64, b: f64) -> Self {
+        Self { value: Double::of(expansion::sum(a, b)), error: 0.0 }
+    }
+
+    /// The same, off by at most `error` more.
+    pub fn off_by(self, error: f64) -> Self {
+        Self { error: self.error + error, ..self }
+    }
+
+    /// Rounded to the nearest, nearly.
+    pub fn rounded(&self) -> f64 {
+        self.value.high
+    }
+
+    /// Bound of the magnitude of the value, the error left out.
+    fn size(&self) -> f64 {
+        Num::abs(self.value.high) * (1.0 + f64::EPSILON)
+    }
+
+    /// The sign, if it is certain that it is this and not 0.
+    pub fn sign(&self) -> Option<i32> {
+        let sign = if self.value.high < 0.0 { -1 } else { 1 };
+        (Num::abs(self.value.high) * (1.0 - f64::EPSILON) > self.error).then_some(sign)
+    }
+
+    /// Whether it is off by at most `2^-62` of `size`.
+    pub fn is_tight(&self, size: f64) -> bool {
+        self.error <= size * TIGHT
+    }
+
+    /// The quotient of two positive numbers that are tight, of each itself: to 0.51 units in the
+    /// last place.
+    pub fn quotient(&self, by: &Self) -> Option<f64> {
+        let positive = |x: &Self| x.sign() == Some(1) && x.is_tight(x.value.high);
+        if !(positive(self) && positive(by)) {
+            return None;
+        }
+        let (p, q) = (self.value, by.value);
+        let first = p.high / q.high;
+        let (product, below) = expansion::product(first, q.high);
+        let rest = (p.high - product) - below + (p.low - first * q.low);
+        Some(first + rest / q.high)
+    }
+
+    /// Of a result that was rounded by `units u^2` of itself.
+    fn result(value: Double, error: f64, units: f64) -> Self {
+        let rounding = Num::abs(value.high) * (units * f64::UNIT * f64::UNIT);
+        Self { value, error: (error + rounding) * (1.0 + 8.0 * f64::EPSILON) }
+    }
+}
+
+/// `2^-62`.
+const TIGHT: f64 = 2.168_404_344_971_009e-19;
+
+impl Number for Ball {
+    fn plus(&self, other: &Self) -> Self {
+        Self::result(self.value + other.value, self.error + other.error, 4.0)
+    }
+    fn minus(&self, other: &Self) -> Self {
+        Self::result(self.value - other.value, self.error + other.error, 4.0)
+    }
+    fn times(&self, other: &Self) -> Self {
+        let error = self.size() * other.error + (other.size() + other.error) * self.error;
+        Self::result(self.value * other.value, error + UNDERFLOW, 8.0)
+    }
+}
+
+/// A point that moves from one place to another, at a time.
+pub fn at(t0: &[f64; 3], t1: &[f64; 3], time: &Ball) -> Vector<Ball> {
+    [0, 1, 2].map(|k| Ball::sum(t0[k], 0.0).plus(&Ball::sum(t1[k], -t0[k]).times(time)))
+}
