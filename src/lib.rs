@@ -72,6 +72,9 @@
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
 pub mod any;
+#[cfg(not(target_family = "wasm"))]
+#[doc(hidden)]
+pub mod group;
 #[cfg(feature = "io")]
 pub mod io;
 #[cfg(feature = "scenes")]
@@ -122,9 +125,13 @@ pub mod positions {
     pub use ccd_core::model::precision::Precision;
 }
 
-/// The GPU backend: [`gpu::Device`], [`gpu::Session`].
+/// The GPU backend: [`gpu::Device`], [`gpu::Session`]; several GPUs of one host: [`gpu::Group`].
 #[cfg(feature = "gpu")]
-pub use ccd_gpu as gpu;
+pub mod gpu {
+    #[cfg(not(target_family = "wasm"))]
+    pub use crate::group::Group;
+    pub use ccd_gpu::*;
+}
 
 /// The README's examples are compiled and run with the documentation tests.
 #[cfg(all(doctest, feature = "gpu"))]

@@ -83,6 +83,26 @@ impl Device {
         at_once(Self::open_async(options)).unwrap_or(Err(Error::CannotBlock))
     }
 
+    /// Opens every GPU of the type (discrete, say) and the GPU API of the one that [`Device::open`]
+    /// takes, in the order of [`Device::adapters`]: for sessions on
+    /// several devices at once.
+    ///
+    /// # Errors
+    /// Those of [`Device::open`].
+    pub fn open_all(options: &DeviceOptions) -> Result<Vec<Self>, Error> {
+        let first = Self::open(options)?;
+        let of = &first.info().adapter;
+        let is_one = |info: &wgpu::AdapterInfo| {
+            (info.backend, info.device_type) == (of.backend, of.device_type)
+        };
+        let all = Self::adapters().into_iter().enumerate().filter(|(_, info)| is_one(info));
+        let open = |(number, _): (usize, _)| {
+            let adapter = Some(number.to_string());
+            Self::open(&DeviceOptions { adapter, ..options.clone() })
+        };
+        all.map(open).collect()
+    }
+
     /// All adapters of this machine, once for every GPU API that reaches them; none in a browser,
     /// which lists none.
     pub fn adapters() -> Vec<wgpu::AdapterInfo> {

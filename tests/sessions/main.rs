@@ -10,6 +10,7 @@ mod exact_mode;
 mod forms;
 mod found;
 mod fronts;
+mod groups;
 mod leaving;
 mod limits;
 mod moving_bodies;

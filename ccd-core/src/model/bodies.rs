@@ -377,6 +377,7 @@ impl Bodies {
     }
 }
 
+mod part;
 mod ready;
 #[cfg(test)]
 mod tests;

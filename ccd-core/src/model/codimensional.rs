@@ -33,18 +33,7 @@ impl Codimensional {
             // Every pair has such a vertex.
             return Self::default();
         }
-        let mut has_face = vec![false; mesh.edges().len()];
-        for &[a, b, c] in mesh.faces() {
-            for [p, q] in [[a, b], [b, c], [c, a]] {
-                // Edges are sorted by their greater vertex, then by the lesser.
-                let key = (p.max(q), p.min(q));
-                if let Ok(at) = mesh.edges().binary_search_by_key(&key, |&[a, b]| (b, a)) {
-                    has_face[at] = true;
-                }
-            }
-        }
-        let alone = (0..).zip(has_face).filter(|(_, has_face)| !has_face);
-        Self { vertices: mesh.isolated_vertices().to_vec(), edges: alone.map(|(e, _)| e).collect() }
+        Self { vertices: mesh.isolated_vertices().to_vec(), edges: edges_of_no_face(mesh) }
     }
 
     /// Whether there can be no pair of them.
@@ -86,6 +75,25 @@ impl Codimensional {
         }));
         out.sort_unstable_by_key(|pair| (pair.a, pair.b));
     }
+}
+
+/// The edges that no face has, ascending.
+pub fn edges_of_no_face(mesh: &Mesh) -> Vec<u32> {
+    // Edges are sorted by their greater vertex, then by the lesser.
+    let mut begin = vec![0; mesh.n_vertices() + 1];
+    mesh.edges().iter().for_each(|&[_, b]| begin[b as usize + 1] += 1);
+    (0..mesh.n_vertices()).for_each(|v| begin[v + 1] += begin[v]);
+    let mut has_face = vec![false; mesh.edges().len()];
+    for &[a, b, c] in mesh.faces() {
+        for [p, q] in [[a, b], [b, c], [c, a]] {
+            let (lesser, greater) = (p.min(q), p.max(q) as usize);
+            let of = begin[greater]..begin[greater + 1];
+            if let Some(at) = mesh.edges()[of.clone()].iter().position(|&[a, _]| a == lesser) {
+                has_face[of.start + at] = true;
+            }
+        }
+    }
+    (0..).zip(has_face).filter(|(_, has_face)| !has_face).map(|(e, _)| e).collect()
 }
 
 fn swept<T: Real>(x: [&[[T; 3]]; 2], ids: &[u32], min_distance: f64) -> Aabb<f64> {

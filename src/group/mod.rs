@@ -1,0 +1,378 @@
+//! One mesh on several devices of one host: a session that shares a step out.
+//!
+//! Each member has an engine and a part of the mesh (`parts.rs`). Parts hold as long as vertices
+//! stay near where they were; then a step copies positions to the members, all look for contacts at
+//! once, and what they find is put in order. A contact that two members found counts once.
+
+mod parts;
+
+use crate::positions::Precision;
+use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
+use ccd_core::model::contact::State as ContactState;
+use ccd_core::model::precision::Given;
+use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, On, State};
+use parts::{Part, Parts};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
+/// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
+/// of every backend](session::Session), and find the contacts that one device finds, in the same
+/// order.
+///
+/// The mesh is in as many parts as there are devices, each with what touches it from outside. The
+/// first step makes them, and another one where vertices have left the places that parts were made
+/// for: about a hundredth of the scene, more if they move fast. That takes as long as hundreds of
+/// steps.
+///
+/// Of a report, [`Report::candidates`], [`Report::filtered`] and counts of a method are sums over
+/// all devices: pairs at the borders of parts count for each device that looks at them.
+/// [`Options::max_memory`] is that of each device.
+///
+/// ```no_run
+/// use ccd::gpu::{Device, DeviceOptions, Group};
+/// use ccd::{Mesh, Options};
+///
+/// let devices = Device::open_all(&DeviceOptions::default())?;
+/// let mut group = Group::new(&devices, Mesh::new(4, &[[0, 1, 2]])?, Options::default())?;
+/// let report = group.step(&[[0.0f32; 3]; 4], &[[1.0; 3]; 4])?;
+/// println!("{} contacts by {} devices", report.contacts.len(), devices.len());
+/// # Ok::<(), ccd::gpu::Error>(())
+/// ```
+#[cfg(feature = "gpu")]
+pub type Group = session::Session<Engine<ccd_gpu::Engine>, On<Vec<ccd_gpu::Device>>>;
+
+/// An engine that can be a member.
+pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
+    /// Candidates in lists.
+    ///
+    /// # Errors
+    /// Those of [`session::Engine::candidates`].
+    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Self::Error>;
+}
+
+#[cfg(feature = "gpu")]
+impl Member for ccd_gpu::Engine {
+    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, ccd_gpu::Error> {
+        session::Engine::candidates(self, given)
+    }
+}
+
+impl Member for ccd_cpu::Engine {
+    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Error> {
+        let found = session::Engine::candidates(self, given)?;
+        let lists = [found.vf.to_vec(), found.ee.to_vec()];
+        Ok(Candidates::new(lists, [found.ve.to_vec(), found.vv.to_vec()]))
+    }
+}
+
+/// What a [`Group`] has.
+pub struct Engine<E> {
+    state: State,
+    members: Vec<InGroup<E>>,
+    /// The parts that members have the meshes of, if they have.
+    parts: Option<Parts>,
+    filter: Option<Arc<Filter>>,
+    cancel: Option<CancelToken>,
+    n_partitions: u32,
+}
+
+/// A member, and what it copies and finds.
+struct InGroup<E> {
+    engine: E,
+    in_f32: [Vec<[f32; 3]>; 2],
+    in_f64: [Vec<[f64; 3]>; 2],
+    contacts: Vec<Contact>,
+    lists: [Vec<Pair>; 4],
+}
+
+impl<E: Member> InGroup<E> {
+    /// Copies the positions of its part; whether they are all where they may be.
+    fn gather(&mut self, part: &Part, given: Given, n_threads: usize) -> bool {
+        match given {
+            Precision::F32(x) => part.gather(x, &mut self.in_f32, n_threads),
+            Precision::F64(x) => part.gather(x, &mut self.in_f64, n_threads),
+        }
+    }
+
+    /// Finds what is asked for, in ids of the whole mesh.
+    fn find(&mut self, part: &Part, is_f32: bool, ask: Asked) -> Result<(), E::Error> {
+        let [a, b] = &self.in_f32;
+        let [c, d] = &self.in_f64;
+        let given = if is_f32 { Given::F32([a, b]) } else { Given::F64([c, d]) };
+        self.contacts.clear();
+        match ask {
+            Asked::Step(ask) => {
+                self.engine.find(given, None, ask)?;
+                self.contacts.extend(self.engine.state().report.contacts.iter().map(|c| {
+                    let [a, b] = part.ids(c.kind, [c.a, c.b]);
+                    let contact = Contact::new(c.kind, c.state, a, b, c.toi);
+                    contact.with_approach(c.approach)
+                }));
+            }
+            Asked::Candidates => {
+                let found = self.engine.list(given)?;
+                self.lists = [found.vf, found.ee, found.ve, found.vv];
+                for (list, kind) in self.lists.iter_mut().zip(Kind::ALL) {
+                    list.iter_mut().for_each(|pair| {
+                        [pair.a, pair.b] = part.ids(kind, [pair.a, pair.b]);
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Asked {
+    Step(Ask),
+    Candidates,
+}
+
+impl<E: Member> session::Engine for Engine<E> {
+    type On = Vec<E::On>;
+    type Error = E::Error;
+    type Candidates<'a>
+        = Candidates<Vec<Pair>>
+    where
+        E: 'a;
+
+    fn new(on: &Vec<E::On>, state: State) -> Result<Self, E::Error> {
+        if on.is_empty() {
+            let (name, greatest) = ("devices of a group", u64::MAX);
+            return Err(Error::Setting { name, value: 0, least: 1, greatest }.into());
+        }
+        let member = |on| {
+            let state = State::new(Arc::new(Mesh::default()), without_bodies(&state.options));
+            let engine = E::new(on, state)?;
+            let (in_f32, in_f64) = Default::default();
+            Ok(InGroup { engine, in_f32, in_f64, contacts: Vec::new(), lists: Default::default() })
+        };
+        let members = on.iter().map(member).collect::<Result<_, E::Error>>()?;
+        Ok(Self { state, members, parts: None, filter: None, cancel: None, n_partitions: 0 })
+    }
+
+    fn state(&self) -> &State {
+        &self.state
+    }
+
+    fn clear(&mut self) {
+        self.state.report.clear();
+    }
+
+    fn find(&mut self, given: Given, _: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
+        self.clear();
+        let start = Instant::now();
+        self.place(given)?;
+        let placed = start.elapsed();
+        self.each(given, Asked::Step(ask))?;
+        let State { mesh, report, .. } = &mut self.state;
+        report.set_mesh(mesh);
+        for member in &self.members {
+            report.contacts.extend_from_slice(&member.contacts);
+            add(report, &member.engine.state().report);
+        }
+        // Lists in order are runs to this sort.
+        report.contacts.sort_by_key(|c| (c.kind, c.a, c.b));
+        report.contacts.dedup_by_key(|c| (c.kind, c.a, c.b));
+        let undecided = report.contacts.iter().filter(|c| c.state == ContactState::Undecided);
+        report.undecided = undecided.count() as u64;
+        report.times.boxes += placed.as_secs_f64() * 1e3;
+        report.times.total = start.elapsed().as_secs_f64() * 1e3;
+        Ok(())
+    }
+
+    fn candidates(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, E::Error> {
+        self.clear();
+        let listed = self.place(given).and_then(|()| self.each(given, Asked::Candidates));
+        listed.inspect_err(|_| self.clear())?;
+        let lists = [0, 1, 2, 3].map(|kind| {
+            let of = self.members.iter_mut().map(|member| &mut member.lists[kind]);
+            let mut all: Vec<Pair> = of.flat_map(std::mem::take).collect();
+            all.sort_unstable_by_key(|pair| (pair.a, pair.b));
+            all.dedup();
+            all
+        });
+        let State { mesh, report, .. } = &mut self.state;
+        report.set_mesh(mesh);
+        for (kind, list) in Kind::ALL.into_iter().zip(&lists) {
+            *report.candidates.of(kind) = list.len() as u64;
+        }
+        let [vf, ee, ve, vv] = lists;
+        Ok(Candidates::new([vf, ee], [ve, vv]))
+    }
+
+    fn change(&mut self, change: Change) -> Result<(), E::Error> {
+        // A member that was changed while another refused has its mesh sent again.
+        let parts = self.parts.take();
+        match change {
+            Change::Mesh(mesh, options) => {
+                let none = Change::Mesh(Arc::new(Mesh::default()), without_bodies(&options));
+                self.change_each(|_| none.clone())?;
+                (self.state.mesh, self.state.options) = (mesh, options);
+            }
+            Change::Bodies(bodies) => {
+                if let Some(parts) = parts {
+                    let of = |part: &Part| bodies.as_ref().map(|bodies| part.bodies(bodies));
+                    self.change_each(|i| Change::Bodies(of(&parts.all[i])))?;
+                    self.parts = Some(parts);
+                }
+                self.state.options.bodies = bodies;
+            }
+            Change::MinDistance(distance) => {
+                self.change_each(|_| Change::MinDistance(distance))?;
+                self.parts = parts.filter(|parts| distance <= parts.min_distance);
+                self.state.options.min_distance = distance;
+            }
+            Change::Filter(filter) => {
+                // Whether it is taken at all; the next step gives each its own.
+                self.members[0].engine.change(Change::Filter(filter.clone()))?;
+                self.filter = filter;
+            }
+        }
+        Ok(())
+    }
+
+    fn set_cancel_token(&mut self, token: Option<CancelToken>) {
+        for member in &mut self.members {
+            member.engine.set_cancel_token(token.clone());
+        }
+        self.cancel = token;
+    }
+
+    fn cancel_token(&self) -> Option<&CancelToken> {
+        self.cancel.as_ref()
+    }
+}
+
+impl<E: Member> Engine<E> {
+    /// How often the mesh was divided since the session began.
+    pub fn n_partitions(&self) -> u32 {
+        self.n_partitions
+    }
+
+    /// The engine of each member, as after its last call.
+    pub fn members(&self) -> impl ExactSizeIterator<Item = &E> {
+        self.members.iter().map(|member| &member.engine)
+    }
+
+    fn change_each(&mut self, change: impl Fn(usize) -> Change) -> Result<(), E::Error> {
+        let members = self.members.iter_mut().enumerate();
+        members.map(|(i, member)| member.engine.change(change(i))).collect()
+    }
+
+    /// Members have the positions of their parts, which are made anew where they do not hold.
+    fn place(&mut self, given: Given) -> Result<(), E::Error> {
+        if let Some(bodies) = &self.state.options.bodies
+            && let Some(vertex) = match given {
+                Precision::F32(x) => moving_still(bodies, x),
+                Precision::F64(x) => moving_still(bodies, x),
+            }
+        {
+            return Err(Error::FixedMoves { vertex }.into());
+        }
+        if self.parts.is_some() && self.gather(given) {
+            return Ok(());
+        }
+        let State { mesh, options, .. } = &self.state;
+        self.parts = None;
+        let parts = Parts::new(mesh, given, self.members.len(), options.min_distance)?;
+        let of_part = |part: &Part| {
+            let bodies = options.bodies.as_ref().map(|bodies| part.bodies(bodies));
+            options.clone().with_bodies(bodies)
+        };
+        for (member, part) in self.members.iter_mut().zip(&parts.all) {
+            member.engine.change(Change::Mesh(part.mesh.clone(), of_part(part)))?;
+            let filter = self.filter.clone().map(|filter| {
+                let part = part.clone();
+                Arc::new(move |kind: Kind, a: u32, b: u32| {
+                    let [a, b] = part.ids(kind, [a, b]);
+                    filter(kind, a, b)
+                }) as Arc<Filter>
+            });
+            member.engine.change(Change::Filter(filter))?;
+        }
+        self.parts = Some(parts);
+        self.n_partitions += 1;
+        // They have room for these positions, if such numbers fit at all.
+        self.gather(given);
+        Ok(())
+    }
+
+    fn gather(&mut self, given: Given) -> bool {
+        let Some(Parts { all, .. }) = &self.parts else { return false };
+        let few = self.state.mesh.n_vertices() < FEWEST_FOR_THREADS;
+        let available = std::thread::available_parallelism().map_or(1, usize::from);
+        let n_threads = if few { 1 } else { (available / all.len()).clamp(1, MOST_THREADS) };
+        let members = self.members.iter_mut().zip(all);
+        let gather =
+            |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.gather(part, given, n_threads);
+        at_once(members, gather).into_iter().all(|holds| holds)
+    }
+
+    /// All members at once.
+    fn each(&mut self, given: Given, ask: Asked) -> Result<(), E::Error> {
+        let Some(Parts { all, .. }) = &self.parts else { return Ok(()) };
+        let is_f32 = matches!(given, Precision::F32(_));
+        let members = self.members.iter_mut().zip(all);
+        let find = |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.find(part, is_f32, ask);
+        at_once(members, find).into_iter().collect()
+    }
+}
+
+/// Vertices from which on positions are copied by several threads a member.
+const FEWEST_FOR_THREADS: usize = 100_000;
+/// Threads that copy for one member.
+const MOST_THREADS: usize = 8;
+
+/// Each on a thread of its own, the first on this one; results in order.
+fn at_once<T: Send, R: Send>(
+    mut all: impl Iterator<Item = T>,
+    of: impl Fn(T) -> R + Sync,
+) -> Vec<R> {
+    let of = &of;
+    std::thread::scope(|scope| {
+        let first = all.next();
+        let others: Vec<_> = all.map(|each| scope.spawn(move || of(each))).collect();
+        let joined = |other: std::thread::ScopedJoinHandle<R>| {
+            other.join().unwrap_or_else(|e| std::panic::resume_unwind(e))
+        };
+        first.map(of).into_iter().chain(others.into_iter().map(joined)).collect()
+    })
+}
+
+fn without_bodies(options: &Options) -> Options {
+    options.clone().with_bodies(None)
+}
+
+/// The first vertex that moves and may not.
+fn moving_still<T: PartialEq>(bodies: &crate::Bodies, [x0, x1]: [&[T]; 2]) -> Option<usize> {
+    let may_move = bodies.fixed_may_move();
+    (0..x0.len()).find(|&v| !may_move && x0[v] != x1[v] && bodies.is_fixed(v as u32))
+}
+
+/// Adds what a member counted, and the times of the slowest.
+fn add(all: &mut Report, of: &Report) {
+    all.toi = all.toi.into_iter().chain(of.toi).reduce(f64::min);
+    for kind in Kind::ALL {
+        let mut candidates = of.candidates;
+        let mut filtered = of.filtered;
+        *all.candidates.of(kind) += *candidates.of(kind);
+        *all.filtered.of(kind) += *filtered.of(kind);
+    }
+    all.triangles = match (all.triangles, of.triangles) {
+        (Some(a), Some(b)) => Some(a.plus(b)),
+        (a, b) => a.or(b),
+    };
+    all.front = match (all.front, of.front) {
+        (Some(a), Some(b)) => Some(a.plus(b)),
+        (a, b) => a.or(b),
+    };
+    all.rebuilt |= of.rebuilt;
+    let (most, of) = (&mut all.times, &of.times);
+    most.boxes = most.boxes.max(of.boxes);
+    most.build = most.build.max(of.build);
+    most.traverse = most.traverse.max(of.traverse);
+    most.narrow = most.narrow.max(of.narrow);
+}
