@@ -93,6 +93,10 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
         }
         write(&text)?;
     }
+    if wanted(Part::Group) {
+        crate::group::measure(runs, &mut text).map_err(error)?;
+        write(&text)?;
+    }
     println!("{text}");
     Ok(())
 }

@@ -13,6 +13,8 @@ mod compile_times;
 mod doc_examples;
 #[cfg(feature = "report")]
 mod gpu;
+#[cfg(feature = "report")]
+mod group;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]
 mod instructions;
 #[cfg(feature = "report")]
@@ -210,6 +212,8 @@ enum Part {
     Sort,
     /// Steps of real scenes on a device whose `f64` is not used (needs the data)
     Narrow,
+    /// Steps on all GPUs of this host, beside one
+    Group,
 }
 
 fn main() -> ExitCode {

@@ -1,0 +1,112 @@
+//! The part `group` of `cargo xtask report --gpu`: steps of one mesh on all GPUs of this host,
+//! beside the first of them alone, in turn. Contacts must be the same.
+
+use crate::measure::{median, timed};
+use ccd::gpu::{Device, DeviceOptions, Error, Group, Session};
+use ccd::{Mesh, Options, Report, scenes};
+use ccd_testkit::data::{SCENES, data_dir};
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+/// A step in the precision that it is given in.
+struct Scene {
+    name: String,
+    mesh: Arc<Mesh>,
+    x: [Vec<[f32; 3]>; 2],
+}
+
+impl Scene {
+    fn new(name: String, mesh: Mesh, x: [Vec<[f32; 3]>; 2]) -> Self {
+        Self { name, mesh: Arc::new(mesh), x }
+    }
+}
+
+fn rounded(x: &[[f64; 3]]) -> Vec<[f32; 3]> {
+    x.iter().map(|p| p.map(|c| c as f32)).collect()
+}
+
+/// cloth-ball, if there are data, and scenes of five million triangles; of a size that tests bear
+/// where the device is emulated.
+fn scenes(is_emulated: bool) -> Vec<Scene> {
+    let mut all = Vec::new();
+    if let (Ok(dir), Some(scene)) = (data_dir(), SCENES.iter().find(|s| s.name == "cloth-ball")) {
+        let [t0, t1] = scene.load(&dir);
+        if let Ok(mesh) = t0.mesh() {
+            let x = [rounded(&t0.positions), rounded(&t1.positions)];
+            all.push(Scene::new(scene.name.into(), mesh, x));
+        }
+    }
+    let n = if is_emulated { 60 } else { 1120 };
+    let scene = scenes::cloth_on_ball(n);
+    let x = [20, 21].map(|i| rounded(&scene.frame(i)));
+    all.push(Scene::new(format!("cloth_on_ball({n})"), scene.mesh, x));
+    let n = if is_emulated { 60 } else { 1600 };
+    let step = scenes::crumpled_sheet(n, 1);
+    let x = step.rounded();
+    all.push(Scene::new(format!("crumpled_sheet({n}, 1)"), step.mesh, x));
+    let (bodies, n) = if is_emulated { (10, 12) } else { (9766, 17) };
+    let scene = scenes::n_body(bodies, n);
+    let x = [0, 1].map(|i| rounded(&scene.frame(i)));
+    all.push(Scene::new(format!("n_body({bodies}, {n})"), scene.mesh, x));
+    all
+}
+
+/// Adds its table.
+pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
+    let mut devices = Device::open_all(&DeviceOptions::default())?;
+    let _ = writeln!(text, "\n## One mesh on {} GPUs\n", devices.len());
+    if devices.len() == 1 {
+        text.push_str("There is one GPU, which both members of the group use.\n\n");
+        devices.push(Device::open(&DeviceOptions::default())?);
+    }
+    text.push_str(
+        "Wall, in milliseconds, medians of steps in turn; positions in `f32`. Sent: until \
+         positions are on their way. First: with parts being made and buffers.\n\n\
+         | scene | triangles | contacts | one GPU: sent | step | all: sent | step | ratio | \
+         earliest: one | all | ratio | parts: triangles | first |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    let is_emulated = devices[0].info().adapter.device_type == ccd::gpu::wgpu::DeviceType::Cpu;
+    for Scene { name, mesh, x: [x0, x1] } in scenes(is_emulated) {
+        let n_faces = mesh.faces().len();
+        let mut one = Session::new(&devices[0], mesh.clone(), Options::default())?;
+        let mut all = Group::new(&devices, mesh, Options::default())?;
+        let contacts = one.step(&x0, &x1)?.contacts.clone();
+        let (first, done) = timed(|| all.step(&x0, &x1).map(|_| ()));
+        done?;
+        assert!(all.report().contacts == contacts, "contacts of {name}");
+        let mut times: [Vec<f64>; 6] = Default::default();
+        for _ in 0..runs + 3 {
+            let sent = |report: &Report| report.times.boxes;
+            let (ms, report) = timed(|| one.step(&x0, &x1));
+            times[0].push(sent(report?));
+            times[1].push(ms);
+            let (ms, report) = timed(|| all.step(&x0, &x1));
+            times[2].push(sent(report?));
+            times[3].push(ms);
+            let (ms, found) = timed(|| one.earliest_toi(&x0, &x1));
+            times[4].push(ms);
+            let (all_ms, of_all) = timed(|| all.earliest_toi(&x0, &x1));
+            times[5].push(all_ms);
+            assert_eq!(found?, of_all?, "earliest of {name}");
+        }
+        let [sent, one_ms, sent_all, all_ms, toi, toi_all] =
+            times.map(|ms| median(ms[3..].iter().copied()));
+        let parts: Vec<String> =
+            all.members().map(|member| member_faces(member).to_string()).collect();
+        let _ = writeln!(
+            text,
+            "| {name} | {n_faces} | {} | {sent:.2} | {one_ms:.2} | {sent_all:.2} | {all_ms:.2} | \
+             {:.2} | {toi:.2} | {toi_all:.2} | {:.2} | {} | {first:.0} |",
+            contacts.len(),
+            one_ms / all_ms,
+            toi / toi_all,
+            parts.join(" + ")
+        );
+    }
+    Ok(())
+}
+
+fn member_faces(member: &ccd::gpu::Engine) -> usize {
+    ccd_core::model::session::Engine::state(member).mesh.faces().len()
+}
