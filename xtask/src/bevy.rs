@@ -1,0 +1,39 @@
+//! The example in a Bevy app: built by its own Rust, run without a screen, compared with the CPU.
+
+use crate::programs::{command, command_with, output, skipped};
+use std::path::Path;
+use std::process::Command;
+
+/// Frames that are run: the cloth lies on the sphere from the tenth on.
+const FRAMES: &str = "60";
+
+/// Builds, lints and runs `examples/bevy`; installs nothing.
+pub fn run(root: &Path) -> Result<(), String> {
+    let folder = root.join("examples/bevy");
+    let channel = channel(&folder)?;
+    let with_rust = ["rustup", "run", &channel];
+    let missing = [
+        output(Command::new(with_rust[0]).args([&with_rust[1..], &["rustc", "-V"]].concat())),
+        output(Command::new("xvfb-run").arg("--help")),
+    ];
+    if let Some(why) = missing.into_iter().find_map(Result::err) {
+        skipped(&format!("examples/bevy was not run: {why}"));
+        return Ok(());
+    }
+    let cargo = [&with_rust[..], &["cargo"]].concat();
+    command(&folder, &[&cargo[..], &["fmt", "--check"]].concat())?;
+    command(&folder, &[&cargo[..], &["clippy", "--locked", "--", "-D", "warnings"]].concat())?;
+    command(&folder, &[&cargo[..], &["build", "--locked"]].concat())?;
+    let run = ["run", "--locked", "--", "--frames", FRAMES, "--check"];
+    let run = [&["xvfb-run", "-a"], &cargo[..], &run].concat();
+    // A display server without a GPU is refused as a place to present by Vulkan's other drivers.
+    command_with(&folder, &run, &[("WGPU_ADAPTER_NAME", "llvmpipe")])
+}
+
+/// The Rust that the example is for.
+fn channel(folder: &Path) -> Result<String, String> {
+    let path = folder.join("rust-toolchain.toml");
+    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let named = text.lines().find_map(|line| line.strip_prefix("channel = \"")?.strip_suffix('"'));
+    named.map(str::to_owned).ok_or_else(|| format!("{}: no channel", path.display()))
+}
