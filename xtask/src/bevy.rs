@@ -4,7 +4,7 @@ use crate::programs::{command, command_with, output, skipped};
 use std::path::Path;
 use std::process::Command;
 
-/// Frames that are run: the cloth lies on the sphere from the tenth on.
+/// Frames that are run: the cloth touches the sphere from the eighteenth on.
 const FRAMES: &str = "60";
 
 /// Builds, lints and runs `examples/bevy`; installs nothing.
@@ -26,7 +26,7 @@ pub fn run(root: &Path) -> Result<(), String> {
     command(&folder, &[&cargo[..], &["build", "--locked"]].concat())?;
     let run = ["run", "--locked", "--", "--frames", FRAMES, "--check"];
     let run = [&["xvfb-run", "-a"], &cargo[..], &run].concat();
-    // A display server without a GPU is refused as a place to present by Vulkan's other drivers.
+    // Xvfb has no GPU: of Vulkan's drivers the software one alone presents there.
     command_with(&folder, &run, &[("WGPU_ADAPTER_NAME", "llvmpipe")])
 }
 
