@@ -9,7 +9,7 @@ use bevy::render::renderer::{
 };
 use bevy::render::storage::{GpuShaderBuffer, ShaderBuffer};
 use bevy::render::{RenderApp, RenderStartup};
-use bytemuck::pod_collect_to_vec;
+use bytemuck::{pod_collect_to_vec, pod_read_unaligned};
 use ccd::gpu::wgpu::{self, BufferUsages, util::DeviceExt};
 use ccd_core::records::{LIST_HEADER, Path, Touch, TouchGeometry};
 
@@ -67,11 +67,17 @@ impl Found {
     /// From the bytes of [`Scene::results`]; `None` before the first frame.
     pub fn read(bytes: &[u8]) -> Option<Self> {
         let headers: Vec<[u32; LIST_HEADER]> = pod_collect_to_vec(&bytes[..CONTACTS as usize]);
-        let wanted = headers.iter().map(|header| header[0]).max().filter(|wanted| *wanted > 0)?;
-        assert!(wanted <= CAPACITY, "a list of the session wants {wanted} entries: reserve more");
+        if headers.iter().all(|[wanted, ..]| *wanted == 0) {
+            return None;
+        }
+        for [wanted, _, beyond_32_bits, _] in headers {
+            let fits = wanted <= CAPACITY && beyond_32_bits == 0;
+            assert!(fits, "a list of the session wants {wanted} entries: reserve more");
+        }
         let at = (CONTACTS + HEADER) as usize;
-        let n = pod_collect_to_vec::<u8, u32>(&bytes[at - HEADER as usize..at])[0] as usize;
-        assert!(n as u64 <= MAX_READ, "{n} contacts are more than are read back");
+        let n: u32 = pod_read_unaligned(&bytes[CONTACTS as usize..][..4]);
+        let n = n as usize;
+        assert!(n <= MAX_READ as usize, "{n} contacts are more than are read back");
         let (touches, geometry) = (n * size_of::<Touch>(), n * size_of::<TouchGeometry>());
         Some(Self {
             touches: pod_collect_to_vec(&bytes[at..at + touches]),
