@@ -13,7 +13,7 @@ use bytemuck::{pod_collect_to_vec, pod_read_unaligned};
 use ccd::gpu::wgpu::{self, BufferUsages, util::DeviceExt};
 use ccd_core::records::{LIST_HEADER, Path, Touch, TouchGeometry};
 
-/// Entries of every list of the session; this scene wants a tenth of it.
+/// Entries of every list of the session.
 const CAPACITY: u32 = 1 << 17;
 /// Contacts that are read back, at most.
 const MAX_READ: u64 = 1 << 14;
@@ -110,8 +110,8 @@ struct Cloth {
     drawn: wgpu::Buffer,
 }
 
-/// Once Bevy has its device: a session on it. Bevy asks for all features of the adapter, so ccd
-/// finds those that it can use; with another `WgpuSettingsPriority`, add `Device::features()`.
+/// Once Bevy has its device: a session on it. Bevy asks for all features of its adapter, so ccd
+/// finds those of `Device::features()` that there are.
 fn open(
     mut commands: Commands,
     scene: Res<Scene>,
