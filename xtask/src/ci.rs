@@ -65,6 +65,7 @@ fn long(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "web", "--page"])?;
     crate::python::run(root, true)?;
     crate::c_api::run(root, true)?;
+    crate::bevy::run(root)?;
     let no_gpu = ["--release", "-p", "meshccd-python", "--no-default-features", "--lib"];
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     let no_gpu = ["--release", "-p", "meshccd-c", "--no-default-features", "--lib"];

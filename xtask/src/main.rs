@@ -3,6 +3,7 @@
 
 #[cfg(feature = "report")]
 mod algorithms;
+mod bevy;
 mod c_api;
 #[cfg(any(feature = "report", test))]
 mod cells;
@@ -103,6 +104,9 @@ enum Task {
     Tint,
     /// Build for WebAssembly and compare answers under Node with those of this machine
     Wasm,
+    /// Build the example in a Bevy app by its own Rust, run it under Xvfb and compare its contacts;
+    /// reported as skipped where either is missing
+    Bevy,
     /// Build the examples of the C API with CMake, against an installed package, and run them
     CApi {
         /// Have CMake build the libraries by cargo, from nothing
@@ -273,6 +277,7 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "shaders")]
         Task::Shaders { check, .. } => shaders::run(root, check),
         Task::Tint => tint::run(root),
+        Task::Bevy => bevy::run(root),
         Task::CApi { cargo } => c_api::run(root, cargo),
         Task::Wasm => wasm::run(root, &[]),
         #[cfg(feature = "web")]
