@@ -24,13 +24,14 @@ class Local:
     """
 
     def __init__(self, index: int, records: NDArray[np.void]) -> None:
-        self.index = index
+        self.index: int = index
         corners = records["corners"]
         self.vertices: _Ids
         self.vertices, at = np.unique(records["vertices"], return_inverse=True)
         at = at.reshape(-1, 3)
         n = len(self.vertices)
-        self.x0, self.x1 = np.zeros((n, 3)), np.zeros((n, 3))
+        self.x0: NDArray[np.float64] = np.zeros((n, 3))
+        self.x1: NDArray[np.float64] = np.zeros((n, 3))
         vertex_owner = np.zeros(n, np.uint32)
         vertex_owner[at] = records["vertex_owners"]
         for name, x in (("x0", self.x0), ("x1", self.x1)):
@@ -42,7 +43,7 @@ class Local:
         faces = np.flatnonzero(corners == 3)
         faces = faces[np.argsort(records["face"][faces])]
         self.faces: _Ids = records["face"][faces]
-        self.mesh = Mesh(at[faces], at[corners == 2, :2], n_vertices=n)
+        self.mesh: Mesh = Mesh(at[faces], at[corners == 2, :2], n_vertices=n)
         known = edge_keys(self.mesh.edges)
         self.edges: _Ids = np.zeros(len(known), np.uint32)
         edge_owner = np.zeros(len(known), np.uint32)

@@ -47,7 +47,7 @@ _Records = NDArray[np.void]
 #: An element on its way to another part: its number of corners (3 for a face, 2 for an edge of no
 #: face, 1 for a vertex of no edge), ids in the whole mesh and the parts that own them, positions at
 #: both ends of the step. An element with fewer corners repeats the last one.
-ELEMENT = np.dtype(
+ELEMENT: np.dtype[np.void] = np.dtype(
     [
         ("corners", "u4"),
         ("face", "u4"),
@@ -111,8 +111,8 @@ class Part:
     """
 
     def __init__(self, index: int, n_parts: int, records: _Records) -> None:
-        self.index = index
-        self.n_parts = n_parts
+        self.index: int = index
+        self.n_parts: int = n_parts
         self.vertices: _Ids
         self._records = records
         self.vertices, self._corners = np.unique(records["vertices"], return_inverse=True)
@@ -260,4 +260,5 @@ def _morton(points: _Reals) -> NDArray[np.uint64]:
         (2, 0x1249249249249249),
     ):
         cells = (cells | cells << np.uint64(shift)) & np.uint64(mask)
-    return cells[:, 0] | cells[:, 1] << np.uint64(1) | cells[:, 2] << np.uint64(2)
+    code: NDArray[np.uint64] = cells[:, 0] | cells[:, 1] << np.uint64(1) | cells[:, 2] << np.uint64(2)
+    return code
