@@ -8,8 +8,8 @@ import sys
 
 import numpy as np
 from conftest import named
+from crowds import crowd
 from mpi4py import MPI
-from test_partition import crowd
 
 from meshccd import Bodies, Options, Session
 from meshccd.mpi import Scene

@@ -4,26 +4,10 @@ import pickle
 
 import numpy as np
 import pytest
+from crowds import crowd
 
 from meshccd import Bodies, Kind, Mesh, Options, Session
 from meshccd.partition import ELEMENT, merge, split
-
-
-def crowd(n, seed, rods=0, particles=0):
-    """Pairs of triangles with a common edge, rods and particles in a crowd, all moving; numbers of
-    vertices are in no order."""
-    random = np.random.default_rng(seed)
-    faces = np.arange(4 * n).reshape(n, 4)[:, [0, 1, 2, 2, 1, 3]].reshape(-1, 3)
-    edges = 4 * n + np.arange(2 * rods).reshape(rods, 2)
-    n_vertices = 4 * n + 2 * rods + particles
-    of = np.concatenate([np.repeat(np.arange(n), 4), n + np.repeat(np.arange(rods), 2),
-                         n + rods + np.arange(particles)])  # fmt: skip
-    x0 = random.random((of.max() + 1, 3))[of] + 0.4 * random.random((n_vertices, 3))
-    x1 = x0 + 0.4 * random.random((of.max() + 1, 3))[of] + 0.05 * random.random((n_vertices, 3))
-    numbers = random.permutation(n_vertices)
-    y0, y1 = np.empty_like(x0), np.empty_like(x1)
-    y0[numbers], y1[numbers] = x0, x1
-    return Mesh(numbers[faces], numbers[edges], n_vertices=n_vertices), y0, y1
 
 
 def locals_of(mesh, x0, x1, n_parts, d=0.0, drop=lambda to, sent: sent):

@@ -1,10 +1,10 @@
-//! `cargo xtask python`: the module of ccd-python as a user meets it: tests against ipctk, stubs
-//! against the module, types as mypy and pyright see them, the example.
+//! `cargo xtask python`: the module of ccd-python as a user meets it: tests against ipctk, ranks
+//! under mpirun, stubs against the module, types as mypy and pyright see them, the examples.
 //!
 //! The tests of the workspace have compiled the module already (`ccd-python/tests/module.rs`): it
 //! is put beside the Python sources in a folder below target. `--wheel` builds, installs and tests
 //! a wheel with maturin instead, which compiles much again. Packages are the versions of
-//! `ccd-python/requirements.txt`.
+//! `ccd-python/requirements.txt`, and for a wheel also the large ones of `requirements-wheel.txt`.
 
 use crate::programs::{command, command_with, output, skipped, target_folder};
 use std::path::{Path, PathBuf};
@@ -12,10 +12,12 @@ use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
 const EXAMPLE: &str = "examples/line_search.py";
+/// Examples that need packages of `requirements-wheel.txt`.
+const EXAMPLES_OF_WHEEL: [&str; 2] = ["examples/rerun_log.py", "examples/alembic_frames.py"];
 
 pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let target = target_folder(root);
-    let python = match environment(root, &target.join("python")) {
+    let python = match environment(root, &target.join("python"), wheel) {
         Ok(python) => python,
         Err(why) => {
             skipped(&format!("the Python module was not tested: {why}"));
@@ -27,13 +29,25 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let cache = target.join("python/mypy");
     let (site, cache) = (text(&site)?, text(&cache)?);
     let env = [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache)];
+    if let Err(why) = output(Command::new("mpirun").arg("--version")) {
+        skipped(&format!("meshccd.mpi was not tested: {why}"));
+    }
+    let mut examples = vec![EXAMPLE];
+    if wheel {
+        examples.extend(EXAMPLES_OF_WHEEL);
+    } else {
+        skipped("Python with Ray, JAX, rerun and Alembic: `cargo xtask python --wheel` tests it");
+    }
     for words in [
         &["-m", "pytest", "--quiet", "-p", "no:cacheprovider"][..],
         &["-m", "mypy.stubtest", "meshccd"],
-        &["-m", "mypy", "--check-untyped-defs", EXAMPLE],
-        &[EXAMPLE],
+        &["-m", "mypy", "--strict", "--package", "meshccd"],
+        &[&["-m", "mypy", "--check-untyped-defs"], &examples[..]].concat(),
     ] {
         command_with(&folder, &[&[python][..], words].concat(), &env)?;
+    }
+    for example in &examples {
+        command_with(&folder, &[python, example], &env)?;
     }
     if let Err(why) = output(Command::new("node").arg("--version")) {
         skipped(&format!("types were not checked by pyright, which needs Node: {why}"));
@@ -41,7 +55,10 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     }
     // By itself pyright looks at the packages of another interpreter.
     let pyright = [python, "-m", "pyright", "--pythonpath", python];
-    for words in [&["--verifytypes", "meshccd", "--ignoreexternal"][..], &[EXAMPLE]] {
+    // A wheel has the same sources; its site is empty.
+    let sources = [site, "/meshccd"].concat();
+    let files = if wheel { examples } else { [&[&sources[..]], &examples[..]].concat() };
+    for words in [&["--verifytypes", "meshccd", "--ignoreexternal"][..], &files] {
         command_with(&folder, &[&pyright[..], words].concat(), &env)?;
     }
     Ok(())
@@ -55,18 +72,22 @@ fn assemble(root: &Path) -> Result<PathBuf, String> {
     let target = target_folder(root);
     let site = target.join("python/site");
     let package = site.join("meshccd");
+    // Anew, so that a file that was renamed is not there by its old name, too.
+    let _ = std::fs::remove_dir_all(&package);
     std::fs::create_dir_all(&package).map_err(|e| format!("{}: {e}", package.display()))?;
-    let copy = |from: PathBuf, name: &str| match std::fs::copy(&from, package.join(name)) {
+    let copy = |from: PathBuf, name: &Path| match std::fs::copy(&from, package.join(name)) {
         Ok(_) => Ok(()),
         Err(e) => Err(format!("{}: {e}", from.display())),
     };
-    for name in ["__init__.py", "_native.pyi", "exact.py", "py.typed"] {
-        copy(root.join(FOLDER).join("python/meshccd").join(name), name)?;
+    let sources = root.join(FOLDER).join("python/meshccd");
+    let entries = std::fs::read_dir(&sources).map_err(|e| format!("{}: {e}", sources.display()))?;
+    for file in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file()) {
+        copy(file.clone(), Path::new(file.file_name().unwrap_or_default()))?;
     }
     let library =
         format!("{}_native{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let name = if cfg!(windows) { "_native.pyd" } else { "_native.abi3.so" };
-    copy(target.join("release/deps").join(library), name)?;
+    copy(target.join("release/deps").join(library), Path::new(name))?;
     Ok(site)
 }
 
@@ -85,7 +106,7 @@ fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, 
 }
 
 /// The interpreter of an environment with all packages; why there is none otherwise.
-fn environment(root: &Path, at: &Path) -> Result<PathBuf, String> {
+fn environment(root: &Path, at: &Path, wheel: bool) -> Result<PathBuf, String> {
     let venv = at.join("venv");
     let bin = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
     let python = venv.join(bin);
@@ -96,9 +117,13 @@ fn environment(root: &Path, at: &Path) -> Result<PathBuf, String> {
         output(Command::new(system).args(make).arg(&venv))?;
     }
     let how = ["--quiet", "--disable-pip-version-check", "--retries", "1", "--timeout", "20"];
-    let list = root.join(FOLDER).join("requirements.txt");
-    let pip = ["-m", "pip", "install"];
-    output(Command::new(&python).args(pip).args(how).arg("-r").arg(list))?;
+    let mut pip = Command::new(&python);
+    pip.args(["-m", "pip", "install"]).args(how);
+    let lists = ["requirements.txt", "requirements-wheel.txt"];
+    for list in &lists[..if wheel { 2 } else { 1 }] {
+        pip.arg("-r").arg(root.join(FOLDER).join(list));
+    }
+    output(&mut pip)?;
     Ok(python)
 }
 

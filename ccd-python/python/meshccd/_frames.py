@@ -27,9 +27,11 @@ class Frames(Protocol):
 
     def part(self, begin: int, end: int) -> Frames:
         """The frames from one number until before another, counted as before."""
+        ...
 
     def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
         """Positions of a frame, (n_vertices, 3)."""
+        ...
 
 
 def frames_of(frames: object) -> Frames:

@@ -260,5 +260,6 @@ def _morton(points: _Reals) -> NDArray[np.uint64]:
         (2, 0x1249249249249249),
     ):
         cells = (cells | cells << np.uint64(shift)) & np.uint64(mask)
-    code: NDArray[np.uint64] = cells[:, 0] | cells[:, 1] << np.uint64(1) | cells[:, 2] << np.uint64(2)
+    x, y, z = cells.T
+    code: NDArray[np.uint64] = x | y << np.uint64(1) | z << np.uint64(2)
     return code
