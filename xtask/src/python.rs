@@ -7,13 +7,14 @@
 //! `ccd-python/requirements.txt`, and for a wheel also the large ones of `requirements-wheel.txt`.
 
 use crate::programs::{command, command_with, output, skipped, target_folder};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
-const EXAMPLE: &str = "examples/line_search.py";
-/// Examples that need packages of `requirements-wheel.txt`.
-const EXAMPLES_OF_WHEEL: [&str; 2] = ["examples/rerun_log.py", "examples/alembic_frames.py"];
+/// Examples; the last one needs a package of `requirements-wheel.txt`.
+const EXAMPLES: [&str; 3] =
+    ["examples/line_search.py", "examples/alembic_frames.py", "examples/rerun_log.py"];
 
 pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let target = target_folder(root);
@@ -32,21 +33,22 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     if let Err(why) = output(Command::new("mpirun").arg("--version")) {
         skipped(&format!("meshccd.mpi was not tested: {why}"));
     }
-    let mut examples = vec![EXAMPLE];
-    if wheel {
-        examples.extend(EXAMPLES_OF_WHEEL);
-    } else {
-        skipped("Python with Ray, JAX, rerun and Alembic: `cargo xtask python --wheel` tests it");
+    let examples = if wheel { &EXAMPLES[..] } else { &EXAMPLES[..2] };
+    if !wheel {
+        skipped(
+            "Ray, JAX and the example of rerun, which take 300 MB of packages: `cargo xtask \
+             python --wheel` has them",
+        );
     }
     for words in [
         &["-m", "pytest", "--quiet", "-p", "no:cacheprovider"][..],
         &["-m", "mypy.stubtest", "meshccd"],
         &["-m", "mypy", "--strict", "--package", "meshccd"],
-        &[&["-m", "mypy", "--check-untyped-defs"], &examples[..]].concat(),
+        &[&["-m", "mypy", "--check-untyped-defs"], examples].concat(),
     ] {
         command_with(&folder, &[&[python][..], words].concat(), &env)?;
     }
-    for example in &examples {
+    for example in examples {
         command_with(&folder, &[python, example], &env)?;
     }
     if let Err(why) = output(Command::new("node").arg("--version")) {
@@ -55,9 +57,11 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     }
     // By itself pyright looks at the packages of another interpreter.
     let pyright = [python, "-m", "pyright", "--pythonpath", python];
-    // A wheel has the same sources; its site is empty.
-    let sources = [site, "/meshccd"].concat();
-    let files = if wheel { examples } else { [&[&sources[..]], &examples[..]].concat() };
+    let (package, mut files) = (format!("{site}/meshccd"), examples.to_vec());
+    // A wheel has the same sources, in the environment.
+    if !wheel {
+        files.push(&package);
+    }
     for words in [&["--verifytypes", "meshccd", "--ignoreexternal"][..], &files] {
         command_with(&folder, &[&pyright[..], words].concat(), &env)?;
     }
@@ -75,19 +79,19 @@ fn assemble(root: &Path) -> Result<PathBuf, String> {
     // Anew, so that a file that was renamed is not there by its old name, too.
     let _ = std::fs::remove_dir_all(&package);
     std::fs::create_dir_all(&package).map_err(|e| format!("{}: {e}", package.display()))?;
-    let copy = |from: PathBuf, name: &Path| match std::fs::copy(&from, package.join(name)) {
+    let copy = |from: &Path, name: &OsStr| match std::fs::copy(from, package.join(name)) {
         Ok(_) => Ok(()),
         Err(e) => Err(format!("{}: {e}", from.display())),
     };
     let sources = root.join(FOLDER).join("python/meshccd");
     let entries = std::fs::read_dir(&sources).map_err(|e| format!("{}: {e}", sources.display()))?;
     for file in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file()) {
-        copy(file.clone(), Path::new(file.file_name().unwrap_or_default()))?;
+        copy(&file, file.file_name().unwrap_or_default())?;
     }
     let library =
         format!("{}_native{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let name = if cfg!(windows) { "_native.pyd" } else { "_native.abi3.so" };
-    copy(target.join("release/deps").join(library), Path::new(name))?;
+    copy(&target.join("release/deps").join(library), name.as_ref())?;
     Ok(site)
 }
 
