@@ -123,6 +123,8 @@ def test_two_actors_of_ray(tmp_path, monkeypatch):
                 map_frames(frames, mesh, tmp_path, n_workers=2, **how)
         # Both of the shards with that frame, or whatever else no actor was left for.
         assert {of[:2] for of in why.value.failures} >= {(8, 10)}
-        check(map_frames(frames, mesh, tmp_path, **how), want)
+        # Of three, one has no place in the cluster.
+        check(map_frames(frames, mesh, tmp_path, n_workers=3, **how), want)
+        check(map_frames(frames, mesh, tmp_path / "again", runner="ray", options=OPTIONS), want)
     finally:
         ray.shutdown()

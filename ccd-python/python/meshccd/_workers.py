@@ -113,9 +113,7 @@ def _run(task: Task) -> Outcome:
     return _worker.run(task)
 
 
-def processes(
-    job: Job, tasks: Iterable[Task], devices: Sequence[str | None]
-) -> Iterator[Outcome]:
+def processes(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
     """By a process a device, begun by spawn."""
     context = get_context("spawn")
     queue = context.SimpleQueue()
@@ -141,34 +139,39 @@ def processes(
         pool.shutdown(cancel_futures=True)
 
 
-def actors(
-    job: Job, tasks: Iterable[Task], devices: Sequence[str | None], threads: int
-) -> Iterator[Outcome]:
+def actors(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
     """By an actor of Ray a device; one on a GPU has a GPU of Ray's."""
-    ray: Any = importlib.import_module("ray")
-    if not ray.is_initialized():
-        ray.init(log_to_driver=False)
-    shared = ray.put(job)
-    free = [_actor(ray, device, threads).remote(shared, device) for device in devices]
+    ray = connected_ray()
+    shared, threads = ray.put(job), job.options.threads or 1
+    made = [_actor(ray, device, threads).remote(shared, device) for device in devices]
+    # An actor gets its first task when the cluster has a place for it, if it ever has one.
+    busy: dict[Any, tuple[Any, Task | None]]
+    busy = {actor.__ray_ready__.remote(): (actor, None) for actor in made}
     waiting = list(tasks)[::-1]
-    running: dict[Any, tuple[Any, Task]] = {}
-    while waiting or running:
-        while waiting and free:
-            actor, task = free.pop(), waiting.pop()
-            running[actor.run.remote(task)] = (actor, task)
-        if not running:
-            # No actor is left.
-            yield from (Outcome(task.begin, task.end, error=DIED) for task in waiting[::-1])
-            return
-        (done, *_), _ = ray.wait(list(running))
-        actor, task = running.pop(done)
+    while busy and (waiting or any(task is not None for _, task in busy.values())):
+        (done, *_), _ = ray.wait(list(busy))
+        actor, task = busy.pop(done)
         try:
             outcome = ray.get(done)
         except ray.exceptions.RayError as why:
-            yield Outcome(task.begin, task.end, error=f"{DIED} ({type(why).__name__})")
+            if task is not None:
+                yield Outcome(task.begin, task.end, error=f"{DIED} ({type(why).__name__})")
             continue
-        free.append(actor)
-        yield outcome
+        if task is not None:
+            yield outcome
+        if waiting:
+            task = waiting.pop()
+            busy[actor.run.remote(task)] = (actor, task)
+    # No actor is left for these.
+    yield from (Outcome(task.begin, task.end, error=DIED) for task in waiting[::-1])
+
+
+def connected_ray() -> Any:
+    """Ray, with the cluster that it was connected to, or else a new one of this machine."""
+    ray: Any = importlib.import_module("ray")
+    if not ray.is_initialized():
+        ray.init(log_to_driver=False)
+    return ray
 
 
 def _actor(ray: Any, device: str | None, threads: int) -> Any:

@@ -13,7 +13,6 @@ does the same from a shell: `--part` takes one share, by default that of this ta
 from __future__ import annotations
 
 import hashlib
-import importlib
 import json
 import os
 import time
@@ -196,18 +195,21 @@ def map_frames(
     if steps_per_shard < 1:
         raise ValueError(f"steps_per_shard is {steps_per_shard}; it must be at least 1")
     if n_workers is None:
-        n_workers = len(devices) if devices else _n_cores(runner)
+        n_workers = len(devices) if devices else _cores(runner)[0]
     if n_workers < 1:
         raise ValueError(f"n_workers is {n_workers}; it must be at least 1")
     devices = list(devices or [None])
-    options, threads = _shared_out(options or Options(), 1 if is_executor else n_workers)
+    options = options or Options()
+    # A worker that has its machine for itself counts the cores there.
+    if not is_executor and n_workers > 1:
+        options = _of_one_worker(options, runner, n_workers)
     job = Job(mesh, options, Path(os.path.abspath(folder)))
     job.folder.mkdir(parents=True, exist_ok=True)
     ranges = _ranges(len(source), steps_per_shard, index, of)
     tasks = (Task(begin, end, source.part(begin, end + 1)) for begin, end in ranges)
     of_workers = [devices[i % len(devices)] for i in range(min(n_workers, len(ranges)))]
     done: list[Outcome] = []
-    for outcome in _outcomes(runner, job, tasks, of_workers, threads):
+    for outcome in _outcomes(runner, job, tasks, of_workers):
         done.append(outcome)
         if progress is not None:
             progress(_progress(done, ranges, time.monotonic() - begun))
@@ -218,11 +220,7 @@ def map_frames(
 
 
 def _outcomes(
-    runner: Any,
-    job: Job,
-    tasks: Iterable[Task],
-    devices: Sequence[str | None],
-    threads: int,
+    runner: Any, job: Job, tasks: Iterable[Task], devices: Sequence[str | None]
 ) -> Iterator[Outcome]:
     if not devices:
         return iter(())
@@ -231,7 +229,7 @@ def _outcomes(
             return _workers.here(job, tasks, devices[0])
         return _workers.processes(job, tasks, devices)
     if runner == "ray":
-        return _workers.actors(job, tasks, devices, threads or 1)
+        return _workers.actors(job, tasks, devices)
     return _workers.jobs(job, tasks, devices, runner)
 
 
@@ -251,31 +249,28 @@ def _progress(done: list[Outcome], ranges: list[tuple[int, int]], seconds: float
     return Progress(len(done), len(ranges), steps, all_steps, kept, failed, seconds)
 
 
-def _n_cores(runner: Any) -> int:
+def _cores(runner: Any) -> tuple[int, int]:
+    """The number of cores that workers share, and that of the largest machine among theirs."""
     if hasattr(runner, "map_array"):
         raise ValueError("n_workers says how many jobs an executor gets")
     if runner == "ray":
-        ray: Any = importlib.import_module("ray")
-        if not ray.is_initialized():
-            ray.init(log_to_driver=False)
-        return max(int(ray.cluster_resources().get("CPU", 1)), 1)
-    return _own_cores()
-
-
-def _own_cores() -> int:
+        nodes = [node for node in _workers.connected_ray().nodes() if node["Alive"]]
+        cores = [int(node["Resources"].get("CPU", 0)) for node in nodes]
+        return max(sum(cores), 1), max(cores, default=1)
     if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+        n = len(os.sched_getaffinity(0))
+    else:
+        n = os.cpu_count() or 1
+    return n, n
 
 
-def _shared_out(options: Options, n_workers: int) -> tuple[Options, int]:
-    """Options with the threads of one worker, and their number; a worker that has its machine for
-    itself finds its cores there."""
-    if n_workers == 1:
-        return options, options.threads
-    threads = options.threads or max(_own_cores() // n_workers, 1)
-    text = json.dumps({**json.loads(options.to_json()), "threads": threads})
-    return Options.from_json(text), threads
+def _of_one_worker(options: Options, runner: Any, n_workers: int) -> Options:
+    """Options with an equal share of the cores, unless they name the threads of a worker."""
+    if options.threads:
+        return options
+    cores, most = _cores(runner)
+    threads = max(min(cores // n_workers, most), 1)
+    return Options.from_json(json.dumps({**json.loads(options.to_json()), "threads": threads}))
 
 
 if __name__ == "__main__":
