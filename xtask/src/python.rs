@@ -12,6 +12,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const FOLDER: &str = "ccd-python";
+/// Versions of CPython for which a wheel is tested, where they are installed.
+const VERSIONS: [&str; 6] = ["3.9", "3.10", "3.11", "3.12", "3.13", "3.14"];
+/// Tests that need no package but NumPy.
+const TESTS_OF_VERSIONS: [&str; 3] =
+    ["tests/test_api.py", "tests/test_sessions.py", "tests/test_distributed.py"];
 /// Examples; the last one needs a package of `requirements-wheel.txt`.
 const EXAMPLES: [&str; 3] =
     ["examples/line_search.py", "examples/alembic_frames.py", "examples/rerun_log.py"];
@@ -106,20 +111,28 @@ fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, 
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];
     command(folder, &[&[python][..], &install, &[text(&wheel)?]].concat())?;
+    for version in VERSIONS {
+        let venv = target.join(format!("python/venv-{version}"));
+        match make_venv(&format!("python{version}"), &venv) {
+            Ok(python) => test_version(folder, text(&python)?, text(&wheel)?)?,
+            Err(why) => skipped(&format!("the wheel was not tested by Python {version}: {why}")),
+        }
+    }
     Ok(wheels)
+}
+
+/// Tests a wheel in an environment of another interpreter.
+fn test_version(folder: &Path, python: &str, wheel: &str) -> Result<(), String> {
+    let install = ["-m", "pip", "install", "--quiet", "--force-reinstall", "pytest", wheel];
+    command(folder, &[&[python][..], &install].concat())?;
+    let test = ["-m", "pytest", "--quiet", "-p", "no:cacheprovider"];
+    command(folder, &[&[python][..], &test, &TESTS_OF_VERSIONS].concat())
 }
 
 /// The interpreter of an environment with all packages; why there is none otherwise.
 fn environment(root: &Path, at: &Path, wheel: bool) -> Result<PathBuf, String> {
-    let venv = at.join("venv");
-    let bin = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
-    let python = venv.join(bin);
-    // One whose interpreter has gone is made anew.
-    if output(Command::new(&python).arg("--version")).is_err() {
-        let system = if cfg!(windows) { "python" } else { "python3" };
-        let make = ["-m", "venv", "--clear"];
-        output(Command::new(system).args(make).arg(&venv))?;
-    }
+    let system = if cfg!(windows) { "python" } else { "python3" };
+    let python = make_venv(system, &at.join("venv"))?;
     let how = ["--quiet", "--disable-pip-version-check", "--retries", "1", "--timeout", "20"];
     let mut pip = Command::new(&python);
     pip.args(["-m", "pip", "install"]).args(how);
@@ -128,6 +141,17 @@ fn environment(root: &Path, at: &Path, wheel: bool) -> Result<PathBuf, String> {
         pip.arg("-r").arg(root.join(FOLDER).join(list));
     }
     output(&mut pip)?;
+    Ok(python)
+}
+
+/// The interpreter of an environment, which is made of a system's interpreter if it is not there.
+fn make_venv(system: &str, venv: &Path) -> Result<PathBuf, String> {
+    let bin = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
+    let python = venv.join(bin);
+    // One whose interpreter has gone is made anew.
+    if output(Command::new(&python).arg("--version")).is_err() {
+        output(Command::new(system).args(["-m", "venv", "--clear"]).arg(venv))?;
+    }
     Ok(python)
 }
 
