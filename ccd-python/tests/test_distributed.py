@@ -1,6 +1,7 @@
 """Many frames by processes of this machine against one: reports, digests, files; what fails."""
 
 import multiprocessing
+import os
 import signal
 import sys
 
@@ -10,7 +11,7 @@ from crowds import N_STEPS, OPTIONS, Deadly, animation, check, write_frames
 
 from meshccd import Bodies, Mesh, Options, Session, read_mesh
 from meshccd._shards import alone
-from meshccd.distributed import FrameError, RunError, ShardError, map_frames
+from meshccd.distributed import FrameError, RunError, ShardError, digest, map_frames
 
 
 def bytes_of(folder):
@@ -167,3 +168,17 @@ def test_a_second_run_that_was_not_seen_may_not_differ(tmp_path, monkeypatch):
     with pytest.raises(RunError, match="another run has written other contacts meanwhile"):
         map_frames(frames, mesh, tmp_path, options=Options(min_distance=0.04), n_workers=1)
     assert bytes_of(tmp_path) == before
+
+
+def test_a_gpu_finds_what_the_cpu_does(tmp_path):
+    mesh, frames = animation()
+    try:
+        Session(mesh, device="gpu")
+    except RuntimeError as why:
+        if os.environ.get("CCD_GPU") == "require":
+            raise
+        pytest.skip(str(why))
+    how = {"options": OPTIONS, "steps_per_shard": 5}
+    found = map_frames(frames, mesh, tmp_path, devices=["gpu", None], **how)
+    want = Session(mesh, OPTIONS).step_many(frames)
+    assert digest(found) == digest(want) and found[0].n_candidates == want[0].n_candidates
