@@ -30,11 +30,16 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
             return Ok(());
         }
     };
+    // Pyright looks at the packages of the first interpreter that it finds.
+    let own = python.parent().map(Path::to_path_buf);
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(own.into_iter().chain(std::env::split_paths(&path)))
+        .map_err(|e| format!("PATH: {e}"))?;
     let (python, folder) = (text(&python)?, root.join(FOLDER));
     let site = if wheel { install_wheel(&folder, &target, python)? } else { assemble(root)? };
     let cache = target.join("python/mypy");
-    let (site, cache) = (text(&site)?, text(&cache)?);
-    let env = [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache)];
+    let (site, cache, path) = (text(&site)?, text(&cache)?, text(Path::new(&path))?);
+    let env = [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache), ("PATH", path)];
     if let Err(why) = output(Command::new("mpirun").arg("--version")) {
         skipped(&format!("meshccd.mpi was not tested: {why}"));
     }
@@ -60,8 +65,7 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
         skipped(&format!("types were not checked by pyright, which needs Node: {why}"));
         return Ok(());
     }
-    // By itself pyright looks at the packages of another interpreter.
-    let pyright = [python, "-m", "pyright", "--pythonpath", python];
+    let pyright = [python, "-m", "pyright"];
     let (package, mut files) = (format!("{site}/meshccd"), examples.to_vec());
     // A wheel has the same sources, in the environment.
     if !wheel {
