@@ -30,16 +30,13 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
             return Ok(());
         }
     };
-    // Pyright looks at the packages of the first interpreter that it finds.
-    let own = python.parent().map(Path::to_path_buf);
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let path = std::env::join_paths(own.into_iter().chain(std::env::split_paths(&path)))
-        .map_err(|e| format!("PATH: {e}"))?;
+    let path = path_of(&python)?;
     let (python, folder) = (text(&python)?, root.join(FOLDER));
     let site = if wheel { install_wheel(&folder, &target, python)? } else { assemble(root)? };
     let cache = target.join("python/mypy");
-    let (site, cache, path) = (text(&site)?, text(&cache)?, text(Path::new(&path))?);
-    let env = [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache), ("PATH", path)];
+    let (site, cache) = (text(&site)?, text(&cache)?);
+    let env =
+        [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache), ("PATH", &path)];
     if let Err(why) = output(Command::new("mpirun").arg("--version")) {
         skipped(&format!("meshccd.mpi was not tested: {why}"));
     }
@@ -157,6 +154,14 @@ fn make_venv(system: &str, venv: &Path) -> Result<PathBuf, String> {
         output(Command::new(system).args(["-m", "venv", "--clear"]).arg(venv))?;
     }
     Ok(python)
+}
+
+/// `PATH` that begins with an environment: pyright knows the packages of the first interpreter.
+fn path_of(python: &Path) -> Result<String, String> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let own = python.parent().map(Path::to_path_buf);
+    let all = std::env::join_paths(own.into_iter().chain(std::env::split_paths(&path)));
+    all.map_err(|e| e.to_string())?.into_string().map_err(|path| format!("{path:?}: not Unicode"))
 }
 
 fn only_wheel(folder: &Path) -> Result<PathBuf, String> {
