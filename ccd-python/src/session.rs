@@ -36,8 +36,8 @@ use std::sync::Mutex;
 /// options : Options, optional
 ///     What is looked for, and how.
 /// device : str, optional
-///     None or "cpu"; "gpu", an error if there is none; "gpu:NAME" with a part of its name, or its
-///     place in `gpus()`; or "auto", a GPU if there is one and work enough for it.
+///     None or "cpu"; "gpu", an error if there is none; "gpu:NAME" with a part of its name, its
+///     place in `gpus()`, or its PCI id; or "auto", a GPU if there is one and work enough for it.
 /// min_distance, threads, bodies, .. : optional
 ///     Each option by its name, instead of an `Options` or besides; see there.
 ///

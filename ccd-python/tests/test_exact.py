@@ -1,6 +1,8 @@
 """Exact queries against fractions, arrays of other libraries, batches, files of queries."""
 
+import importlib.util
 from fractions import Fraction
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
@@ -82,6 +84,27 @@ def test_arrays_of_other_libraries_are_read_by_dlpack():
     assert len(session.step(x0, x1)) == 1
     with pytest.raises(ValueError, match="x1 cannot be read by DLPack"):
         session.step(X0, OfAnotherLibrary(X1, (2, 0)))
+
+
+def step_arrays_of(library, made_by):
+    make = getattr(importlib.import_module(library), made_by)
+    want = Session(Mesh(FACES)).step(X0.astype(np.float32), X1.astype(np.float32))
+    x0, x1 = make(X0.tolist()), make(X1.tolist())
+    session = Session(Mesh(make(FACES)))
+    assert len(want) == 1 and same(session.step(x0, x1), want)
+    assert same(session.step_many([x0, x1])[0], want)
+
+
+@pytest.mark.parametrize("library, made_by", [("jax.numpy", "array"), ("torch", "tensor")])
+def test_arrays_of_jax_and_pytorch(library, made_by):
+    package = library.partition(".")[0]
+    if importlib.util.find_spec(package) is None:
+        pytest.skip(f"there is no package {package}")
+    # In a process of its own: JAX has threads, and warns of every fork from then on.
+    process = get_context("spawn").Process(target=step_arrays_of, args=(library, made_by))
+    process.start()
+    process.join()
+    assert process.exitcode == 0
 
 
 def test_many_steps_are_those_one_by_one():

@@ -17,6 +17,7 @@ of impact is late, rounding included.
 - `read_mesh`, `read_positions`, `read_queries`: files.
 - `scaled_toi`, `toi_to_f32`: times as an application uses them, never later.
 - `gpus`, `instruction_set`: what this machine has.
+- `meshccd.distributed`, `meshccd.mpi`, `meshccd.partition`: many frames, many hosts.
 - `Kind`, `State`, `Approach`, `VertexFaceType`, `EdgeEdgeType`: what numbers in arrays mean.
 
 What is refused is a ValueError that says what, where and the value.

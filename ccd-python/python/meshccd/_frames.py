@@ -1,0 +1,132 @@
+"""Frames of an animation as workers read them: of an array, of one file, of a file a frame."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._native import Mesh, read_mesh, read_positions
+
+Paths = Sequence[Union[str, "os.PathLike[str]"]]
+
+
+class FrameError(ValueError):
+    """A frame that cannot be read, or that is one of another mesh."""
+
+
+class Frames(Protocol):
+    """Frames by their numbers; what a worker gets is the part that it reads."""
+
+    def __len__(self) -> int: ...
+
+    def part(self, begin: int, end: int) -> Frames:
+        """The frames from one number until before another, counted as before."""
+        ...
+
+    def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
+        """Positions of a frame, (n_vertices, 3)."""
+        ...
+
+
+def frames_of(frames: object) -> Frames:
+    """Frames of what a caller has: an array or arrays, a file or files."""
+    if isinstance(frames, (str, os.PathLike)):
+        return _InOneFile(os.path.abspath(frames), _n_frames(os.fspath(frames)))
+    if isinstance(frames, np.ndarray):
+        return _InArray(frames, 0)
+    listed = list(frames)  # type: ignore[call-overload]
+    if all(isinstance(of, (str, os.PathLike)) for of in listed):
+        if len(listed) == 1:
+            return frames_of(listed[0])
+        return _InFiles([os.path.abspath(path) for path in listed], 0)
+    return _InArray(np.stack([np.asarray(x) for x in listed]), 0)
+
+
+def positions(frames: Frames, begin: int, end: int, mesh: Mesh) -> Iterator[NDArray[Any]]:
+    """Frames of a mesh in order; a FrameError names the one that is not."""
+    for at in range(begin, end):
+        x = frames.read(at, mesh)
+        if x.shape != (mesh.n_vertices, 3):
+            raise FrameError(
+                f"frame {at} has positions of the shape {x.shape}; the mesh has "
+                f"{mesh.n_vertices} vertices"
+            )
+        yield x
+
+
+def digest_of_frames(frames: Frames, begin: int, end: int, mesh: Mesh) -> str:
+    """SHA-256 of the positions of some frames."""
+    sha = hashlib.sha256()
+    for x in positions(frames, begin, end, mesh):
+        # As numbers, so that the digest does not depend on type or order in memory.
+        sha.update(np.ascontiguousarray(x, "<f8").tobytes())
+    return sha.hexdigest()
+
+
+@dataclass
+class _InArray:
+    array: NDArray[Any]
+    first: int
+
+    def __len__(self) -> int:
+        return len(self.array)
+
+    def part(self, begin: int, end: int) -> Frames:
+        return _InArray(self.array[begin - self.first : end - self.first], begin)
+
+    def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
+        return np.asarray(self.array[at - self.first])
+
+
+@dataclass
+class _InOneFile:
+    path: str
+    n: int
+
+    def __len__(self) -> int:
+        return self.n
+
+    def part(self, begin: int, end: int) -> Frames:
+        return self
+
+    def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
+        try:
+            frames = read_positions(self.path, (at, at + 1))
+        except (ValueError, OSError) as why:
+            raise FrameError(f"frame {at} cannot be read: {why}") from why
+        x: NDArray[Any] = frames[0]
+        return x
+
+
+@dataclass
+class _InFiles:
+    paths: list[str]
+    first: int
+
+    def __len__(self) -> int:
+        return len(self.paths)
+
+    def part(self, begin: int, end: int) -> Frames:
+        return _InFiles(self.paths[begin - self.first : end - self.first], begin)
+
+    def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
+        path = self.paths[at - self.first]
+        try:
+            other, x = read_mesh(path)
+        except (ValueError, OSError) as why:
+            raise FrameError(f"frame {at} cannot be read: {why}") from why
+        if not np.array_equal(other.faces, mesh.faces):
+            raise FrameError(f"frame {at} ({path}) has other faces than the mesh")
+        return x
+
+
+def _n_frames(path: str) -> int:
+    if path.lower().endswith(".npy"):
+        return len(np.load(path, mmap_mode="r"))
+    return len(read_positions(path))

@@ -1,0 +1,121 @@
+"""The mesh of one part and its halo, and the way back to the numbers of the whole mesh."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._native import Bodies, Mesh, Options, Report
+
+_Ids = NDArray[np.uint32]
+
+#: Which corners of a face a side joins; the edges of an `ELEMENT` are in this order.
+SIDES = ((0, 1), (1, 2), (2, 0))
+_KINDS = {"vertex-face": 0, "edge-edge": 1, "vertex-edge": 2, "vertex-vertex": 3}
+
+
+class Local:
+    """A step of one part, for a `Session`: `mesh`, and positions `x0`, `x1` of its vertices, (n, 3)
+    float64. `vertices`, `edges`, `faces`: ids in the whole mesh of those of `mesh`, ascending.
+    `Part.local` makes it.
+    """
+
+    def __init__(self, index: int, records: NDArray[np.void]) -> None:
+        self.index: int = index
+        corners = records["corners"]
+        self.vertices: _Ids
+        self.vertices, at = np.unique(records["vertices"], return_inverse=True)
+        at = at.reshape(-1, 3)
+        n = len(self.vertices)
+        self.x0: NDArray[np.float64] = np.zeros((n, 3))
+        self.x1: NDArray[np.float64] = np.zeros((n, 3))
+        vertex_owner = np.zeros(n, np.uint32)
+        vertex_owner[at] = records["vertex_owners"]
+        for name, x in (("x0", self.x0), ("x1", self.x1)):
+            x[at] = records[name]
+            other = (x[at] != records[name]).any(axis=2)
+            if other.any():
+                vertex = records["vertices"][other][0]
+                raise ValueError(f"vertex {vertex} has two positions {name}, in two parts")
+        faces = np.flatnonzero(corners == 3)
+        faces = faces[np.argsort(records["face"][faces])]
+        self.faces: _Ids = records["face"][faces]
+        self.mesh: Mesh = Mesh(at[faces], at[corners == 2, :2], n_vertices=n)
+        known = edge_keys(self.mesh.edges)
+        self.edges: _Ids = np.zeros(len(known), np.uint32)
+        edge_owner = np.zeros(len(known), np.uint32)
+        for side, (a, b) in enumerate(SIDES):
+            has = corners == 3 if side else corners >= 2
+            row = np.searchsorted(known, edge_keys(at[has][:, [a, b]]))
+            self.edges[row] = records["edges"][has, side]
+            edge_owner[row] = records["edge_owners"][has, side]
+        face = (self.faces, records["face_owner"][faces])
+        edge, vertex = (self.edges, edge_owner), (self.vertices, vertex_owner)
+        # In the order of Kind: ids and owners of both features.
+        self._features = ((vertex, face), (edge, edge), (vertex, edge), (vertex, vertex))
+
+    def options(self, options: Options) -> Options:
+        """Options for the vertices of `mesh`: bodies and excluded features of the whole mesh, by
+        their numbers here."""
+        if options.bodies is None:
+            return options
+        whole = json.loads(options.to_json())
+        whole["bodies"] = self._bodies(whole["bodies"])
+        return Options.from_json(json.dumps(whole))
+
+    def bodies(self, bodies: Bodies) -> Bodies:
+        """Bodies of the whole mesh, of the vertices of `mesh`."""
+        return Bodies.from_json(json.dumps(self._bodies(json.loads(bodies.to_json()))))
+
+    def _bodies(self, rules: dict[str, Any]) -> dict[str, Any]:
+        of_vertex = np.asarray(rules["body_of_vertex"], np.uint32)[self.vertices]
+        there = set(of_vertex.tolist())
+        excluded = []
+        for kind, (a, b) in rules["excluded_features"]:
+            first, second = self._features[_KINDS[kind]]
+            pair = [_find(first[0], a), _find(second[0], b)]
+            if None not in pair:
+                excluded.append([kind, pair])
+        bodies = [rule for rule in rules["bodies"] if rule["body"] in there]
+        pairs = [pair for pair in rules["excluded_bodies"] if there.issuperset(pair)]
+        return {
+            **rules,
+            "body_of_vertex": of_vertex.tolist(),
+            "bodies": bodies,
+            "excluded_bodies": pairs,
+            "excluded_features": excluded,
+        }
+
+    def owned(self, kind: int, pairs: ArrayLike) -> _Ids:
+        """Of pairs of features (n, 2) of one `Kind`, by their numbers in `mesh`, those that this
+        part owns, by their numbers in the whole mesh."""
+        rows = np.asarray(pairs, np.int64).reshape(-1, 2)
+        (a, owner_a), (b, owner_b) = self._features[kind]
+        rows = rows[np.minimum(owner_a[rows[:, 0]], owner_b[rows[:, 1]]) == self.index]
+        return np.stack([a[rows[:, 0]], b[rows[:, 1]]], axis=1)
+
+    def contacts(self, report: Report) -> NDArray[np.void]:
+        """The contacts of a step of `mesh` that this part owns, as `Report.contacts`: sorted, with
+        the numbers of the whole mesh."""
+        contacts = report.contacts
+        keep = np.zeros(len(contacts), bool)
+        for kind, ((a, owner_a), (b, owner_b)) in enumerate(self._features):
+            of_kind = np.flatnonzero(contacts["kind"] == kind)
+            i, j = contacts["a"][of_kind], contacts["b"][of_kind]
+            keep[of_kind] = np.minimum(owner_a[i], owner_b[j]) == self.index
+            contacts["a"][of_kind], contacts["b"][of_kind] = a[i], b[j]
+        return contacts[keep]
+
+
+def edge_keys(edges: NDArray[Any]) -> NDArray[np.int64]:
+    """A number for each edge (n, 2), in the order of the edges of a mesh."""
+    ends = np.sort(edges.astype(np.int64).reshape(-1, 2), axis=1)
+    return ends[:, 1] << 32 | ends[:, 0]
+
+
+def _find(ids: _Ids, wanted: int) -> int | None:
+    at = int(np.searchsorted(ids, wanted))
+    return at if at < len(ids) and ids[at] == wanted else None

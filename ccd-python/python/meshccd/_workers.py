@@ -1,0 +1,205 @@
+"""Workers of a run: processes of this machine, actors of Ray, jobs of Slurm; each has a session."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import subprocess
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from multiprocessing import get_context
+from typing import Any
+
+from . import _shards
+from ._frames import Frames, digest_of_frames, positions
+from ._native import Session
+from ._shards import Job
+
+DIED = (
+    "the worker died before it was written: killed, perhaps for memory. What is written stays; run "
+    "again for the rest"
+)
+
+
+@dataclass(frozen=True)
+class Task:
+    """The steps from one frame until another, with these frames and the one at the end."""
+
+    begin: int
+    end: int
+    frames: Frames
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a shard: written now, there before, or why it is not."""
+
+    begin: int
+    end: int
+    written: bool = False
+    error: str | None = None
+
+
+class Worker:
+    """Makes shards by one session, on a device."""
+
+    def __init__(self, job: Job, device: str | None) -> None:
+        self._job = job
+        self._device = device
+        self._session: Session | None = None
+
+    def run(self, task: Task) -> Outcome:
+        """A shard, if it is not there; an error is a part of the outcome."""
+        try:
+            return Outcome(task.begin, task.end, written=self._write(task))
+        except (ValueError, RuntimeError, MemoryError, OSError) as why:
+            return Outcome(task.begin, task.end, error=str(why) or type(why).__name__)
+
+    def _write(self, task: Task) -> bool:
+        job, begin, end = self._job, task.begin, task.end
+        frames = digest_of_frames(task.frames, begin, end + 1, job.mesh)
+        if _shards.check(job, begin, end, frames):
+            return False
+        with _shards.alone(job.path(begin, end)):
+            if _shards.check(job, begin, end, frames):
+                return False
+            if self._session is None:
+                device = assigned_gpu() if self._device == "gpu:assigned" else self._device
+                self._session = Session(job.mesh, job.options, device=device)
+            x = positions(task.frames, begin, end + 1, job.mesh)
+            _shards.write(job, begin, end, frames, self._session.step_many(x))
+        return True
+
+
+def assigned_gpu() -> str:
+    """The GPU that Ray or Slurm gave this process, by its PCI id: numbers of CUDA are others than
+    those of `gpus()`."""
+    ids: Sequence[str] = [id for id in os.environ.get("CUDA_VISIBLE_DEVICES", "").split(",") if id]
+    if not ids:
+        raise RuntimeError(
+            "gpu:assigned: CUDA_VISIBLE_DEVICES names no GPU; Ray sets it, and Slurm for "
+            "--gpus-per-task"
+        )
+    ask = ["nvidia-smi", "--query-gpu=index,uuid,pci.bus_id", "--format=csv,noheader"]
+    try:
+        listed = subprocess.run(ask, capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError) as why:
+        raise RuntimeError(f"gpu:assigned: nvidia-smi does not tell PCI ids: {why}") from why
+    for line in listed.splitlines():
+        index, uuid, pci = (word.strip() for word in line.split(","))
+        if ids[0] == index or uuid.startswith(ids[0]):
+            return f"gpu:{pci}"
+    raise RuntimeError(f"gpu:assigned: nvidia-smi lists no GPU {ids[0]}")
+
+
+def here(job: Job, tasks: Iterable[Task], device: str | None) -> Iterator[Outcome]:
+    """One after the other, in this process."""
+    worker = Worker(job, device)
+    return map(worker.run, tasks)
+
+
+_worker: Worker | None = None
+
+
+def _begin(job: Job, devices: Any) -> None:
+    global _worker
+    _worker = Worker(job, devices.get())
+
+
+def _run(task: Task) -> Outcome:
+    assert _worker is not None
+    return _worker.run(task)
+
+
+def processes(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
+    """By a process a device, begun by spawn."""
+    context = get_context("spawn")
+    queue = context.SimpleQueue()
+    for device in devices:
+        queue.put(device)
+    pool = ProcessPoolExecutor(
+        len(devices), mp_context=context, initializer=_begin, initargs=(job, queue)
+    )
+    try:
+        futures = {}
+        for task in tasks:
+            try:
+                futures[pool.submit(_run, task)] = task
+            except BrokenProcessPool:
+                yield Outcome(task.begin, task.end, error=DIED)
+        for future in as_completed(futures):
+            task = futures[future]
+            try:
+                yield future.result()
+            except BrokenProcessPool:
+                yield Outcome(task.begin, task.end, error=DIED)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def actors(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
+    """By an actor of Ray a device; one on a GPU has a GPU of Ray's."""
+    ray = connected_ray()
+    shared, threads = ray.put(job), job.options.threads or 1
+    made = [_actor(ray, device, threads).remote(shared, device) for device in devices]
+    # An actor gets its first task when the cluster has a place for it, if it ever has one.
+    busy: dict[Any, tuple[Any, Task | None]]
+    busy = {actor.__ray_ready__.remote(): (actor, None) for actor in made}
+    waiting = list(tasks)[::-1]
+    while busy and (waiting or any(task is not None for _, task in busy.values())):
+        (done, *_), _ = ray.wait(list(busy))
+        actor, task = busy.pop(done)
+        try:
+            outcome = ray.get(done)
+        except ray.exceptions.RayError as why:
+            if task is not None:
+                yield Outcome(task.begin, task.end, error=f"{DIED} ({type(why).__name__})")
+            continue
+        if task is not None:
+            yield outcome
+        if waiting:
+            task = waiting.pop()
+            busy[actor.run.remote(task)] = (actor, task)
+    # No actor is left for these.
+    yield from (Outcome(task.begin, task.end, error=DIED) for task in waiting[::-1])
+
+
+def connected_ray() -> Any:
+    """Ray, with the cluster that it was connected to, or else a new one of this machine."""
+    ray: Any = importlib.import_module("ray")
+    if not ray.is_initialized():
+        ray.init(log_to_driver=False)
+    return ray
+
+
+def _actor(ray: Any, device: str | None, threads: int) -> Any:
+    on_gpu = device is not None and device.startswith("gpu")
+    return ray.remote(num_cpus=threads, num_gpus=int(on_gpu))(Worker)
+
+
+def jobs(
+    job: Job, tasks: Iterable[Task], devices: Sequence[str | None], executor: Any
+) -> Iterator[Outcome]:
+    """By a job a device of an executor of submitit, an array of Slurm: neighbouring shards."""
+    tasks = list(tasks)
+    n = min(len(devices), len(tasks))
+    shares = [tasks[i * len(tasks) // n : (i + 1) * len(tasks) // n] for i in range(n)]
+    submitted = executor.map_array(_share, [job] * n, shares, devices[:n])
+    for of, share in zip(submitted, shares):
+        try:
+            yield from of.result()
+        except Exception as why:  # What a job of Slurm may end with is open.
+            words = (str(why).strip().splitlines() or [type(why).__name__])[0]
+            for task in share:
+                if job.path(task.begin, task.end).exists():
+                    yield Outcome(task.begin, task.end, written=True)
+                else:
+                    yield Outcome(task.begin, task.end, error=f"{DIED} (job {of.job_id}: {words})")
+
+
+def _share(job: Job, tasks: Sequence[Task], device: str | None) -> list[Outcome]:
+    return list(here(job, tasks, device))
+
+

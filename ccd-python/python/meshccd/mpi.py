@@ -1,0 +1,186 @@
+"""One scene on many processes with MPI: each rank has a part of `meshccd.partition`.
+
+Modelled on the distributed tree of ArborX: the boxes of all ranks are on every rank, swept elements
+go to the ranks whose boxes they overlap, and of two ranks the lower one owns a pair. A step takes
+one `allgather` of boxes, one `Alltoallv` of elements, and one reduction of the earliest time.
+
+    mpirun -n 4 python scene.py    # scene.py: see docs/cluster.md
+
+It needs the package mpi4py, and an MPI. All calls but `vertices` and `part` are collective: every
+rank makes them, in one order. What one rank refuses is an error of every rank, so none waits for
+ever. Ranks of one host share its cores: give a session `Options(threads=n)`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._native import Mesh, Options, Session
+from .partition import ELEMENT, Local, Part, merge, split
+
+if TYPE_CHECKING:
+    from mpi4py import MPI
+
+__all__ = ["Scene"]
+
+_Ids = NDArray[np.uint32]
+_T = TypeVar("_T")
+
+
+class Scene:
+    """A scene of which each rank has the elements of one part.
+
+    Parameters
+    ----------
+    part : Part
+        The part of this rank: of as many as there are ranks, by its number.
+    options : Options, optional
+        Of all steps, the same on every rank; bodies are those of the whole mesh.
+    comm : MPI.Intracomm, optional
+        By default `MPI.COMM_WORLD`.
+    device : str, optional
+        As of a `Session`: one a rank, such as "gpu:0000:3b:00.0".
+
+    Raises
+    ------
+    ValueError
+        If the part is that of another rank, on any rank.
+    ImportError, RuntimeError
+        If there is no mpi4py, or no MPI that it can load.
+    """
+
+    def __init__(
+        self,
+        part: Part,
+        options: Options | None = None,
+        *,
+        comm: MPI.Intracomm | None = None,
+        device: str | None = None,
+    ) -> None:
+        self.part: Part = part
+        self._comm = _world() if comm is None else comm
+        self._options = Options() if options is None else options
+        self._device = device
+        self._session: Session | None = None
+        self._together(self._check)
+
+    @classmethod
+    def of_mesh(
+        cls,
+        mesh: Mesh,
+        x: ArrayLike,
+        options: Options | None = None,
+        *,
+        comm: MPI.Intracomm | None = None,
+        device: str | None = None,
+    ) -> Scene:
+        """A scene of a mesh that every rank has read; x as for `partition.split`. Where one rank
+        alone has it, it calls `split` and scatters the parts."""
+        comm = _world() if comm is None else comm
+        part = split(mesh, x, comm.size)[comm.rank]
+        return cls(part, options, comm=comm, device=device)
+
+    @property
+    def vertices(self) -> _Ids:
+        """Ids of the vertices of this rank's elements, ascending, (n,): of whose positions steps
+        are made. Some are on several ranks, with the same positions."""
+        return self.part.vertices
+
+    def step(self, x0: ArrayLike, x1: ArrayLike) -> NDArray[np.void]:
+        """The contacts that this rank owns, as `Report.contacts`, with the numbers of the whole
+        mesh: those of all ranks together are those of one process.
+
+        Parameters
+        ----------
+        x0, x1 : (n, 3) arrays
+            Positions of `vertices` at the start and at the end of the step.
+
+        Raises
+        ------
+        ValueError
+            If one rank refuses its positions or options, on every rank.
+        """
+        local = self._exchange(x0, x1)
+        return self._together(lambda: local.contacts(self._on(local).step(local.x0, local.x1)))
+
+    def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
+        """The earliest time of impact of the whole scene, on every rank; None if all is free."""
+        local = self._exchange(x0, x1)
+        toi = self._together(lambda: self._on(local).earliest_toi(local.x0, local.x1))
+        from mpi4py import MPI
+
+        least: float = self._comm.allreduce(np.inf if toi is None else toi, MPI.MIN)
+        return None if least == np.inf else least
+
+    def collision_free_stepsize(self, x0: ArrayLike, x1: ArrayLike) -> float:
+        """The part of the step that is free of contact in the whole scene, in [0, 1]."""
+        toi = self.earliest_toi(x0, x1)
+        return 1.0 if toi is None else toi
+
+    def gather(self, contacts: NDArray[np.void], root: int = 0) -> NDArray[np.void] | None:
+        """The contacts of all ranks on one, sorted as by one process; None on the others."""
+        parts = self._comm.gather(contacts, root)
+        return None if parts is None else merge(parts)
+
+    def _check(self) -> None:
+        rank, size = self._comm.rank, self._comm.size
+        if (self.part.index, self.part.n_parts) != (rank, size):
+            raise ValueError(f"{self.part!r} is not that of rank {rank} of {size}")
+
+    def _exchange(self, x0: ArrayLike, x1: ArrayLike) -> Local:
+        """The mesh of this rank and its halo."""
+        from mpi4py import MPI
+
+        part, d = self.part, self._options.min_distance
+        boxes = self._comm.allgather(self._together(lambda: part.boxes(x0, x1, d)))
+        outgoing = part.outgoing(x0, x1, boxes, d)
+        n_sent = np.array([len(of) for of in outgoing])
+        n_received = np.array(self._comm.alltoall(n_sent.tolist()))
+        sent, received = np.concatenate(outgoing), np.empty(n_received.sum(), ELEMENT)
+        # An element is one item, so that counts stay below 2^31.
+        item = MPI.BYTE.Create_contiguous(ELEMENT.itemsize).Commit()
+        try:
+            self._comm.Alltoallv(
+                [sent, (n_sent, _starts(n_sent)), item],
+                [received, (n_received, _starts(n_received)), item],
+            )
+        finally:
+            item.Free()
+        return self._together(lambda: part.local(x0, x1, [received]))
+
+    def _on(self, local: Local) -> Session:
+        options = local.options(self._options)
+        if self._session is None:
+            self._session = Session(local.mesh, options, device=self._device)
+        else:
+            self._session.set_mesh(local.mesh, options.bodies)
+        return self._session
+
+    def _together(self, call: Callable[[], _T]) -> _T:
+        """The result of a call, once it has succeeded on every rank."""
+        try:
+            result, why = call(), None
+        except (ValueError, RuntimeError, MemoryError) as error:
+            result, why = None, error
+        failed = [(rank, of) for rank, of in enumerate(self._comm.allgather(why)) if of is not None]
+        if why is not None:
+            raise why
+        if failed:
+            rank, of = failed[0]
+            kind = ValueError if isinstance(of, ValueError) else RuntimeError
+            raise kind(f"rank {rank}: {of}")
+        return result  # type: ignore[return-value]
+
+
+def _world() -> MPI.Intracomm:
+    from mpi4py import MPI
+
+    return MPI.COMM_WORLD
+
+
+def _starts(counts: NDArray[np.int64]) -> NDArray[np.int64]:
+    return np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)

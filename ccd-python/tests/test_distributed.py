@@ -1,0 +1,184 @@
+"""Many frames by processes of this machine against one: reports, digests, files; what fails."""
+
+import multiprocessing
+import os
+import signal
+import sys
+
+import numpy as np
+import pytest
+from crowds import N_STEPS, OPTIONS, Deadly, animation, check, write_frames
+
+from meshccd import Bodies, Mesh, Options, Session, read_mesh
+from meshccd._shards import alone
+from meshccd.distributed import FrameError, RunError, ShardError, digest, map_frames
+
+
+def bytes_of(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def test_processes_find_what_one_does(tmp_path):
+    mesh, frames = animation()
+    want = Session(mesh, OPTIONS).step_many(frames)
+    said = []
+    how = {"options": OPTIONS, "steps_per_shard": 3}
+    found = map_frames(frames, mesh, tmp_path / "two", n_workers=2, progress=said.append, **how)
+    check(found, want)
+    assert [(of.n_done, of.n_kept, of.n_failed) for of in said] == [(i, 0, 0) for i in range(1, 5)]
+    assert (said[-1].n_steps_done, said[-1].n_steps) == (N_STEPS, N_STEPS)
+    assert "4 of 4 shards, 10 of 10 steps" in str(said[-1]) and "10 steps from 0" in repr(found)
+    assert found[-1].earliest_toi == want[-1].earliest_toi and len(found[2:5]) == 3
+    # In this process, by one file a frame: the same files to the last bit, resumed or not.
+    (tmp_path / "frames").mkdir()
+    paths = write_frames(tmp_path / "frames", mesh, frames)
+    mesh, _ = read_mesh(paths[0])
+    map_frames(frames, mesh, tmp_path / "one", n_workers=1, **how)
+    files = bytes_of(tmp_path / "one")
+    assert len(files) == 4 and "steps-0000009-0000010.npz" in files
+    (tmp_path / "one" / "steps-0000003-0000006.npz").unlink()
+    said.clear()
+    found = map_frames(paths, mesh, tmp_path / "one", n_workers=1, progress=said.append, **how)
+    check(found, want)
+    assert bytes_of(tmp_path / "one") == files and said[-1].n_kept == 3
+    # One file for all.
+    np.save(tmp_path / "x.npy", frames)
+    check(map_frames(tmp_path / "x.npy", paths[0], tmp_path / "npy", n_workers=1, **how), want)
+    assert bytes_of(tmp_path / "npy") == files
+
+
+def test_parts_are_all_of_it_and_nothing_twice(tmp_path):
+    mesh, frames = animation()
+    bodies = Bodies.of_components(mesh, self_contact=False)
+    how = {"options": Options(bodies=bodies, threads=1), "steps_per_shard": 2, "n_workers": 1}
+    want = Session(mesh, how["options"]).step_many(frames)
+    parts = [map_frames(frames, mesh, tmp_path, part=(i, 3), **how) for i in (3, 1, 2)]
+    assert sorted((of.first, len(of)) for of in parts) == [(0, 2), (2, 4), (6, 4)]
+    check(map_frames(frames, mesh, tmp_path, **how), want)
+    assert np.array_equal(parts[1][0].toi_of_worlds, want[0].toi_of_worlds)
+    assert len(map_frames(frames[:1], mesh, tmp_path, **how)) == 0
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"mesh": True}, "with another mesh; write to another folder, or remove it"),
+        ({"options": Options(min_distance=0.03)}, "other options: min_distance 0.02, not 0.03"),
+        ({"options": Options(min_distance=0.02, mode="conservative", tolerance=1e-4)}, "tolerance"),
+        ({"frames": True}, "with other frames"),
+    ],
+)
+def test_shards_of_another_run_are_refused(tmp_path, change, words):
+    mesh, frames = animation()
+    how = {"options": OPTIONS, "n_workers": 1}
+    map_frames(frames, mesh, tmp_path, **how)
+    before = bytes_of(tmp_path)
+    if change.pop("frames", False):
+        frames = frames + 1e-9
+    if change.pop("mesh", False):
+        mesh = Mesh(mesh.faces[:, [1, 2, 0]], n_vertices=mesh.n_vertices)
+    with pytest.raises(RunError, match=words) as why:
+        map_frames(frames, mesh, tmp_path, **{**how, **change})
+    assert why.value.failures[0][:2] == (0, N_STEPS) and bytes_of(tmp_path) == before
+    # What no answer depends on is no other run.
+    map_frames(*animation()[::-1], tmp_path, options=Options(min_distance=0.02, threads=2))
+
+
+def test_a_damaged_shard_is_told(tmp_path):
+    mesh, frames = animation()
+    map_frames(frames, mesh, tmp_path, n_workers=1)
+    (path,) = tmp_path.iterdir()
+    path.write_bytes(path.read_bytes()[:-100])
+    with pytest.raises(RunError, match="is damaged, remove it"):
+        map_frames(frames, mesh, tmp_path, n_workers=1)
+
+
+def test_a_frame_that_cannot_be_read_costs_its_shards_alone(tmp_path):
+    mesh, frames = animation()
+    paths = write_frames(tmp_path, mesh, frames)
+    mesh, _ = read_mesh(paths[0])
+    whole = paths[4].read_text()
+    how = {"n_workers": 1, "steps_per_shard": 2}
+    for text, words in (
+        (whole[: whole.rindex("f")], "frame 4 .*other faces"),
+        ("v a b c", "frame 4 cannot be"),
+    ):
+        paths[4].write_text(text)
+        with pytest.raises(RunError, match=words) as why:
+            map_frames(paths, mesh, tmp_path / "out", **how)
+        # Of the two steps that need it, the last of one shard and the first of the next.
+        assert [(a, b) for a, b, _ in why.value.failures] == [(2, 4), (4, 6)]
+        assert "2 of 5 shards are not written" in str(why.value)
+    paths[4].write_text(whole)
+    said = []
+    assert len(map_frames(paths, mesh, tmp_path / "out", progress=said.append, **how)) == N_STEPS
+    assert said[-1].n_kept == 3
+    wrong = np.zeros((3, 5, 3))
+    with pytest.raises(RunError, match=r"frame 0 has positions of the shape \(5, 3\)"):
+        map_frames(wrong, mesh, tmp_path / "wrong", n_workers=1)
+    assert issubclass(FrameError, ValueError) and issubclass(ShardError, RuntimeError)
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no SIGKILL")
+def test_a_worker_that_dies_is_told(tmp_path, monkeypatch):
+    mesh, frames = animation()
+    how = {"options": OPTIONS, "steps_per_shard": 2, "n_workers": 2}
+    with monkeypatch.context() as patch:
+        patch.setattr("meshccd.distributed.frames_of", lambda frames: Deadly(frames, 9))
+        with pytest.raises(RunError, match="the worker died before it was written.* run again"):
+            map_frames(frames, mesh, tmp_path, **how)
+    said = []
+    found = map_frames(frames, mesh, tmp_path, progress=said.append, **how)
+    check(found, Session(mesh, OPTIONS).step_many(frames))
+    assert said[-1].n_failed == 0
+
+
+def hold(path, ready, done):
+    with alone(path):
+        ready.set()
+        done.wait(60)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows tells two runs apart at their ends")
+def test_two_runs_do_not_write_one_shard(tmp_path):
+    mesh, frames = animation()
+    context = multiprocessing.get_context("spawn")
+    ready, done = context.Event(), context.Event()
+    path = tmp_path / "steps-0000000-0000010.npz"
+    other = context.Process(target=hold, args=(path, ready, done))
+    other.start()
+    assert ready.wait(60)
+    with pytest.raises(RunError, match=f"is being written by process {other.pid} on "):
+        map_frames(frames, mesh, tmp_path, n_workers=1)
+    # A process that dies leaves its shard.
+    other.kill()
+    other.join()
+    assert len(map_frames(frames, mesh, tmp_path, n_workers=1)) == N_STEPS
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_second_run_that_was_not_seen_may_not_differ(tmp_path, monkeypatch):
+    """Without locks, as on some file systems: the same contacts are accepted, others are not."""
+    mesh, frames = animation()
+    how = {"options": OPTIONS, "n_workers": 1}
+    map_frames(frames, mesh, tmp_path, **how)
+    before = bytes_of(tmp_path)
+    monkeypatch.setattr("meshccd._shards.check", lambda *_: False)
+    map_frames(frames, mesh, tmp_path, **how)
+    with pytest.raises(RunError, match="another run has written other contacts meanwhile"):
+        map_frames(frames, mesh, tmp_path, options=Options(min_distance=0.04), n_workers=1)
+    assert bytes_of(tmp_path) == before
+
+
+def test_a_gpu_finds_what_the_cpu_does(tmp_path):
+    mesh, frames = animation()
+    try:
+        Session(mesh, device="gpu")
+    except RuntimeError as why:
+        if os.environ.get("CCD_GPU") == "require":
+            raise
+        pytest.skip(str(why))
+    how = {"options": OPTIONS, "steps_per_shard": 5}
+    found = map_frames(frames, mesh, tmp_path, devices=["gpu", None], **how)
+    want = Session(mesh, OPTIONS).step_many(frames)
+    assert digest(found) == digest(want) and found[0].n_candidates == want[0].n_candidates

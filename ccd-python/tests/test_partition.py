@@ -1,0 +1,165 @@
+"""Parts of a scene against one process: the same contacts to the last bit, none twice."""
+
+import pickle
+
+import numpy as np
+import pytest
+from crowds import crowd
+
+from meshccd import Bodies, Kind, Mesh, Options, Session
+from meshccd.partition import ELEMENT, merge, split
+
+
+def locals_of(mesh, x0, x1, n_parts, d=0.0, drop=lambda to, sent: sent):
+    """The local meshes of all parts, as a transport would make them."""
+    parts = split(mesh, x0, n_parts)
+    ends = [(x0[part.vertices], x1[part.vertices]) for part in parts]
+    boxes = [part.boxes(*of, d) for part, of in zip(parts, ends)]
+    sent = [part.outgoing(*of, boxes, d) for part, of in zip(parts, ends)]
+    to = [[drop(i, of[i]) for of in sent] for i in range(n_parts)]
+    return [part.local(*of, to[i]) for i, (part, of) in enumerate(zip(parts, ends))]
+
+
+def in_parts(mesh, x0, x1, n_parts, options=Options(), drop=lambda to, sent: sent):
+    found = []
+    for local in locals_of(mesh, x0, x1, n_parts, options.min_distance, drop):
+        session = Session(local.mesh, local.options(options))
+        found.append(local.contacts(session.step(local.x0, local.x1)))
+    return found
+
+
+def check(mesh, x0, x1, n_parts, options=Options()):
+    want = Session(mesh, options).step(x0, x1).contacts
+    found = in_parts(mesh, x0, x1, n_parts, options)
+    assert sum(map(len, found)) == len(want), "a contact is lost, or found twice"
+    assert np.array_equal(merge(found), want)
+    # Each part's array is sorted by itself.
+    assert all(np.array_equal(merge([of]), of) for of in found)
+    return want
+
+
+@pytest.mark.parametrize("n_parts", range(1, 8))
+@pytest.mark.parametrize("seed", range(4))
+def test_contacts_are_those_of_one_process(n_parts, seed):
+    d = [0.0, 0.1][seed % 2]
+    mesh, x0, x1 = crowd(60, seed, rods=20 * (seed // 2), particles=30 * (seed // 2))
+    want = check(mesh, x0, x1, n_parts, Options(min_distance=d))
+    assert len(want) > 200
+    # Only a distance makes particles touch.
+    assert len(set(want["kind"])) == (4 if seed == 3 else 2)
+
+
+@pytest.mark.parametrize("n_parts", [2, 5])
+def test_candidates_are_those_of_one_process(n_parts):
+    mesh, x0, x1 = crowd(60, 9, rods=20, particles=40)
+    locals_ = locals_of(mesh, x0, x1, n_parts)
+    listed = [Session(of.mesh).candidates(of.x0, of.x1) for of in locals_]
+    order = lambda pairs: pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
+    for kind, want in enumerate(Session(mesh).candidates(x0, x1)):
+        found = np.concatenate([of.owned(kind, pairs[kind]) for of, pairs in zip(locals_, listed)])
+        assert np.array_equal(order(found), order(want)), Kind(kind)
+
+
+def test_a_lost_halo_is_seen():
+    """The negative control: without what other parts send, or a tenth of it, contacts are lost."""
+    mesh, x0, x1 = crowd(60, 1)
+    want = Session(mesh).step(x0, x1).contacts
+    for drop in (lambda to, sent: sent[:0], lambda to, sent: sent[len(sent) // 10 :]):
+        found = merge(in_parts(mesh, x0, x1, 4, drop=drop))
+        assert len(found) < len(want) and set(found.tolist()) < set(want.tolist())
+
+
+def test_touching_boxes_are_sent():
+    """Comparisons are closed: a vertex that ends exactly on a face of another part, and one that
+    stays exactly the distance away."""
+    faces = [[0, 1, 2], [3, 4, 5]]
+    x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 1], [0.3, 0.2, 2], [0.2, 0.3, 2.0]])
+    x1 = x0.copy()
+    x1[3:] -= [0, 0, 1]
+    want = check(Mesh(faces), x0, x1, 2)
+    assert len(want) > 0 and want["toi"].min() > 1 - 1e-5
+    far = x0.copy()
+    far[3:] -= [0, 0, 0.75]
+    assert len(check(Mesh(faces), far, far, 2, Options(min_distance=0.25))) > 0
+    assert len(check(Mesh(faces), far, far, 2, Options(min_distance=0.2499999))) == 0
+
+
+@pytest.mark.parametrize("scale", [1e-30, 1e30])
+def test_units_do_not_matter(scale):
+    mesh, x0, x1 = crowd(30, 5)
+    assert len(check(mesh, scale * x0, scale * x1, 3, Options(min_distance=0.01 * scale))) > 50
+
+
+def test_bodies_keep_their_rules():
+    mesh, x0, x1 = crowd(60, 2)
+    components = Bodies.of_components(mesh).of_vertex
+    n = components.max() + 1
+    everything = check(mesh, x0, x1, 3)
+    first = {kind: everything[everything["kind"] == kind][::3] for kind in (0, 1)}
+    pairs = {kind: np.stack([of["a"], of["b"]], axis=1) for kind, of in first.items()}
+    for rules in (
+        {"self_contact": False},
+        {"worlds": np.arange(n) % 3, "excluded_bodies": [[0, 1], [3, 9]]},
+        {"memberships": np.arange(n) % 4, "filters": np.arange(n) % 3},
+        {"excluded_vertex_face": pairs[0], "excluded_edge_edge": pairs[1]},
+    ):
+        bodies = Bodies(components, **rules)
+        want = check(mesh, x0, x1, 4, Options(bodies=bodies))
+        assert 0 < len(want) < len(everything), rules
+
+
+def test_exact_mode_is_the_same():
+    mesh, x0, x1 = crowd(40, 6)
+    assert len(check(mesh, x0, x1, 3, Options(mode="exact"))) > 50
+
+
+def test_parts_may_be_empty():
+    mesh, x0, x1 = crowd(2, 0)
+    assert [len(part) for part in split(mesh, x0, 6)] == [0, 1, 1, 0, 1, 1]
+    check(mesh, x0, x1, 6)
+    check(Mesh([]), np.zeros((0, 3)), np.zeros((0, 3)), 3)
+
+
+def test_every_feature_has_one_owner():
+    mesh, x0, x1 = crowd(50, 3, rods=10, particles=10)
+    parts = split(mesh, x0, 5)
+    assert sorted(np.concatenate([part.vertices for part in parts]).tolist()) != list(
+        range(mesh.n_vertices)
+    ), "no vertex is in two parts: the test shows nothing"
+    for kind, n in ((Kind.VERTEX_VERTEX, mesh.n_vertices), (Kind.EDGE_EDGE, len(mesh.edges))):
+        owned = []
+        for local in locals_of(mesh, x0, x1, 5):
+            ids = np.arange(len(local.vertices if kind == Kind.VERTEX_VERTEX else local.edges))
+            owned.append(local.owned(kind, np.stack([ids, ids], axis=1))[:, 0])
+        assert np.array_equal(np.sort(np.concatenate(owned)), np.arange(n)), kind
+    part = pickle.loads(pickle.dumps(parts[1]))
+    assert np.array_equal(part.vertices, parts[1].vertices) and "1 of 5" in repr(part)
+
+
+def test_refusals_say_what_and_where():
+    mesh = Mesh([[0, 1, 2], [2, 1, 3]])
+    x = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]])
+    with pytest.raises(ValueError, match="n_parts is 0"):
+        split(mesh, x, 0)
+    with pytest.raises(ValueError, match=r"x has the shape \(3, 3\); there are 4 vertices"):
+        split(mesh, x[:3], 2)
+    low, high = split(mesh, x, 2)
+    mine, yours = x[low.vertices], x[high.vertices]
+    bad = yours.copy()
+    bad[2, 1] = np.nan
+    with pytest.raises(ValueError, match=r"x0\[2\] is \[.*nan.*finite"):
+        high.boxes(bad, yours)
+    with pytest.raises(ValueError, match="min_distance is -1"):
+        high.boxes(yours, yours, -1)
+    sent = high.outgoing(yours, yours, [low.boxes(mine, mine), np.zeros((0, 2, 3))])
+    assert [of.dtype for of in sent] == [ELEMENT] * 2 and [len(of) for of in sent] == [1, 0]
+    assert low.local(mine, mine, sent).vertices.tolist() == [0, 1, 2, 3]
+    sent[0]["x1"] += 1
+    with pytest.raises(ValueError, match="vertex .* has two positions x1, in two parts"):
+        low.local(mine, mine, sent)
+
+
+def test_a_real_scene_in_four_parts(cloth_ball):
+    """The whole of a step that has over a hundred thousand contacts."""
+    scene = cloth_ball
+    assert len(check(scene.mesh, scene.x0, scene.x1, 4)) == 113_854
