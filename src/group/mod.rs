@@ -11,7 +11,7 @@ use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
 use ccd_core::model::contact::State as ContactState;
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, On, State};
-use parts::{Part, Parts};
+use parts::{Elements, Part, Parts};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -20,7 +20,9 @@ use std::time::Instant;
 /// of every backend](session::Session), and find the contacts that one device finds, in the same
 /// order.
 ///
-/// The mesh is in as many parts as there are devices, each with what touches it from outside. The
+/// The mesh is in as many parts as there are devices, each with what touches it from outside; one
+/// of less than a million triangles stays whole, on the first device
+/// ([`Engine::set_least_share`]). The
 /// first step makes them, and another one where vertices have left the places that parts were made
 /// for: about a hundredth of the scene, more if they move fast. That takes as long as hundreds of
 /// steps.
@@ -70,11 +72,21 @@ impl Member for ccd_cpu::Engine {
 pub struct Engine<E> {
     state: State,
     members: Vec<InGroup<E>>,
-    /// The parts that members have the meshes of, if they have.
-    parts: Option<Parts>,
+    division: Division,
+    least_share: usize,
     filter: Option<Arc<Filter>>,
     cancel: Option<CancelToken>,
     n_partitions: u32,
+}
+
+/// What members have meshes of.
+enum Division {
+    /// Of nothing yet.
+    None,
+    /// The first of the whole mesh, which is too small to be divided.
+    Whole,
+    /// As many members as there are parts of a part each.
+    Parts(Parts),
 }
 
 /// A member, and what it copies and finds.
@@ -150,32 +162,47 @@ impl<E: Member> session::Engine for Engine<E> {
             Ok(InGroup { engine, in_f32, in_f64, contacts: Vec::new(), lists: Default::default() })
         };
         let members = on.iter().map(member).collect::<Result<_, E::Error>>()?;
-        Ok(Self { state, members, parts: None, filter: None, cancel: None, n_partitions: 0 })
+        Ok(Self {
+            state,
+            members,
+            division: Division::None,
+            least_share: LEAST_SHARE,
+            filter: None,
+            cancel: None,
+            n_partitions: 0,
+        })
     }
 
     fn state(&self) -> &State {
-        &self.state
+        match self.division {
+            Division::Whole => self.members[0].engine.state(),
+            _ => &self.state,
+        }
     }
 
     fn clear(&mut self) {
         self.state.report.clear();
+        if let Division::Whole = self.division {
+            self.members[0].engine.clear();
+        }
     }
 
-    fn find(&mut self, given: Given, _: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
+    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
         self.clear();
         let start = Instant::now();
         self.place(given)?;
+        if let Division::Whole = self.division {
+            return self.members[0].engine.find(given, moved, ask);
+        }
         let placed = start.elapsed();
-        self.each(given, Asked::Step(ask))?;
+        let n_parts = self.each(given, Asked::Step(ask))?;
         let State { mesh, report, .. } = &mut self.state;
         report.set_mesh(mesh);
-        for member in &self.members {
-            report.contacts.extend_from_slice(&member.contacts);
+        for member in &self.members[..n_parts] {
             add(report, &member.engine.state().report);
         }
-        // Lists in order are runs to this sort.
-        report.contacts.sort_by_key(|c| (c.kind, c.a, c.b));
-        report.contacts.dedup_by_key(|c| (c.kind, c.a, c.b));
+        let lists = self.members[..n_parts].iter().map(|member| &member.contacts[..]);
+        merge(lists.collect(), &mut report.contacts);
         let undecided = report.contacts.iter().filter(|c| c.state == ContactState::Undecided);
         report.undecided = undecided.count() as u64;
         report.times.boxes += placed.as_secs_f64() * 1e3;
@@ -185,10 +212,13 @@ impl<E: Member> session::Engine for Engine<E> {
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, E::Error> {
         self.clear();
-        let listed = self.place(given).and_then(|()| self.each(given, Asked::Candidates));
-        listed.inspect_err(|_| self.clear())?;
+        self.place(given)?;
+        if let Division::Whole = self.division {
+            return self.members[0].engine.list(given);
+        }
+        let n_parts = self.each(given, Asked::Candidates)?;
         let lists = [0, 1, 2, 3].map(|kind| {
-            let of = self.members.iter_mut().map(|member| &mut member.lists[kind]);
+            let of = self.members[..n_parts].iter_mut().map(|member| &mut member.lists[kind]);
             let mut all: Vec<Pair> = of.flat_map(std::mem::take).collect();
             all.sort_unstable_by_key(|pair| (pair.a, pair.b));
             all.dedup();
@@ -204,8 +234,11 @@ impl<E: Member> session::Engine for Engine<E> {
     }
 
     fn change(&mut self, change: Change) -> Result<(), E::Error> {
-        // A member that was changed while another refused has its mesh sent again.
-        let parts = self.parts.take();
+        if let Division::Whole = self.division {
+            self.state.report = self.state().report.clone();
+        }
+        // Where a member refuses, others may have changed: all have their meshes sent again.
+        let division = std::mem::replace(&mut self.division, Division::None);
         match change {
             Change::Mesh(mesh, options) => {
                 let none = Change::Mesh(Arc::new(Mesh::default()), without_bodies(&options));
@@ -213,16 +246,25 @@ impl<E: Member> session::Engine for Engine<E> {
                 (self.state.mesh, self.state.options) = (mesh, options);
             }
             Change::Bodies(bodies) => {
-                if let Some(parts) = parts {
-                    let of = |part: &Part| bodies.as_ref().map(|bodies| part.bodies(bodies));
-                    self.change_each(|i| Change::Bodies(of(&parts.all[i])))?;
-                    self.parts = Some(parts);
+                match &division {
+                    Division::None => (),
+                    Division::Whole => {
+                        self.members[0].engine.change(Change::Bodies(bodies.clone()))?;
+                    }
+                    Division::Parts(Parts { all, .. }) => {
+                        let of = |part: &Part| bodies.as_ref().map(|bodies| part.bodies(bodies));
+                        self.change_each(|i| Change::Bodies(all.get(i).and_then(|part| of(part))))?;
+                    }
                 }
+                self.division = division;
                 self.state.options.bodies = bodies;
             }
             Change::MinDistance(distance) => {
                 self.change_each(|_| Change::MinDistance(distance))?;
-                self.parts = parts.filter(|parts| distance <= parts.min_distance);
+                self.division = match division {
+                    Division::Parts(parts) if distance > parts.min_distance => Division::None,
+                    other => other,
+                };
                 self.state.options.min_distance = distance;
             }
             Change::Filter(filter) => {
@@ -257,9 +299,25 @@ impl<E: Member> Engine<E> {
         self.members.iter().map(|member| &member.engine)
     }
 
+    /// From now on a device gets at least so many elements: faces, edges of no face, vertices of no
+    /// edge. Smaller meshes are stepped by fewer devices, down to the first alone.
+    pub fn set_least_share(&mut self, elements: usize) {
+        self.least_share = elements.max(1);
+        self.division = Division::None;
+    }
+
+    /// How many members step the mesh; 0 before the first step.
+    pub fn n_used(&self) -> usize {
+        match &self.division {
+            Division::None => 0,
+            Division::Whole => 1,
+            Division::Parts(parts) => parts.all.len(),
+        }
+    }
+
     fn change_each(&mut self, change: impl Fn(usize) -> Change) -> Result<(), E::Error> {
-        let members = self.members.iter_mut().enumerate();
-        members.map(|(i, member)| member.engine.change(change(i))).collect()
+        let mut members = self.members.iter_mut().enumerate();
+        members.try_for_each(|(i, member)| member.engine.change(change(i)))
     }
 
     /// Members have the positions of their parts, which are made anew where they do not hold.
@@ -272,18 +330,26 @@ impl<E: Member> Engine<E> {
         {
             return Err(Error::FixedMoves { vertex }.into());
         }
-        if self.parts.is_some() && self.gather(given) {
+        if self.gather(given) {
             return Ok(());
         }
+        self.division = Division::None;
         let State { mesh, options, .. } = &self.state;
-        self.parts = None;
-        let parts = Parts::new(mesh, given, self.members.len(), options.min_distance)?;
-        let of_part = |part: &Part| {
-            let bodies = options.bodies.as_ref().map(|bodies| part.bodies(bodies));
-            options.clone().with_bodies(bodies)
-        };
+        let elements = Elements::new(mesh);
+        let n_parts = (elements.len() / self.least_share).clamp(1, self.members.len());
+        self.n_partitions += 1;
+        if n_parts == 1 {
+            let engine = &mut self.members[0].engine;
+            engine.change(Change::Mesh(mesh.clone(), options.clone()))?;
+            engine.change(Change::Filter(self.filter.clone()))?;
+            self.division = Division::Whole;
+            return Ok(());
+        }
+        let parts = Parts::new(&elements, given, n_parts, options.min_distance)?;
         for (member, part) in self.members.iter_mut().zip(&parts.all) {
-            member.engine.change(Change::Mesh(part.mesh.clone(), of_part(part)))?;
+            let bodies = options.bodies.as_ref().map(|bodies| part.bodies(bodies));
+            let options = options.clone().with_bodies(bodies);
+            member.engine.change(Change::Mesh(part.mesh.clone(), options))?;
             let filter = self.filter.clone().map(|filter| {
                 let part = part.clone();
                 Arc::new(move |kind: Kind, a: u32, b: u32| {
@@ -293,15 +359,19 @@ impl<E: Member> Engine<E> {
             });
             member.engine.change(Change::Filter(filter))?;
         }
-        self.parts = Some(parts);
-        self.n_partitions += 1;
+        self.division = Division::Parts(parts);
         // They have room for these positions, if such numbers fit at all.
         self.gather(given);
         Ok(())
     }
 
+    /// Copies positions to the members; whether the division holds for them.
     fn gather(&mut self, given: Given) -> bool {
-        let Some(Parts { all, .. }) = &self.parts else { return false };
+        let all = match &self.division {
+            Division::None => return false,
+            Division::Whole => return true,
+            Division::Parts(parts) => &parts.all,
+        };
         let few = self.state.mesh.n_vertices() < FEWEST_FOR_THREADS;
         let available = std::thread::available_parallelism().map_or(1, usize::from);
         let n_threads = if few { 1 } else { (available / all.len()).clamp(1, MOST_THREADS) };
@@ -311,15 +381,19 @@ impl<E: Member> Engine<E> {
         at_once(members, gather).into_iter().all(|holds| holds)
     }
 
-    /// All members at once.
-    fn each(&mut self, given: Given, ask: Asked) -> Result<(), E::Error> {
-        let Some(Parts { all, .. }) = &self.parts else { return Ok(()) };
+    /// All parts at once; how many there are.
+    fn each(&mut self, given: Given, ask: Asked) -> Result<usize, E::Error> {
+        let Division::Parts(Parts { all, .. }) = &self.division else { return Ok(0) };
         let is_f32 = matches!(given, Precision::F32(_));
         let members = self.members.iter_mut().zip(all);
         let find = |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.find(part, is_f32, ask);
-        at_once(members, find).into_iter().collect()
+        at_once(members, find).into_iter().collect::<Result<(), _>>()?;
+        Ok(all.len())
     }
 }
+
+/// Elements from which on another device pays: below, it is idle for most of a step.
+const LEAST_SHARE: usize = 500_000;
 
 /// Vertices from which on positions are copied by several threads a member.
 const FEWEST_FOR_THREADS: usize = 100_000;
@@ -350,6 +424,33 @@ fn without_bodies(options: &Options) -> Options {
 fn moving_still<T: PartialEq>(bodies: &crate::Bodies, [x0, x1]: [&[T]; 2]) -> Option<usize> {
     let may_move = bodies.fixed_may_move();
     (0..x0.len()).find(|&v| !may_move && x0[v] != x1[v] && bodies.is_fixed(v as u32))
+}
+
+/// Joins lists in order, each contact once.
+fn merge(mut lists: Vec<&[Contact]>, out: &mut Vec<Contact>) {
+    let key = |c: &Contact| (c.kind, c.a, c.b);
+    lists.retain(|list| !list.is_empty());
+    while let [first, others @ ..] = &mut lists[..] {
+        if others.is_empty() {
+            out.extend_from_slice(first);
+            return;
+        }
+        // Some of the first list, up to the least that others begin with; there are few lists.
+        let least = others.iter().map(|list| key(&list[0])).min();
+        let n = first.iter().take_while(|c| Some(key(c)) < least).count();
+        out.extend_from_slice(&first[..n]);
+        *first = &first[n..];
+        if first.first().map(key) == least {
+            // The others' is the same one.
+            others
+                .iter_mut()
+                .filter(|list| Some(key(&list[0])) == least)
+                .for_each(|l| *l = &l[1..]);
+        }
+        lists.retain(|list| !list.is_empty());
+        // The least first.
+        lists.sort_by_key(|list| key(&list[0]));
+    }
 }
 
 /// Adds what a member counted, and the times of the slowest.

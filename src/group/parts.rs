@@ -57,7 +57,12 @@ impl Parts {
     ///
     /// # Errors
     /// [`Error::Coordinate`].
-    pub fn new(mesh: &Mesh, x: Given, n_parts: usize, min_distance: f64) -> Result<Self, Error> {
+    pub fn new(
+        elements: &Elements,
+        x: Given,
+        n_parts: usize,
+        min_distance: f64,
+    ) -> Result<Self, Error> {
         let boxes = match x {
             Precision::F32(x) => swept(x)?,
             Precision::F64(x) => swept(x)?,
@@ -76,7 +81,6 @@ impl Parts {
             .fold(0.0, |most: f64, &x| most.max((x as f64).abs()));
         let reach = 0.5 * min_distance + ROUNDING * greatest;
 
-        let elements = Elements::new(mesh);
         let order = elements.in_order(&room, &scene);
         let cuts: Vec<usize> = (0..=n_parts).map(|p| p * order.len() / n_parts).collect();
         let own: Vec<&[u32]> = cuts.windows(2).map(|cut| &order[cut[0]..cut[1]]).collect();
@@ -87,7 +91,7 @@ impl Parts {
         let all = std::thread::scope(|scope| {
             let of_part = |(own, halo): (&&[u32], Vec<&[u32]>)| {
                 let all: Vec<u32> = halo.into_iter().flatten().chain(*own).copied().collect();
-                let (elements, room) = (&elements, &room);
+                let room = &room;
                 scope.spawn(move || Part::new(elements, all, room))
             };
             let all: Vec<_> = own.iter().zip(halos).map(of_part).collect();
@@ -115,18 +119,20 @@ fn grown(b: &Aabb<f32>, by: f64) -> Aabb<f32> {
 }
 
 /// The elements of a mesh, numbered: faces, then edges of no face, then vertices of no edge.
-struct Elements<'a> {
+pub struct Elements<'a> {
     mesh: &'a Mesh,
     /// Edges of no face.
     rods: Vec<u32>,
 }
 
 impl<'a> Elements<'a> {
-    fn new(mesh: &'a Mesh) -> Self {
+    /// Of this mesh.
+    pub fn new(mesh: &'a Mesh) -> Self {
         Self { mesh, rods: edges_of_no_face(mesh) }
     }
 
-    fn len(&self) -> usize {
+    /// How many.
+    pub fn len(&self) -> usize {
         self.mesh.faces().len() + self.rods.len() + self.mesh.isolated_vertices().len()
     }
 

@@ -9,7 +9,9 @@ use ccd_core::model::session::{self, On};
 type Group = session::Session<Engine<ccd_cpu::Engine>, On<Vec<()>>>;
 
 fn group(n: usize, mesh: &Mesh, options: &Options) -> Group {
-    Group::new(&vec![(); n], mesh, options.clone()).expect("a group")
+    let mut group = Group::new(&vec![(); n], mesh, options.clone()).expect("a group");
+    group.set_least_share(1);
+    group
 }
 
 /// All that both find of a step; how many contacts.
@@ -62,8 +64,36 @@ fn there_may_be_more_members_than_elements() {
     let (mut group, mut session) =
         (group(5, &mesh, &Options::default()), Session::new(&mesh, Options::default()).unwrap());
     assert_eq!(same(&mut group, &mut session, &x0, &x1), 1);
+    // Two elements.
+    assert_eq!((group.n_used(), group.members().len()), (2, 5));
     let none = Group::new(&Vec::new(), &mesh, Options::default());
     assert!(matches!(none.err(), Some(Error::Setting { value: 0, .. })));
+}
+
+/// As users have it, all calls go to the first member.
+#[test]
+fn a_small_mesh_stays_whole() {
+    let (step, other) = (scenes::crumpled_sheet(12, 1), scenes::particles_and_rods(50, 1));
+    let mut group = Group::new(&vec![(); 2], &step.mesh, Options::default()).unwrap();
+    let mut session = Session::new(&step.mesh, Options::default()).unwrap();
+    assert_eq!(group.n_used(), 0);
+    same(&mut group, &mut session, &step.x0, &step.x1);
+    let odd = |_: Kind, a: u32, b: u32| (a + b) % 2 == 1;
+    group.set_filter(odd).unwrap();
+    session.set_filter(odd).unwrap();
+    same(&mut group, &mut session, &step.x0, &step.x1);
+    let bodies = Bodies::new(&vec![0; step.mesh.n_vertices()]).with_self_contacts(false);
+    group.set_bodies(bodies.clone()).unwrap();
+    session.set_bodies(bodies).unwrap();
+    assert_eq!(same(&mut group, &mut session, &step.x0, &step.x1), 0);
+    group.set_mesh_and_bodies(&other.mesh, None).unwrap();
+    session.set_mesh_and_bodies(&other.mesh, None).unwrap();
+    assert!(group.report().contacts.is_empty());
+    same(&mut group, &mut session, &other.x0, &other.x1);
+    assert_eq!(group.n_used(), 1);
+    let wrong = group.step(&other.x0, &vec![[f64::NAN; 3]; other.x0.len()]);
+    assert!(matches!(wrong.err(), Some(Error::Coordinate { .. })));
+    assert!(group.report().contacts.is_empty() && group.report().toi.is_none());
 }
 
 /// Parts are kept while vertices stay near, and made anew where they do not.
