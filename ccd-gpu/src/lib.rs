@@ -18,7 +18,7 @@
 //! | `clock.rs` | times of reports |
 //! | `flushing.rs` | which numbers a device takes as zero |
 //! | `recorder.rs` | dispatches, bind groups, times |
-//! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
+//! | `growable_list.rs`, `readback.rs`, `staging.rs` | lists that kernels append to, results, input |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |
@@ -51,6 +51,7 @@ mod recorder;
 mod session;
 mod shaders;
 mod sort;
+mod staging;
 mod step;
 
 pub use adapter::{DeviceOptions, Info, Path, described};

@@ -4,13 +4,14 @@
 //! stay near where they were; then a step copies positions to the members, all look for contacts at
 //! once, and what they find is put in order. A contact that two members found counts once.
 
+mod merge;
 mod parts;
 
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
-use ccd_core::model::contact::State as ContactState;
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, On, State};
+use merge::merge;
 use parts::{Elements, Part, Parts};
 use std::sync::Arc;
 use std::time::Instant;
@@ -74,6 +75,8 @@ pub struct Engine<E> {
     members: Vec<InGroup<E>>,
     division: Division,
     least_share: usize,
+    /// The contacts of the last report, as memory for those of the next one.
+    joined: Vec<Contact>,
     filter: Option<Arc<Filter>>,
     cancel: Option<CancelToken>,
     n_partitions: u32,
@@ -112,15 +115,21 @@ impl<E: Member> InGroup<E> {
         let [a, b] = &self.in_f32;
         let [c, d] = &self.in_f64;
         let given = if is_f32 { Given::F32([a, b]) } else { Given::F64([c, d]) };
-        self.contacts.clear();
         match ask {
             Asked::Step(ask) => {
                 self.engine.find(given, None, ask)?;
-                self.contacts.extend(self.engine.state().report.contacts.iter().map(|c| {
+                let found = &self.engine.state().report.contacts[..];
+                let in_mesh = |c: &Contact| {
                     let [a, b] = part.ids(c.kind, [c.a, c.b]);
-                    let contact = Contact::new(c.kind, c.state, a, b, c.toi);
-                    contact.with_approach(c.approach)
-                }));
+                    Contact::new(c.kind, c.state, a, b, c.toi).with_approach(c.approach)
+                };
+                // What stands there from the last step is overwritten.
+                self.contacts.resize(found.len(), NO_CONTACT);
+                let share = contacts_a_thread(found.len());
+                let parts = self.contacts.chunks_mut(share).zip(found.chunks(share));
+                at_once(parts, |(to, found)| {
+                    to.iter_mut().zip(found).for_each(|(to, c)| *to = in_mesh(c));
+                });
             }
             Asked::Candidates => {
                 let found = self.engine.list(given)?;
@@ -167,6 +176,7 @@ impl<E: Member> session::Engine for Engine<E> {
             members,
             division: Division::None,
             least_share: LEAST_SHARE,
+            joined: Vec::new(),
             filter: None,
             cancel: None,
             n_partitions: 0,
@@ -181,6 +191,10 @@ impl<E: Member> session::Engine for Engine<E> {
     }
 
     fn clear(&mut self) {
+        if !self.state.report.contacts.is_empty() {
+            // As it is: what stands in it is overwritten.
+            self.joined = std::mem::take(&mut self.state.report.contacts);
+        }
         self.state.report.clear();
         if let Division::Whole = self.division {
             self.members[0].engine.clear();
@@ -201,10 +215,9 @@ impl<E: Member> session::Engine for Engine<E> {
         for member in &self.members[..n_parts] {
             add(report, &member.engine.state().report);
         }
-        let lists = self.members[..n_parts].iter().map(|member| &member.contacts[..]);
-        merge(lists.collect(), &mut report.contacts);
-        let undecided = report.contacts.iter().filter(|c| c.state == ContactState::Undecided);
-        report.undecided = undecided.count() as u64;
+        let lists: Vec<_> = self.members[..n_parts].iter().map(|m| &m.contacts[..]).collect();
+        report.contacts = std::mem::take(&mut self.joined);
+        report.undecided = merge(&lists, &mut report.contacts);
         report.times.boxes += placed.as_secs_f64() * 1e3;
         report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
@@ -400,6 +413,18 @@ const FEWEST_FOR_THREADS: usize = 100_000;
 /// Threads that copy for one member.
 const MOST_THREADS: usize = 8;
 
+/// Contacts that another thread pays for.
+const CONTACTS_A_THREAD: usize = 50_000;
+
+/// How many contacts each of some threads takes.
+fn contacts_a_thread(n: usize) -> usize {
+    let available = std::thread::available_parallelism().map_or(1, usize::from);
+    n.div_ceil(available.min(MOST_THREADS)).max(CONTACTS_A_THREAD)
+}
+
+/// Stands where contacts are still to be written.
+const NO_CONTACT: Contact = Contact::new(Kind::VertexFace, crate::State::Hit, 0, 0, 0.0);
+
 /// Each on a thread of its own, the first on this one; results in order.
 fn at_once<T: Send, R: Send>(
     mut all: impl Iterator<Item = T>,
@@ -424,33 +449,6 @@ fn without_bodies(options: &Options) -> Options {
 fn moving_still<T: PartialEq>(bodies: &crate::Bodies, [x0, x1]: [&[T]; 2]) -> Option<usize> {
     let may_move = bodies.fixed_may_move();
     (0..x0.len()).find(|&v| !may_move && x0[v] != x1[v] && bodies.is_fixed(v as u32))
-}
-
-/// Joins lists in order, each contact once.
-fn merge(mut lists: Vec<&[Contact]>, out: &mut Vec<Contact>) {
-    let key = |c: &Contact| (c.kind, c.a, c.b);
-    lists.retain(|list| !list.is_empty());
-    while let [first, others @ ..] = &mut lists[..] {
-        if others.is_empty() {
-            out.extend_from_slice(first);
-            return;
-        }
-        // Some of the first list, up to the least that others begin with; there are few lists.
-        let least = others.iter().map(|list| key(&list[0])).min();
-        let n = first.iter().take_while(|c| Some(key(c)) < least).count();
-        out.extend_from_slice(&first[..n]);
-        *first = &first[n..];
-        if first.first().map(key) == least {
-            // The others' is the same one.
-            others
-                .iter_mut()
-                .filter(|list| Some(key(&list[0])) == least)
-                .for_each(|l| *l = &l[1..]);
-        }
-        lists.retain(|list| !list.is_empty());
-        // The least first.
-        lists.sort_by_key(|list| key(&list[0]));
-    }
 }
 
 /// Adds what a member counted, and the times of the slowest.

@@ -17,6 +17,7 @@ mod end_points;
 mod engine;
 mod failures;
 mod geometry;
+mod groups;
 mod in_flight;
 mod intervals;
 mod kept_order;
@@ -146,6 +147,7 @@ fn main() {
             failures::TESTS,
             limits::TESTS,
             recovery::TESTS,
+            groups::TESTS,
             in_flight::TESTS,
             codimensional::TESTS,
             geometry::TESTS,

@@ -19,18 +19,20 @@ fn group(n: usize, mesh: &Mesh, options: &Options) -> Group {
 fn same(group: &mut Group, session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> usize {
     let want = session.step(x0, x1).expect("a step").clone();
     let found = group.step(x0, x1).expect("a step");
-    assert_eq!(found.contacts, want.contacts);
+    assert!(found.contacts == want.contacts, "contacts");
     assert_eq!((found.toi, found.undecided), (want.toi, want.undecided));
     assert_eq!(found.mesh(), want.mesh());
     assert_eq!(group.earliest_toi(x0, x1).unwrap(), session.earliest_toi(x0, x1).unwrap());
     let window = [0.25, 0.5];
     let want = session.step_window(x0, x1, window).unwrap().contacts.clone();
-    assert_eq!(group.step_window(x0, x1, window).unwrap().contacts, want);
+    assert!(group.step_window(x0, x1, window).unwrap().contacts == want, "of a window");
     let listed = session.candidates(x0, x1).unwrap();
     let mut lists = [listed.vf.to_vec(), listed.ee.to_vec(), listed.ve.into(), listed.vv.into()];
     lists.iter_mut().for_each(|list| list.sort_unstable_by_key(|pair| (pair.a, pair.b)));
     let found = group.candidates(x0, x1).unwrap();
-    assert_eq!([found.vf, found.ee, found.ve, found.vv], lists);
+    let mut found = [found.vf, found.ee, found.ve, found.vv];
+    found.iter_mut().for_each(|list| list.sort_unstable_by_key(|pair| (pair.a, pair.b)));
+    assert!(found == lists, "candidates");
     session.step(x0, x1).unwrap().contacts.len()
 }
 
@@ -40,7 +42,7 @@ fn every_number_of_parts(step: &Step, options: &Options, fewest: usize) {
         let mut group = group(n, &step.mesh, options);
         let found = same(&mut group, &mut session, &step.x0, &step.x1);
         assert!(found > fewest, "{found}");
-        assert_eq!((group.n_partitions(), group.members().len()), (1, n));
+        assert_eq!((group.n_partitions(), group.n_used()), (1, n));
     }
 }
 

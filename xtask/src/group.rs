@@ -1,7 +1,7 @@
 //! The part `group` of `cargo xtask report --gpu`: steps of one mesh on all GPUs of this host,
 //! beside the first of them alone, in turn. Contacts must be the same.
 
-use crate::measure::{median, timed};
+use crate::measure::{median, timed, warm};
 use ccd::gpu::{Device, DeviceOptions, Error, Group, Session};
 use ccd::{Mesh, Options, Report, scenes};
 use ccd_testkit::data::{SCENES, data_dir};
@@ -68,25 +68,36 @@ pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
         let (first, done) = timed(|| all.step(&x0, &x1).map(|_| ()));
         done?;
         assert!(all.report().contacts == contacts, "contacts of {name}");
-        let mut times: [Vec<f64>; 6] = Default::default();
-        for _ in 0..runs + 3 {
-            let sent = |report: &Report| report.times.boxes;
+        // Each in a row, so that all devices that it uses are at their clocks.
+        let until = |report: &Report, ms| (report.times.boxes, ms);
+        let steps = warm(runs, || {
             let (ms, report) = timed(|| one.step(&x0, &x1));
-            times[0].push(sent(report?));
-            times[1].push(ms);
+            report.map(|report| until(report, ms))
+        })?;
+        let steps_of_all = warm(runs, || {
             let (ms, report) = timed(|| all.step(&x0, &x1));
-            times[2].push(sent(report?));
-            times[3].push(ms);
+            report.map(|report| until(report, ms))
+        })?;
+        let earliest = warm(runs, || {
             let (ms, found) = timed(|| one.earliest_toi(&x0, &x1));
-            times[4].push(ms);
-            let (all_ms, of_all) = timed(|| all.earliest_toi(&x0, &x1));
-            times[5].push(all_ms);
-            assert_eq!(found?, of_all?, "earliest of {name}");
-        }
-        let [sent, one_ms, sent_all, all_ms, toi, toi_all] =
-            times.map(|ms| median(ms[3..].iter().copied()));
-        let parts: Vec<String> =
-            all.members().map(|member| member_faces(member).to_string()).collect();
+            found.map(|found| (ms, found))
+        })?;
+        let earliest_of_all = warm(runs, || {
+            let (ms, found) = timed(|| all.earliest_toi(&x0, &x1));
+            found.map(|found| (ms, found))
+        })?;
+        assert_eq!(earliest[0].1, earliest_of_all[0].1, "earliest of {name}");
+        let of = |steps: &[(f64, f64)]| {
+            (median(steps.iter().map(|of| of.0)), median(steps.iter().map(|of| of.1)))
+        };
+        let ((sent, one_ms), (sent_all, all_ms)) = (of(&steps), of(&steps_of_all));
+        let [toi, toi_all] =
+            [earliest, earliest_of_all].map(|found| median(found.iter().map(|of| of.0)));
+        let parts: Vec<String> = all
+            .members()
+            .take(all.n_used())
+            .map(|member| member_faces(member).to_string())
+            .collect();
         let _ = writeln!(
             text,
             "| {name} | {n_faces} | {} | {sent:.2} | {one_ms:.2} | {sent_all:.2} | {all_ms:.2} | \

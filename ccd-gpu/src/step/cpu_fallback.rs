@@ -86,9 +86,31 @@ pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
     );
 }
 
-/// The earliest time of all contacts, and how many are undecided. In one pass, and by several
-/// minima at once, because each of a chain of minima waits for the one before.
+/// Contacts that a thread looks through in the time that it takes to start it.
+const MANY: usize = 100_000;
+
+/// The earliest time of all contacts, and how many are undecided.
 pub fn summary(contacts: &[Contact]) -> (Option<f64>, u64) {
+    let share = contacts.len().div_ceil(cores()).max(MANY);
+    let found = std::thread::scope(|scope| {
+        let mut parts = contacts.chunks(share);
+        let own = parts.next();
+        let others: Vec<_> = parts.map(|part| scope.spawn(move || summary_of(part))).collect();
+        let joined = |other: std::thread::ScopedJoinHandle<_>| {
+            other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        own.map(summary_of).into_iter().chain(others.into_iter().map(joined)).reduce(
+            |(toi, undecided): (f64, u64), other: (f64, u64)| {
+                (toi.min(other.0), undecided + other.1)
+            },
+        )
+    });
+    (found.map(|found| found.0), found.map_or(0, |found| found.1))
+}
+
+/// The same of some. In one pass, and by several minima at once, because each of a chain of minima
+/// waits for the one before.
+fn summary_of(contacts: &[Contact]) -> (f64, u64) {
     let (mut least, mut undecided) = ([f64::INFINITY; 8], 0);
     for some in contacts.chunks(least.len()) {
         for (least, contact) in least.iter_mut().zip(some) {
@@ -96,8 +118,7 @@ pub fn summary(contacts: &[Contact]) -> (Option<f64>, u64) {
             undecided += (contact.state == State::Undecided) as u64;
         }
     }
-    let toi = least.into_iter().fold(f64::INFINITY, f64::min);
-    ((!contacts.is_empty()).then_some(toi), undecided)
+    (least.into_iter().fold(f64::INFINITY, f64::min), undecided)
 }
 
 /// Puts contacts in their canonical order.

@@ -3,11 +3,12 @@
 
 use crate::device::Device;
 use crate::error::Error;
+use crate::staging::{self, Staging};
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::math::real::Real;
-use ccd_core::model::precision::{Given, Points, Precision};
+use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
 use std::ops::Range;
@@ -34,6 +35,7 @@ pub struct Positions {
     call: Option<u64>,
     /// Of every [`CHUNK`] vertices.
     scans: Vec<Scan>,
+    staging: Staging,
     host_paths: Vec<Path>,
     host_wide: Vec<[f64; 3]>,
     host_keys: Vec<[[u32; 2]; 6]>,
@@ -78,6 +80,7 @@ impl Positions {
             reach: 0.0,
             call: None,
             scans: Vec::new(),
+            staging: Staging::default(),
             host_paths: Vec::new(),
             host_wide: Vec::new(),
             host_keys: Vec::new(),
@@ -120,11 +123,8 @@ impl Positions {
         let all = 0..x0.len() as u32;
         self.scans.resize(x0.len().div_ceil(CHUNK), Scan::NONE);
         for run in runs.unwrap_or(std::slice::from_ref(&all)) {
-            for i in run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK) {
-                let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
-                self.scans[i] = Scan::NONE;
-                self.scans[i].take_all(&x0[chunk.clone()], &x1[chunk]);
-            }
+            let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
+            scan_chunks(chunks.start, &mut self.scans[chunks], [x0, x1]);
         }
         let scan = self.scans.iter().fold(Scan::NONE, |all, scan| all.merged(scan));
         scan.check(x0, x1)?;
@@ -161,20 +161,14 @@ impl Positions {
         let path = |v: usize| Path { t0: path_end(&x0[v]), t1: path_end(&x1[v]) };
         if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
             for run in runs {
-                let run = run.start as usize..run.end as usize;
-                run.clone().for_each(|v| self.host_paths[v] = path(v));
-                let at = (run.start * size_of::<Path>()) as u64;
-                device.write(
-                    "paths",
-                    &self.paths,
-                    at,
-                    bytemuck::cast_slice(&self.host_paths[run]),
-                )?;
+                let (first, n) = (run.start as usize, run.len());
+                let at = (first * size_of::<Path>()) as u64;
+                let (to, scratch) = ((&self.paths, at), &mut self.host_paths);
+                self.staging.write(device, "paths", to, n, scratch, |i| path(first + i))?;
             }
         } else {
-            self.host_paths.clear();
-            self.host_paths.extend((0..x0.len()).map(path));
-            device.write("paths", &self.paths, 0, bytemuck::cast_slice(&self.host_paths))?;
+            let (to, scratch) = ((&self.paths, 0), &mut self.host_paths);
+            self.staging.write(device, "paths", to, x0.len(), scratch, path)?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
@@ -208,17 +202,8 @@ impl Positions {
         let bytes = (x[0].len() * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
         for (x, at) in x.into_iter().zip([0, bytes]) {
-            match T::erase::<Points<1>>([x]) {
-                Precision::F64([x]) => {
-                    device.write(what, &self.wide, at, bytemuck::cast_slice(x))?;
-                }
-                // Rare: coordinates that are too large for the filters as they are.
-                Precision::F32([x]) => {
-                    self.host_wide.clear();
-                    self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
-                    device.write(what, &self.wide, at, bytemuck::cast_slice(&self.host_wide))?;
-                }
-            }
+            let (to, scratch) = ((&self.wide, at), &mut self.host_wide);
+            self.staging.write(device, what, to, x.len(), scratch, |v| x[v].map(T::to_f64))?;
         }
         Ok(replaced)
     }
@@ -257,6 +242,27 @@ impl Positions {
         frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
         frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
     }
+}
+
+/// Scans chunks of vertices, of which the first has this number, on several threads.
+fn scan_chunks<T: Coordinate>(first: usize, scans: &mut [Scan], [x0, x1]: [&[[T; 3]]; 2]) {
+    let scan = |first: usize, scans: &mut [Scan]| {
+        for (scan, i) in scans.iter_mut().zip(first..) {
+            let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
+            *scan = Scan::NONE;
+            scan.take_all(&x0[chunk.clone()], &x1[chunk]);
+        }
+    };
+    let bytes = scans.len() * CHUNK * size_of::<[[T; 3]; 2]>();
+    let share = scans.len().div_ceil(staging::threads(bytes as u64)).max(1);
+    std::thread::scope(|scope| {
+        let mut parts = scans.chunks_mut(share).enumerate();
+        let own = parts.next();
+        for (i, part) in parts {
+            scope.spawn(move || scan(first + i * share, part));
+        }
+        own.map(|(_, part)| scan(first, part))
+    });
 }
 
 /// Replaces a buffer that is too small. Returns whether it was.

@@ -1,0 +1,63 @@
+//! Lists of contacts in order become one, on several threads: each takes what is between two keys.
+
+use super::{NO_CONTACT, at_once, contacts_a_thread};
+use crate::{Contact, Kind, State};
+
+fn key(c: &Contact) -> (Kind, u32, u32) {
+    (c.kind, c.a, c.b)
+}
+
+/// Joins lists, each contact once; `out` keeps its length where it can, so that nothing is written
+/// twice. Returns how many are undecided.
+pub fn merge(lists: &[&[Contact]], out: &mut Vec<Contact>) -> u64 {
+    let Some(longest) = lists.iter().max_by_key(|list| list.len()) else { return 0 };
+    let share = contacts_a_thread(longest.len());
+    let first_keys = longest.iter().step_by(share).skip(1).map(key);
+    let mut rest = lists.to_vec();
+    let mut parts: Vec<Vec<&[Contact]>> = Vec::new();
+    for least in first_keys {
+        let cut = |list: &mut &'_ [Contact]| list.partition_point(|c| key(c) < least);
+        let cuts: Vec<usize> = rest.iter_mut().map(cut).collect();
+        parts.push(
+            rest.iter_mut().zip(cuts).map(|(list, n)| list.split_off(..n).unwrap_or(&[])).collect(),
+        );
+    }
+    parts.push(rest);
+    let counts = at_once(parts.iter(), |lists| {
+        let (mut n, mut undecided) = (0, 0);
+        each_run(lists, |run| {
+            n += run.len();
+            undecided += run.iter().filter(|c| c.state == State::Undecided).count() as u64;
+        });
+        (n, undecided)
+    });
+    out.resize(counts.iter().map(|of| of.0).sum(), NO_CONTACT);
+    let mut to = &mut out[..];
+    let slices = counts.iter().map(|of| to.split_off_mut(..of.0).unwrap_or(&mut []));
+    at_once(parts.iter().zip(slices), |(lists, to)| {
+        let mut at = 0;
+        each_run(lists, |run| {
+            to[at..at + run.len()].copy_from_slice(run);
+            at += run.len();
+        });
+    });
+    counts.iter().map(|of| of.1).sum()
+}
+
+/// Calls `take` with one run of contacts after the other, in order, each contact once.
+fn each_run<'a>(lists: &[&'a [Contact]], mut take: impl FnMut(&'a [Contact])) {
+    let mut lists: Vec<&[Contact]> = lists.iter().copied().filter(|l| !l.is_empty()).collect();
+    lists.sort_by_key(|list| key(&list[0]));
+    while let [first, others @ ..] = &mut lists[..] {
+        let Some(least) = others.first().map(|list| key(&list[0])) else { return take(first) };
+        let n = first.iter().take_while(|c| key(c) < least).count();
+        if n == 0 {
+            // Both have the same one.
+            *first = &first[1..];
+        } else if let Some(run) = first.split_off(..n) {
+            take(run);
+        }
+        lists.retain(|list| !list.is_empty());
+        lists.sort_by_key(|list| key(&list[0]));
+    }
+}

@@ -1,0 +1,71 @@
+//! Groups of devices find what one of them finds; positions so many that they go by way of buffers
+//! that stay mapped.
+
+use ccd::gpu::{Device, Group, Session};
+use ccd::scenes::{Random, crumpled_sheet, particles_and_rods};
+use ccd::{Contact, Mesh, Options};
+
+pub const TESTS: crate::Tests =
+    &[("groups_of_devices", check_groups), ("many_positions", check_many_positions)];
+
+fn check_groups(device: &Device) {
+    let devices = vec![device.clone(); 2];
+    for step in [crumpled_sheet(30, 5), particles_and_rods(100, 6)] {
+        let mut one = Session::new(device, &step.mesh, Options::default()).unwrap();
+        let mut group = Group::new(&devices, &step.mesh, Options::default()).unwrap();
+        group.set_least_share(1);
+        let want = one.step(&step.x0, &step.x1).unwrap().contacts.clone();
+        assert!(want.len() > 100);
+        let found = group.step(&step.x0, &step.x1).unwrap();
+        assert!(found.contacts == want, "contacts of a group");
+        assert_eq!(group.n_used(), 2);
+        let toi = one.earliest_toi(&step.x0, &step.x1).unwrap();
+        assert_eq!(group.earliest_toi(&step.x0, &step.x1).unwrap(), toi);
+        let lists = [one.candidates(&step.x0, &step.x1), group.candidates(&step.x0, &step.x1)];
+        let [want, found] = lists.map(|found| {
+            let mut found = found.unwrap();
+            let lists = [&mut found.vf, &mut found.ee, &mut found.ve, &mut found.vv];
+            lists.into_iter().for_each(|list| list.sort_unstable_by_key(|pair| (pair.a, pair.b)));
+            found
+        });
+        assert!(found == want, "candidates of a group");
+    }
+}
+
+/// Some triangles among many that meet nothing, in steps of which each is another: the CPU finds
+/// the same.
+fn check_many_positions(device: &Device) {
+    let n = 60_000;
+    let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new(3 * n as usize, &faces).unwrap();
+    let mut random = Random::new(9);
+    let mut at = |i: u32| {
+        // The first hundred are in one cell of a grid.
+        let cell = [i % 40, i / 40 % 40, i / 1600].map(|k| if i < 100 { 0.0 } else { k as f64 });
+        [(); 3].map(|()| {
+            let p = random.point();
+            [0, 1, 2].map(|k| cell[k] + 0.5 * p[k])
+        })
+    };
+    let mut frame = || (0..n).flat_map(&mut at).collect::<Vec<[f64; 3]>>();
+    let mut session = Session::new(device, &mesh, Options::default()).unwrap();
+    let ids = |contacts: &[Contact]| {
+        contacts.iter().map(|c| (c.kind, c.a, c.b, c.state)).collect::<Vec<_>>()
+    };
+    let mut x0 = frame();
+    for in_f32 in [true, false, false] {
+        let x1 = frame();
+        let found = if in_f32 {
+            let [x0, x1] =
+                [&x0, &x1].map(|x| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>());
+            let want = ccd::step(&mesh, &x0, &x1, &Options::default()).unwrap();
+            (ids(&session.step(&x0, &x1).unwrap().contacts), ids(&want.contacts))
+        } else {
+            let want = ccd::step(&mesh, &x0, &x1, &Options::default()).unwrap();
+            (ids(&session.step(&x0, &x1).unwrap().contacts), ids(&want.contacts))
+        };
+        assert!(found.1.len() > 100, "{}", found.1.len());
+        assert!(found.0 == found.1, "contacts of many positions");
+        x0 = x1;
+    }
+}
