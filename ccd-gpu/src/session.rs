@@ -101,6 +101,9 @@ impl session::Engine for Engine {
 
     fn clear(&mut self) {
         self.abandon();
+        if !self.state.report.contacts.is_empty() {
+            self.frames.spare = std::mem::take(&mut self.state.report.contacts);
+        }
         self.state.report.clear();
         self.left_open = PerKind::default();
         self.frames.geometry.listed = false;

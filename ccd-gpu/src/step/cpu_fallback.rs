@@ -12,6 +12,9 @@ const MIN_SHARE: usize = 256;
 /// Contacts that `f64` left open, of the same; some take tens of microseconds.
 const MIN_OPEN: usize = 8;
 
+/// Contacts that a thread takes at least as a device wrote them.
+const MIN_TOUCHES: usize = 25_000;
+
 /// Decides pairs on all cores and appends those that touch or stay undecided.
 pub fn decide<T: Real>(
     mesh: &Mesh,
@@ -77,13 +80,27 @@ fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
-/// Appends the contacts of a list as a device wrote them, without its header.
-pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
-    out.extend(
-        bytes
-            .chunks_exact(size_of::<Touch>())
-            .map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))),
-    );
+/// The contacts of a list as a device wrote them, without its header, in the memory of others: what
+/// stands there is overwritten, by several threads, and nothing is written twice.
+pub fn take_touches(bytes: &[u8], spare: &mut Vec<Contact>) -> Vec<Contact> {
+    const NONE: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
+    let mut out = std::mem::take(spare);
+    out.resize(bytes.len() / size_of::<Touch>(), NONE);
+    let take = |(out, bytes): (&mut [Contact], &[u8])| {
+        for (contact, touch) in out.iter_mut().zip(bytes.chunks_exact(size_of::<Touch>())) {
+            *contact = Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch));
+        }
+    };
+    let share = out.len().div_ceil(cores()).max(MIN_TOUCHES);
+    std::thread::scope(|scope| {
+        let mut parts = out.chunks_mut(share).zip(bytes.chunks(share * size_of::<Touch>()));
+        let own = parts.next();
+        for part in parts {
+            scope.spawn(move || take(part));
+        }
+        own.map(take)
+    });
+    out
 }
 
 /// Contacts that a thread looks through in the time that it takes to start it.

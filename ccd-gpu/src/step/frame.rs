@@ -14,7 +14,7 @@ use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, submit};
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
-use ccd_core::model::contact::PerKind;
+use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Given;
@@ -53,6 +53,8 @@ pub struct Frames {
     of_bodies: u64,
     /// The frame that was submitted and whose results are not here yet.
     flight: Option<Flight>,
+    /// Contacts of an earlier step, as memory for those of the next.
+    pub spare: Vec<Contact>,
 }
 
 /// Results of a frame.
@@ -88,6 +90,7 @@ impl Frames {
             cancel: None,
             of_bodies: 0,
             flight: None,
+            spare: Vec::new(),
         })
     }
 

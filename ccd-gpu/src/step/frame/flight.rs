@@ -112,7 +112,7 @@ impl Frames {
                     }
                 }
                 Stage::Rest(mut found, rest) => {
-                    found.open = rest.take(contacts)?;
+                    found.open = rest.take(contacts, &mut self.spare)?;
                     found
                 }
             };
@@ -146,7 +146,7 @@ impl Frames {
         contacts: &mut Vec<Contact>,
     ) -> Result<End, Error> {
         let Attempt { guess, mut order, kept, parts, mapping, times } = attempt;
-        let Self { buffers, bench, .. } = self;
+        let Self { buffers, bench, spare, .. } = self;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
         let (headers, counted) = mapping.read(|bytes| {
@@ -164,7 +164,7 @@ impl Frames {
             })?;
             let n = headers.contacts.wanted.min(guess) as usize;
             let touches = &parts.contacts.of(bytes)[..n * size_of::<Touch>()];
-            cpu_fallback::take_touches(touches, contacts);
+            *contacts = cpu_fallback::take_touches(touches, spare);
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
             let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
@@ -248,14 +248,17 @@ impl Frames {
 
 impl Rest {
     /// Takes contacts, if some were left, and the pairs that are left open.
-    fn take(self, contacts: &mut Vec<Contact>) -> Result<[Vec<Pair>; 2], Error> {
+    fn take(
+        self,
+        contacts: &mut Vec<Contact>,
+        spare: &mut Vec<Contact>,
+    ) -> Result<[Vec<Pair>; 2], Error> {
         let Self { listed, mapping, n_contacts, contacts: of_contacts, open } = self;
         *contacts = listed;
         mapping.read(|bytes| {
             if n_contacts > 0 {
-                contacts.clear();
                 let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
-                cpu_fallback::take_touches(touches, contacts);
+                *contacts = cpu_fallback::take_touches(touches, spare);
             }
             open.map(|part| read_pairs(part.of(bytes)))
         })
