@@ -18,7 +18,8 @@
 //! | `clock.rs` | times of reports |
 //! | `flushing.rs` | which numbers a device takes as zero |
 //! | `recorder.rs` | dispatches, bind groups, times |
-//! | `growable_list.rs`, `readback.rs`, `staging.rs` | lists that kernels append to, results, input |
+//! | `growable_list.rs` | lists that kernels append to |
+//! | `readback.rs`, `staging.rs` | results to the host, positions from it |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, triangles, contacts in order, the CPU |

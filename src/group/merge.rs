@@ -1,7 +1,10 @@
 //! Lists of contacts in order become one, on several threads: each takes what is between two keys.
 
-use super::{NO_CONTACT, at_once, contacts_a_thread};
+use super::threads::{at_once, contacts_a_thread};
 use crate::{Contact, Kind, State};
+
+/// Stands where contacts are still to be written.
+pub const NO_CONTACT: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
 
 fn key(c: &Contact) -> (Kind, u32, u32) {
     (c.kind, c.a, c.b)

@@ -4,17 +4,22 @@
 //! stay near where they were; then a step copies positions to the members, all look for contacts at
 //! once, and what they find is put in order. A contact that two members found counts once.
 
+mod member;
 mod merge;
 mod parts;
+mod threads;
 
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, On, State};
+pub use member::Member;
+use member::{Asked, InGroup};
 use merge::merge;
 use parts::{Elements, Part, Parts};
 use std::sync::Arc;
 use std::time::Instant;
+use threads::{at_once, threads_a_member};
 
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
@@ -45,30 +50,6 @@ use std::time::Instant;
 #[cfg(feature = "gpu")]
 pub type Group = session::Session<Engine<ccd_gpu::Engine>, On<Vec<ccd_gpu::Device>>>;
 
-/// An engine that can be a member.
-pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
-    /// Candidates in lists.
-    ///
-    /// # Errors
-    /// Those of [`session::Engine::candidates`].
-    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Self::Error>;
-}
-
-#[cfg(feature = "gpu")]
-impl Member for ccd_gpu::Engine {
-    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, ccd_gpu::Error> {
-        session::Engine::candidates(self, given)
-    }
-}
-
-impl Member for ccd_cpu::Engine {
-    fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Error> {
-        let found = session::Engine::candidates(self, given)?;
-        let lists = [found.vf.to_vec(), found.ee.to_vec()];
-        Ok(Candidates::new(lists, [found.ve.to_vec(), found.vv.to_vec()]))
-    }
-}
-
 /// What a [`Group`] has.
 pub struct Engine<E> {
     state: State,
@@ -92,65 +73,6 @@ enum Division {
     Parts(Parts),
 }
 
-/// A member, and what it copies and finds.
-struct InGroup<E> {
-    engine: E,
-    in_f32: [Vec<[f32; 3]>; 2],
-    in_f64: [Vec<[f64; 3]>; 2],
-    contacts: Vec<Contact>,
-    lists: [Vec<Pair>; 4],
-}
-
-impl<E: Member> InGroup<E> {
-    /// Copies the positions of its part; whether they are all where they may be.
-    fn gather(&mut self, part: &Part, given: Given, n_threads: usize) -> bool {
-        match given {
-            Precision::F32(x) => part.gather(x, &mut self.in_f32, n_threads),
-            Precision::F64(x) => part.gather(x, &mut self.in_f64, n_threads),
-        }
-    }
-
-    /// Finds what is asked for, in ids of the whole mesh.
-    fn find(&mut self, part: &Part, is_f32: bool, ask: Asked) -> Result<(), E::Error> {
-        let [a, b] = &self.in_f32;
-        let [c, d] = &self.in_f64;
-        let given = if is_f32 { Given::F32([a, b]) } else { Given::F64([c, d]) };
-        match ask {
-            Asked::Step(ask) => {
-                self.engine.find(given, None, ask)?;
-                let found = &self.engine.state().report.contacts[..];
-                let in_mesh = |c: &Contact| {
-                    let [a, b] = part.ids(c.kind, [c.a, c.b]);
-                    Contact::new(c.kind, c.state, a, b, c.toi).with_approach(c.approach)
-                };
-                // What stands there from the last step is overwritten.
-                self.contacts.resize(found.len(), NO_CONTACT);
-                let share = contacts_a_thread(found.len());
-                let parts = self.contacts.chunks_mut(share).zip(found.chunks(share));
-                at_once(parts, |(to, found)| {
-                    to.iter_mut().zip(found).for_each(|(to, c)| *to = in_mesh(c));
-                });
-            }
-            Asked::Candidates => {
-                let found = self.engine.list(given)?;
-                self.lists = [found.vf, found.ee, found.ve, found.vv];
-                for (list, kind) in self.lists.iter_mut().zip(Kind::ALL) {
-                    list.iter_mut().for_each(|pair| {
-                        [pair.a, pair.b] = part.ids(kind, [pair.a, pair.b]);
-                    });
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-#[derive(Clone, Copy)]
-enum Asked {
-    Step(Ask),
-    Candidates,
-}
-
 impl<E: Member> session::Engine for Engine<E> {
     type On = Vec<E::On>;
     type Error = E::Error;
@@ -166,9 +88,7 @@ impl<E: Member> session::Engine for Engine<E> {
         }
         let member = |on| {
             let state = State::new(Arc::new(Mesh::default()), without_bodies(&state.options));
-            let engine = E::new(on, state)?;
-            let (in_f32, in_f64) = Default::default();
-            Ok(InGroup { engine, in_f32, in_f64, contacts: Vec::new(), lists: Default::default() })
+            E::new(on, state).map(InGroup::new)
         };
         let members = on.iter().map(member).collect::<Result<_, E::Error>>()?;
         Ok(Self {
@@ -385,9 +305,7 @@ impl<E: Member> Engine<E> {
             Division::Whole => return true,
             Division::Parts(parts) => &parts.all,
         };
-        let few = self.state.mesh.n_vertices() < FEWEST_FOR_THREADS;
-        let available = std::thread::available_parallelism().map_or(1, usize::from);
-        let n_threads = if few { 1 } else { (available / all.len()).clamp(1, MOST_THREADS) };
+        let n_threads = threads_a_member(self.state.mesh.n_vertices(), all.len());
         let members = self.members.iter_mut().zip(all);
         let gather =
             |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.gather(part, given, n_threads);
@@ -407,39 +325,6 @@ impl<E: Member> Engine<E> {
 
 /// Elements from which on another device pays: below, it is idle for most of a step.
 const LEAST_SHARE: usize = 500_000;
-
-/// Vertices from which on positions are copied by several threads a member.
-const FEWEST_FOR_THREADS: usize = 100_000;
-/// Threads that copy for one member.
-const MOST_THREADS: usize = 8;
-
-/// Contacts that another thread pays for.
-const CONTACTS_A_THREAD: usize = 50_000;
-
-/// How many contacts each of some threads takes.
-fn contacts_a_thread(n: usize) -> usize {
-    let available = std::thread::available_parallelism().map_or(1, usize::from);
-    n.div_ceil(available.min(MOST_THREADS)).max(CONTACTS_A_THREAD)
-}
-
-/// Stands where contacts are still to be written.
-const NO_CONTACT: Contact = Contact::new(Kind::VertexFace, crate::State::Hit, 0, 0, 0.0);
-
-/// Each on a thread of its own, the first on this one; results in order.
-fn at_once<T: Send, R: Send>(
-    mut all: impl Iterator<Item = T>,
-    of: impl Fn(T) -> R + Sync,
-) -> Vec<R> {
-    let of = &of;
-    std::thread::scope(|scope| {
-        let first = all.next();
-        let others: Vec<_> = all.map(|each| scope.spawn(move || of(each))).collect();
-        let joined = |other: std::thread::ScopedJoinHandle<R>| {
-            other.join().unwrap_or_else(|e| std::panic::resume_unwind(e))
-        };
-        first.map(of).into_iter().chain(others.into_iter().map(joined)).collect()
-    })
-}
 
 fn without_bodies(options: &Options) -> Options {
     options.clone().with_bodies(None)

@@ -25,8 +25,8 @@ fn rounded(x: &[[f64; 3]]) -> Vec<[f32; 3]> {
     x.iter().map(|p| p.map(|c| c as f32)).collect()
 }
 
-/// cloth-ball, if there are data, and sheets of five and ten million triangles; small ones where the
-/// device is emulated.
+/// cloth-ball, if there are data, and sheets of five and ten million triangles; small ones where
+/// the device is emulated.
 fn scenes(is_emulated: bool) -> Vec<Scene> {
     let mut all = Vec::new();
     if let (Ok(dir), Some(scene)) = (data_dir(), SCENES.iter().find(|s| s.name == "cloth-ball")) {
@@ -59,7 +59,7 @@ pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
          earliest: one | all | ratio | parts: triangles | first |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
-    let is_emulated = devices[0].info().adapter.device_type == ccd::gpu::wgpu::DeviceType::Cpu;
+    let is_emulated = devices[0].info().adapter.name.starts_with("llvmpipe");
     for Scene { name, mesh, x: [x0, x1] } in scenes(is_emulated) {
         let n_faces = mesh.faces().len();
         let mut one = Session::new(&devices[0], mesh.clone(), Options::default())?;

@@ -15,7 +15,7 @@ const FACADE: &str = "src/lib.rs";
 /// Crates that the facade re-exports from, the core first; `backend/` is the project's own.
 const CRATES: [(&str, &str); 2] = [("ccd_core", "ccd-core/src/"), ("ccd_cpu", "ccd-cpu/src/")];
 /// Modules of the facade that have one row each.
-const WHOLE: [&str; 4] = ["geometry", "gpu", "positions", "scenes"];
+const WHOLE: [&str; 5] = ["geometry", "gpu", "group", "positions", "scenes"];
 
 type Files = [(String, String)];
 
