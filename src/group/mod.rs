@@ -12,7 +12,7 @@ mod threads;
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, On, State};
+use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, State};
 pub use member::Member;
 use member::{Asked, InGroup};
 use merge::merge;
@@ -26,12 +26,11 @@ use threads::{at_once, threads_a_member};
 /// of every backend](session::Session), and find the contacts that one device finds, in the same
 /// order.
 ///
-/// The mesh is in as many parts as there are devices, each with what touches it from outside; one
-/// of less than a million triangles stays whole, on the first device
-/// ([`Engine::set_least_share`]). The
+/// The mesh is in as many parts as there are devices, each with what touches it from outside. The
 /// first step makes them, and another one where vertices have left the places that parts were made
-/// for: about a hundredth of the scene, more if they move fast. That takes as long as hundreds of
-/// steps.
+/// for: about a hundredth of the scene, more if they move fast. That takes as long as tens of
+/// steps. A mesh of less than a million triangles stays whole, on the first device
+/// ([`Engine::set_least_share`]).
 ///
 /// Of a report, [`Report::candidates`], [`Report::filtered`] and counts of a method are sums over
 /// all devices: pairs at the borders of parts count for each device that looks at them.
@@ -48,7 +47,7 @@ use threads::{at_once, threads_a_member};
 /// # Ok::<(), ccd::gpu::Error>(())
 /// ```
 #[cfg(feature = "gpu")]
-pub type Group = session::Session<Engine<ccd_gpu::Engine>, On<Vec<ccd_gpu::Device>>>;
+pub type Group = session::Session<Engine<ccd_gpu::Engine>, session::On<Vec<ccd_gpu::Device>>>;
 
 /// What a [`Group`] has.
 pub struct Engine<E> {

@@ -29,7 +29,7 @@ const CHUNK: usize = 64;
 const SLACK: f64 = 1.0 / 128.0;
 /// At most by this part, where they move far in a step.
 const MOST_SLACK: f64 = 1.0 / 16.0;
-/// Boxes of backends are larger by less than this part of the greatest coordinate.
+/// Boxes of backends are larger by less than this part of the greatest coordinate and distance.
 const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
 
 /// All parts of a mesh.
@@ -79,7 +79,7 @@ impl Parts {
             .iter()
             .chain(&scene.max)
             .fold(0.0, |most: f64, &x| most.max((x as f64).abs()));
-        let reach = 0.5 * min_distance + ROUNDING * greatest;
+        let reach = 0.5 * min_distance + ROUNDING * (greatest + min_distance);
 
         let order = elements.in_order(&room, &scene);
         let cuts: Vec<usize> = (0..=n_parts).map(|p| p * order.len() / n_parts).collect();
