@@ -148,6 +148,11 @@ struct SolverPage;
 #[doc = include_str!("../docs/coming-from.md")]
 struct ComingFromPage;
 
+/// And that of one more; its programs in Python are run by their tests.
+#[cfg(all(doctest, feature = "gpu"))]
+#[doc = include_str!("../docs/cluster.md")]
+struct ClusterPage;
+
 pub use ccd_core::model::bodies::Bodies;
 pub use ccd_core::model::cancel::CancelToken;
 pub use ccd_core::model::contact::{Approach, Contact, Kind, PerKind, State};
