@@ -2,7 +2,7 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
-use crate::measure::{median, timed, warm};
+use crate::measure::{Place, median, timed, warm};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Mesh, PerKind};
@@ -95,6 +95,12 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
     }
     if wanted(Part::Group) {
         crate::group::measure(runs, &mut text).map_err(error)?;
+        write(&text)?;
+    }
+    if wanted(Part::Worlds) {
+        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+        let places: Vec<Place> = Place::gpu().into_iter().chain([Place::Cpu { threads }]).collect();
+        crate::worlds::measure(&places, runs, &mut text).map_err(error)?;
         write(&text)?;
     }
     println!("{text}");

@@ -48,6 +48,8 @@ mod wasm;
 mod web;
 #[cfg(feature = "shaders")]
 mod wgsl;
+#[cfg(feature = "report")]
+mod worlds;
 
 use clap::Parser;
 use std::path::Path;
@@ -218,6 +220,8 @@ enum Part {
     Narrow,
     /// Steps on all GPUs of this host, beside one
     Group,
+    /// 4,096 independent cloths in one call, beside calls of 16
+    Worlds,
 }
 
 fn main() -> ExitCode {
