@@ -32,8 +32,8 @@ are! {
     any::Pairs<'static>, any::Place, any::Session,
 }
 are! {
-    gpu::BroadPhase, gpu::Candidates, gpu::Device, gpu::DeviceOptions, gpu::Error, gpu::Info,
-    gpu::List, gpu::OnDevice<'static>, gpu::Path, gpu::Session, gpu::Sorter, gpu::Timing,
+    gpu::BroadPhase, gpu::Candidates, gpu::Device, gpu::DeviceOptions, gpu::Error, gpu::Group,
+    gpu::Info, gpu::List, gpu::OnDevice<'static>, gpu::Path, gpu::Session, gpu::Sorter, gpu::Timing,
     gpu::WorkerCounts,
 }
 are! {
