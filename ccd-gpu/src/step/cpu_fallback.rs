@@ -7,8 +7,9 @@ use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 
-/// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
-const MIN_SHARE: usize = 256;
+/// Pairs that a thread takes at least: what a device leaves open are mostly ties, of which one
+/// takes as long as to start a thread.
+const MIN_SHARE: usize = 16;
 /// Contacts that `f64` left open, of the same; some take tens of microseconds.
 const MIN_OPEN: usize = 8;
 
