@@ -58,11 +58,8 @@ impl Staging {
         }
         device.run_callbacks();
         let Mapped { buffer, is_free } = self.free(device, bytes)?;
-        device.guarded(what, bytes, || {
-            // Else the device is lost, as the caller is told by what follows.
-            if fill(buffer, n, &item).is_err() {
-                return;
-            }
+        let written = device.guarded(what, bytes, || {
+            fill(buffer, n, &item)?;
             buffer.unmap();
             is_free.store(false, Relaxed);
             let mut encoder = device.wgpu().create_command_encoder(&Default::default());
@@ -72,7 +69,9 @@ impl Staging {
             buffer.map_async(wgpu::MapMode::Write, .., move |mapped| {
                 is_free.store(mapped.is_ok(), Relaxed);
             });
-        })
+            Ok::<_, wgpu::MapRangeError>(())
+        })?;
+        written.map_err(|e| Error::Lost { why: e.to_string() })
     }
 
     /// A mapped buffer that is large enough.

@@ -64,3 +64,31 @@ fn each_run<'a>(lists: &[&'a [Contact]], mut take: impl FnMut(&'a [Contact])) {
         lists.sort_by_key(|list| key(&list[0]));
     }
 }
+
+#[cfg(all(test, feature = "scenes"))]
+mod tests {
+    use super::*;
+    use crate::scenes::Random;
+
+    /// So many that several threads take a share each; one in four stands in two lists or more.
+    #[test]
+    fn lists_become_one_list_in_order() {
+        let mut random = Random::new(4);
+        let contact = |i: u32| {
+            let state = if i.is_multiple_of(7) { State::Undecided } else { State::Hit };
+            Contact::new(Kind::ALL[i as usize / 200_000], state, i / 3, i % 3, 0.5)
+        };
+        let mut lists = [(); 3].map(|()| Vec::new());
+        let mut want = Vec::new();
+        for i in 0..500_000 {
+            let of = random.below(8);
+            (0..3).filter(|k| of >> k & 1 == 1).for_each(|k| lists[k].push(contact(i)));
+            want.extend((of > 0).then(|| contact(i)));
+        }
+        assert!(contacts_a_thread(lists[0].len()) < lists[0].len());
+        let mut out = Vec::new();
+        let n_undecided = merge(&lists.each_ref().map(|list| &list[..]), &mut out);
+        assert!(out == want);
+        assert_eq!(n_undecided, want.iter().filter(|c| c.state == State::Undecided).count() as u64);
+    }
+}

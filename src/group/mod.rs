@@ -254,7 +254,9 @@ impl<E: Member> Engine<E> {
 
     /// Members have the positions of their parts, which are made anew where they do not hold.
     fn place(&mut self, given: Given) -> Result<(), E::Error> {
-        if let Some(bodies) = &self.state.options.bodies
+        // Of a whole mesh its engine says so.
+        if !matches!(self.division, Division::Whole)
+            && let Some(bodies) = &self.state.options.bodies
             && let Some(vertex) = match given {
                 Precision::F32(x) => moving_still(bodies, x),
                 Precision::F64(x) => moving_still(bodies, x),

@@ -170,11 +170,8 @@ fn halos<'a>(
     };
     let boxes: Vec<Vec<Aabb<f32>>> =
         chunks.iter().map(|chunks| chunks.iter().map(around).collect()).collect();
-    let mut is_halo = vec![Vec::new(); own.len()];
-    for (p, of_p) in is_halo.iter_mut().enumerate() {
-        *of_p = chunks.iter().map(|of_q| vec![false; of_q.len()]).collect::<Vec<_>>();
-        of_p[p].fill(true);
-    }
+    let none: Vec<Vec<bool>> = chunks.iter().map(|chunks| vec![false; chunks.len()]).collect();
+    let mut is_halo = vec![none; own.len()];
     let mut size: Vec<usize> = own.iter().map(|own| own.len()).collect();
     let mut broad_phase = BroadPhase::new(0, BroadPhaseMethod::default())?;
     for q in 1..own.len() {
