@@ -63,18 +63,14 @@ struct type_20 {
     member: type_19,
 }
 
-struct type_22 {
-    member: array<f32, 4>,
-    member_1: array<f32, 4>,
-}
-
-struct type_24 {
-    member: array<type_22>,
+struct type_23 {
+    member: array<vec4<u32>>,
 }
 
 struct type_25 {
-    member: array<u32, 3>,
-    member_1: u32,
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
 }
 
 struct type_27 {
@@ -82,776 +78,852 @@ struct type_27 {
 }
 
 struct type_29 {
-    member: vec2<f32>,
-    member_1: vec2<f32>,
-    member_2: vec2<f32>,
-}
-
-struct type_31 {
-    member: array<type_29>,
-}
-
-struct type_33 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_39 {
+struct type_37 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_41 {
+struct type_39 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_45 {
+struct type_40 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+}
+
+struct type_42 {
+    member: array<type_40>,
+}
+
+struct type_43 {
+    member: u32,
+    member_1: array<u32, 4>,
+}
+
+struct type_44 {
+    member: array<array<f32, 3>, 2>,
+    member_1: array<array<f32, 3>, 2>,
+}
+
+struct type_48 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_20;
-@group(0) @binding(2) 
-var<storage> leaves: type_27;
 @group(0) @binding(1) 
-var<storage> nodes: type_31;
-var<workgroup> columns: array<type_33, 128>;
+var<storage> nodes: type_27;
+var<workgroup> columns: array<type_29, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> hits: array<u32, 2048>;
+var<workgroup> counters: array<atomic<u32>, 10>;
+var<workgroup> n_hits: array<u32, 1>;
+var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
+@group(0) @binding(2) 
+var<storage> leaves: type_23;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_39;
+var<storage> keys: type_37;
 @group(0) @binding(5) 
-var<storage> paths: type_24;
+var<storage> paths: type_42;
 @group(0) @binding(6) 
 var<storage> input: type_11;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_45;
+var<storage, read_write> output: type_48;
+var<workgroup> left: array<u32, 512>;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_185_: bool;
-    var phi_186_: bool;
-    var phi_190_: array<u32, 2>;
+    var phi_198_: bool;
+    var phi_199_: bool;
+    var phi_203_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_186_ = true;
+        phi_199_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_185_ = (param[0] > param_1[0]);
+            phi_198_ = (param[0] > param_1[0]);
         } else {
-            phi_185_ = false;
+            phi_198_ = false;
         }
-        let _e14 = phi_185_;
-        phi_186_ = _e14;
+        let _e14 = phi_198_;
+        phi_199_ = _e14;
     }
-    let _e16 = phi_186_;
+    let _e16 = phi_199_;
     if _e16 {
-        phi_190_ = param_1;
+        phi_203_ = param_1;
     } else {
-        phi_190_ = param;
+        phi_203_ = param;
     }
-    let _e18 = phi_190_;
+    let _e18 = phi_203_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_209_: bool;
-    var phi_210_: bool;
-    var phi_214_: array<u32, 2>;
+    var phi_222_: bool;
+    var phi_223_: bool;
+    var phi_227_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_210_ = true;
+        phi_223_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_209_ = (param_3[0] > param_2[0]);
+            phi_222_ = (param_3[0] > param_2[0]);
         } else {
-            phi_209_ = false;
+            phi_222_ = false;
         }
-        let _e14 = phi_209_;
-        phi_210_ = _e14;
+        let _e14 = phi_222_;
+        phi_223_ = _e14;
     }
-    let _e16 = phi_210_;
+    let _e16 = phi_223_;
     if _e16 {
-        phi_214_ = param_3;
+        phi_227_ = param_3;
     } else {
-        phi_214_ = param_2;
+        phi_227_ = param_2;
     }
-    let _e18 = phi_214_;
+    let _e18 = phi_227_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_233_: bool;
-    var phi_234_: bool;
-    var phi_238_: array<u32, 2>;
+    var phi_246_: bool;
+    var phi_247_: bool;
+    var phi_251_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_234_ = true;
+        phi_247_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_233_ = (param_4[0] > param_5[0]);
+            phi_246_ = (param_4[0] > param_5[0]);
         } else {
-            phi_233_ = false;
+            phi_246_ = false;
         }
-        let _e14 = phi_233_;
-        phi_234_ = _e14;
+        let _e14 = phi_246_;
+        phi_247_ = _e14;
     }
-    let _e16 = phi_234_;
+    let _e16 = phi_247_;
     if _e16 {
-        phi_238_ = param_5;
+        phi_251_ = param_5;
     } else {
-        phi_238_ = param_4;
+        phi_251_ = param_4;
     }
-    let _e18 = phi_238_;
+    let _e18 = phi_251_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_257_: bool;
-    var phi_258_: bool;
-    var phi_262_: array<u32, 2>;
+    var phi_270_: bool;
+    var phi_271_: bool;
+    var phi_275_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_258_ = true;
+        phi_271_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_257_ = (param_7[0] > param_6[0]);
+            phi_270_ = (param_7[0] > param_6[0]);
         } else {
-            phi_257_ = false;
+            phi_270_ = false;
         }
-        let _e14 = phi_257_;
-        phi_258_ = _e14;
+        let _e14 = phi_270_;
+        phi_271_ = _e14;
     }
-    let _e16 = phi_258_;
+    let _e16 = phi_271_;
     if _e16 {
-        phi_262_ = param_7;
+        phi_275_ = param_7;
     } else {
-        phi_262_ = param_6;
+        phi_275_ = param_6;
     }
-    let _e18 = phi_262_;
+    let _e18 = phi_275_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_281_: bool;
-    var phi_282_: bool;
-    var phi_286_: array<u32, 2>;
+    var phi_294_: bool;
+    var phi_295_: bool;
+    var phi_299_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_282_ = true;
+        phi_295_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_281_ = (param_8[0] > param_9[0]);
+            phi_294_ = (param_8[0] > param_9[0]);
         } else {
-            phi_281_ = false;
+            phi_294_ = false;
         }
-        let _e14 = phi_281_;
-        phi_282_ = _e14;
+        let _e14 = phi_294_;
+        phi_295_ = _e14;
     }
-    let _e16 = phi_282_;
+    let _e16 = phi_295_;
     if _e16 {
-        phi_286_ = param_9;
+        phi_299_ = param_9;
     } else {
-        phi_286_ = param_8;
+        phi_299_ = param_8;
     }
-    let _e18 = phi_286_;
+    let _e18 = phi_299_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_310_: array<u32, 2>;
+    var phi_318_: bool;
+    var phi_319_: bool;
+    var phi_323_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_306_ = true;
+        phi_319_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_305_ = (param_11[0] > param_10[0]);
+            phi_318_ = (param_11[0] > param_10[0]);
         } else {
-            phi_305_ = false;
+            phi_318_ = false;
         }
-        let _e14 = phi_305_;
-        phi_306_ = _e14;
+        let _e14 = phi_318_;
+        phi_319_ = _e14;
     }
-    let _e16 = phi_306_;
+    let _e16 = phi_319_;
     if _e16 {
-        phi_310_ = param_11;
+        phi_323_ = param_11;
     } else {
-        phi_310_ = param_10;
+        phi_323_ = param_10;
     }
-    let _e18 = phi_310_;
+    let _e18 = phi_323_;
     return _e18;
 }
 
-fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_41;
-    var local_1: type_41;
-    var local_2: type_41;
-    var phi_363_: u32;
-    var phi_416_: u32;
-    var phi_417_: u32;
-    var phi_425_: u32;
-    var phi_441_: u32;
-    var phi_464_: u32;
-    var phi_465_: u32;
-    var phi_468_: type_9;
-    var phi_469_: type_9;
-    var phi_492_: type_9;
-    var phi_539_: u32;
-    var phi_540_: u32;
-    var phi_548_: u32;
-    var phi_562_: u32;
-    var phi_652_: array<u32, 2>;
-    var phi_850_: bool;
-    var phi_851_: bool;
-    var phi_855_: type_33;
-    var phi_870_: type_9;
-    var phi_873_: u32;
-    var phi_871_: type_9;
-    var phi_896_: type_9;
-    var phi_962_: bool;
-    var phi_963_: bool;
-    var phi_964_: bool;
-    var phi_968_: bool;
-    var phi_986_: u32;
-    var phi_987_: u32;
-    var phi_988_: u32;
-    var phi_874_: u32;
-    var phi_991_: type_9;
-    var phi_994_: u32;
-    var phi_992_: type_9;
-    var phi_1017_: type_9;
-    var phi_1137_: bool;
-    var phi_1143_: bool;
-    var phi_1149_: bool;
-    var phi_1150_: bool;
-    var phi_1194_: bool;
-    var phi_1195_: bool;
-    var phi_1202_: bool;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1356_: u32;
-    var phi_1357_: u32;
-    var phi_1362_: type_15;
-    var phi_1365_: u32;
-    var phi_1367_: u32;
-    var phi_1388_: bool;
-    var phi_1394_: type_16;
-    var phi_1363_: type_15;
-    var phi_1408_: type_16;
-    var phi_1476_: bool;
-    var phi_1477_: bool;
-    var phi_1478_: bool;
-    var phi_1479_: bool;
-    var phi_1483_: bool;
-    var phi_1484_: bool;
-    var phi_1489_: u32;
-    var phi_1490_: u32;
-    var phi_1491_: u32;
-    var phi_1492_: u32;
-    var phi_1493_: bool;
-    var phi_1366_: u32;
-    var phi_1368_: u32;
-    var phi_1494_: bool;
+fn function_6(param_12: f32, param_13: f32) -> f32 {
+    var phi_8500_: bool;
+    var phi_8504_: f32;
+
+    if (param_12 != param_12) {
+        phi_8500_ = true;
+    } else {
+        phi_8500_ = (param_13 >= param_12);
+    }
+    let _e6 = phi_8500_;
+    if _e6 {
+        phi_8504_ = param_13;
+    } else {
+        phi_8504_ = param_12;
+    }
+    let _e8 = phi_8504_;
+    return _e8;
+}
+
+fn function_7(param_14: f32, param_15: f32) -> f32 {
+    var phi_8484_: bool;
+    var phi_8488_: f32;
+
+    if (param_14 != param_14) {
+        phi_8484_ = true;
+    } else {
+        phi_8484_ = (param_15 <= param_14);
+    }
+    let _e6 = phi_8484_;
+    if _e6 {
+        phi_8488_ = param_15;
+    } else {
+        phi_8488_ = param_14;
+    }
+    let _e8 = phi_8488_;
+    return _e8;
+}
+
+fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_39;
+    var local_1: type_39;
+    var local_2: type_39;
+    var phi_377_: u32;
+    var phi_426_: u32;
+    var phi_427_: u32;
+    var phi_435_: u32;
+    var phi_451_: u32;
+    var phi_474_: u32;
+    var phi_475_: u32;
+    var phi_478_: type_9;
+    var phi_479_: type_9;
+    var phi_504_: type_9;
+    var phi_551_: u32;
+    var phi_552_: u32;
+    var phi_560_: u32;
+    var phi_574_: u32;
+    var phi_677_: array<u32, 2>;
+    var phi_838_: bool;
+    var phi_876_: type_29;
+    var phi_905_: u32;
+    var phi_908_: type_9;
+    var phi_911_: u32;
+    var phi_909_: type_9;
+    var phi_934_: type_9;
+    var phi_912_: u32;
     var local_3: u32;
-    var local_4: u32;
-    var phi_1542_: bool;
-    var phi_1543_: bool;
-    var phi_1544_: bool;
-    var phi_1545_: bool;
-    var phi_1549_: bool;
-    var phi_1550_: bool;
+    var phi_1123_: u32;
+    var phi_1129_: type_9;
+    var phi_1132_: u32;
+    var phi_1130_: type_9;
+    var phi_1155_: type_9;
+    var phi_1179_: bool;
+    var phi_1180_: bool;
+    var phi_1181_: bool;
+    var phi_1185_: bool;
+    var phi_1193_: bool;
+    var phi_1201_: u32;
+    var phi_1133_: u32;
+    var phi_1202_: u32;
+    var phi_1212_: type_9;
+    var phi_1238_: u32;
+    var phi_1241_: type_9;
+    var phi_1244_: type_9;
+    var phi_1242_: type_9;
+    var phi_1269_: type_9;
+    var phi_1286_: type_9;
+    var phi_1289_: type_9;
+    var phi_1290_: type_9;
+    var phi_1312_: type_9;
+    var phi_1346_: type_9;
+    var phi_1347_: bool;
+    var phi_1287_: type_9;
+    var phi_1348_: bool;
+    var phi_1356_: u32;
+    var phi_1359_: type_9;
+    var phi_1360_: type_9;
+    var phi_1385_: type_9;
+    var phi_1541_: bool;
+    var phi_1547_: bool;
+    var phi_1553_: bool;
     var phi_1554_: bool;
-    var phi_1558_: bool;
-    var phi_1559_: bool;
-    var phi_1563_: bool;
-    var phi_1564_: bool;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
-    var phi_1693_: bool;
-    var phi_1694_: bool;
-    var phi_1787_: bool;
-    var phi_1788_: bool;
-    var phi_1882_: bool;
-    var phi_1883_: bool;
-    var phi_1976_: bool;
-    var phi_1977_: bool;
-    var phi_2072_: bool;
-    var phi_2073_: bool;
-    var phi_2166_: bool;
-    var phi_2167_: bool;
-    var phi_2171_: bool;
-    var phi_2172_: bool;
-    var phi_2173_: bool;
-    var phi_2177_: bool;
-    var phi_2178_: bool;
-    var phi_2179_: bool;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2185_: bool;
-    var phi_2201_: type_9;
-    var phi_2244_: u32;
-    var phi_2245_: bool;
-    var phi_995_: u32;
-    var phi_2246_: bool;
-    var phi_2253_: u32;
-    var phi_2256_: type_9;
-    var phi_2257_: type_9;
-    var phi_2280_: type_9;
-    var phi_2408_: bool;
-    var phi_2414_: bool;
-    var phi_2420_: bool;
-    var phi_2421_: bool;
-    var phi_2465_: bool;
-    var phi_2466_: bool;
-    var phi_2473_: bool;
-    var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2627_: u32;
-    var phi_2628_: u32;
-    var phi_2633_: type_15;
-    var phi_2636_: u32;
-    var phi_2638_: u32;
-    var phi_2659_: bool;
-    var phi_2665_: type_16;
-    var phi_2634_: type_15;
-    var phi_2679_: type_16;
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_2749_: bool;
-    var phi_2750_: bool;
-    var phi_2754_: bool;
-    var phi_2755_: bool;
-    var phi_2760_: u32;
-    var phi_2761_: u32;
-    var phi_2762_: u32;
-    var phi_2763_: u32;
-    var phi_2764_: bool;
-    var phi_2637_: u32;
-    var phi_2639_: u32;
-    var phi_2765_: bool;
+    var phi_1595_: bool;
+    var phi_1596_: bool;
+    var phi_1603_: bool;
+    var phi_1717_: bool;
+    var phi_1718_: bool;
+    var phi_1753_: u32;
+    var phi_1754_: u32;
+    var phi_1759_: type_15;
+    var phi_1762_: u32;
+    var phi_1764_: u32;
+    var phi_1785_: bool;
+    var phi_1791_: type_16;
+    var phi_1760_: type_15;
+    var phi_1805_: type_16;
+    var phi_1873_: bool;
+    var phi_1874_: bool;
+    var phi_1875_: bool;
+    var phi_1876_: bool;
+    var phi_1880_: bool;
+    var phi_1881_: bool;
+    var phi_1886_: u32;
+    var phi_1887_: u32;
+    var phi_1888_: u32;
+    var phi_1889_: u32;
+    var phi_1890_: bool;
+    var phi_1763_: u32;
+    var phi_1765_: u32;
+    var phi_1891_: bool;
+    var local_4: u32;
     var local_5: u32;
-    var local_6: u32;
-    var phi_2813_: bool;
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2816_: bool;
-    var phi_2820_: bool;
-    var phi_2821_: bool;
-    var phi_2825_: bool;
-    var phi_2829_: bool;
-    var phi_2830_: bool;
-    var phi_2834_: bool;
-    var phi_2835_: bool;
-    var phi_2839_: bool;
-    var phi_2840_: bool;
-    var phi_2964_: bool;
-    var phi_2965_: bool;
-    var phi_3058_: bool;
-    var phi_3059_: bool;
-    var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3343_: bool;
-    var phi_3344_: bool;
-    var phi_3437_: bool;
-    var phi_3438_: bool;
-    var phi_3442_: bool;
-    var phi_3443_: bool;
-    var phi_3444_: bool;
-    var phi_3448_: bool;
-    var phi_3449_: bool;
-    var phi_3450_: bool;
-    var phi_3451_: bool;
-    var phi_3452_: bool;
-    var phi_3456_: bool;
-    var phi_3473_: array<u32, 3>;
-    var phi_3474_: array<u32, 3>;
-    var phi_3897_: f32;
-    var phi_3904_: f32;
-    var phi_3909_: f32;
-    var phi_3916_: f32;
-    var phi_3921_: f32;
-    var phi_3934_: f32;
-    var phi_3941_: f32;
-    var phi_3946_: f32;
-    var phi_3953_: f32;
-    var phi_3958_: f32;
-    var phi_3963_: f32;
-    var phi_3980_: f32;
-    var phi_3987_: f32;
-    var phi_3992_: f32;
-    var phi_3999_: f32;
-    var phi_4004_: f32;
-    var phi_4018_: f32;
+    var phi_1939_: bool;
+    var phi_1940_: bool;
+    var phi_1941_: bool;
+    var phi_1942_: bool;
+    var phi_1946_: bool;
+    var phi_1947_: bool;
+    var phi_1951_: bool;
+    var phi_1955_: bool;
+    var phi_1956_: bool;
+    var phi_1960_: bool;
+    var phi_1961_: bool;
+    var phi_1965_: bool;
+    var phi_1966_: bool;
+    var phi_2082_: bool;
+    var phi_2083_: bool;
+    var phi_2170_: bool;
+    var phi_2171_: bool;
+    var phi_2259_: bool;
+    var phi_2260_: bool;
+    var phi_2347_: bool;
+    var phi_2348_: bool;
+    var phi_2437_: bool;
+    var phi_2438_: bool;
+    var phi_2525_: bool;
+    var phi_2526_: bool;
+    var phi_2530_: bool;
+    var phi_2531_: bool;
+    var phi_2532_: bool;
+    var phi_2536_: bool;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_2539_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
+    var phi_2579_: type_43;
+    var phi_2704_: type_44;
+    var phi_2751_: type_44;
+    var phi_2823_: bool;
+    var phi_2824_: bool;
+    var phi_2829_: type_9;
+    var phi_2830_: type_9;
+    var phi_2853_: type_9;
+    var phi_2924_: type_43;
+    var phi_3058_: type_39;
+    var phi_3338_: f32;
+    var phi_3345_: f32;
+    var phi_3350_: f32;
+    var phi_3357_: f32;
+    var phi_3362_: f32;
+    var phi_3375_: f32;
+    var phi_3382_: f32;
+    var phi_3387_: f32;
+    var phi_3394_: f32;
+    var phi_3399_: f32;
+    var phi_3404_: f32;
+    var phi_3421_: f32;
+    var phi_3428_: f32;
+    var phi_3433_: f32;
+    var phi_3440_: f32;
+    var phi_3445_: f32;
+    var phi_3459_: f32;
+    var phi_3466_: f32;
+    var phi_3471_: f32;
+    var phi_3478_: f32;
+    var phi_3483_: f32;
+    var phi_3488_: f32;
+    var phi_3505_: f32;
+    var phi_3512_: f32;
+    var phi_3517_: f32;
+    var phi_3524_: f32;
+    var phi_3529_: f32;
+    var phi_3543_: f32;
+    var phi_3550_: f32;
+    var phi_3555_: f32;
+    var phi_3562_: f32;
+    var phi_3567_: f32;
+    var phi_3572_: f32;
+    var phi_3603_: f32;
+    var phi_3609_: f32;
+    var phi_3616_: f32;
+    var phi_3623_: f32;
+    var phi_3629_: f32;
+    var phi_3636_: f32;
+    var phi_3642_: f32;
+    var phi_3648_: f32;
+    var phi_3654_: f32;
+    var phi_3661_: f32;
+    var phi_3668_: f32;
+    var phi_3692_: f32;
+    var phi_3697_: f32;
+    var phi_3702_: f32;
+    var phi_3707_: f32;
+    var phi_3712_: f32;
+    var phi_3717_: f32;
+    var phi_3727_: f32;
+    var phi_3843_: array<f32, 3>;
+    var phi_3908_: array<f32, 3>;
+    var phi_3930_: f32;
+    var phi_3937_: f32;
+    var phi_3942_: f32;
+    var phi_3949_: f32;
+    var phi_3954_: f32;
+    var phi_3967_: f32;
+    var phi_3974_: f32;
+    var phi_3979_: f32;
+    var phi_3986_: f32;
+    var phi_3991_: f32;
+    var phi_3996_: f32;
+    var phi_4013_: f32;
+    var phi_4020_: f32;
     var phi_4025_: f32;
-    var phi_4030_: f32;
+    var phi_4032_: f32;
     var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4047_: f32;
-    var phi_4064_: f32;
-    var phi_4071_: f32;
-    var phi_4076_: f32;
-    var phi_4083_: f32;
-    var phi_4088_: f32;
-    var phi_4102_: f32;
+    var phi_4051_: f32;
+    var phi_4058_: f32;
+    var phi_4063_: f32;
+    var phi_4070_: f32;
+    var phi_4075_: f32;
+    var phi_4080_: f32;
+    var phi_4097_: f32;
+    var phi_4104_: f32;
     var phi_4109_: f32;
-    var phi_4114_: f32;
+    var phi_4116_: f32;
     var phi_4121_: f32;
-    var phi_4126_: f32;
-    var phi_4131_: f32;
-    var phi_4162_: f32;
-    var phi_4168_: f32;
-    var phi_4175_: f32;
-    var phi_4182_: f32;
-    var phi_4188_: f32;
-    var phi_4195_: f32;
-    var phi_4201_: f32;
-    var phi_4207_: f32;
-    var phi_4213_: f32;
-    var phi_4220_: f32;
-    var phi_4227_: f32;
-    var phi_4251_: f32;
-    var phi_4256_: f32;
-    var phi_4261_: f32;
-    var phi_4266_: f32;
-    var phi_4271_: f32;
-    var phi_4276_: f32;
-    var phi_4286_: f32;
-    var phi_4489_: f32;
-    var phi_4496_: f32;
-    var phi_4501_: f32;
-    var phi_4508_: f32;
-    var phi_4513_: f32;
-    var phi_4526_: f32;
-    var phi_4533_: f32;
-    var phi_4538_: f32;
-    var phi_4545_: f32;
-    var phi_4550_: f32;
-    var phi_4555_: f32;
-    var phi_4572_: f32;
-    var phi_4579_: f32;
-    var phi_4584_: f32;
-    var phi_4591_: f32;
-    var phi_4596_: f32;
-    var phi_4610_: f32;
+    var phi_4135_: f32;
+    var phi_4142_: f32;
+    var phi_4147_: f32;
+    var phi_4154_: f32;
+    var phi_4159_: f32;
+    var phi_4164_: f32;
+    var phi_4243_: f32;
+    var phi_4248_: f32;
+    var phi_4253_: f32;
+    var phi_4258_: f32;
+    var phi_4263_: f32;
+    var phi_4268_: f32;
+    var phi_4273_: f32;
+    var phi_4278_: f32;
+    var phi_4283_: f32;
+    var phi_4288_: f32;
+    var phi_4293_: f32;
+    var phi_4298_: f32;
+    var phi_4303_: f32;
+    var phi_4308_: f32;
+    var phi_4314_: f32;
+    var phi_4320_: f32;
+    var phi_4327_: f32;
+    var phi_4338_: f32;
+    var phi_4409_: f32;
+    var phi_4414_: f32;
+    var phi_4419_: f32;
+    var phi_4424_: f32;
+    var phi_4429_: f32;
+    var phi_4434_: f32;
+    var phi_4439_: f32;
+    var phi_4444_: f32;
+    var phi_4449_: f32;
+    var phi_4454_: f32;
+    var phi_4459_: f32;
+    var phi_4464_: f32;
+    var phi_4469_: f32;
+    var phi_4474_: f32;
+    var phi_4480_: f32;
+    var phi_4486_: f32;
+    var phi_4493_: f32;
+    var phi_4504_: f32;
+    var phi_4514_: f32;
+    var phi_4587_: f32;
+    var phi_4592_: f32;
+    var phi_4597_: f32;
+    var phi_4602_: f32;
+    var phi_4607_: f32;
+    var phi_4612_: f32;
     var phi_4617_: f32;
     var phi_4622_: f32;
-    var phi_4629_: f32;
-    var phi_4634_: f32;
-    var phi_4639_: f32;
-    var phi_4656_: f32;
-    var phi_4663_: f32;
-    var phi_4668_: f32;
-    var phi_4675_: f32;
-    var phi_4680_: f32;
-    var phi_4694_: f32;
-    var phi_4701_: f32;
-    var phi_4706_: f32;
-    var phi_4713_: f32;
-    var phi_4718_: f32;
-    var phi_4723_: f32;
-    var phi_4802_: f32;
-    var phi_4807_: f32;
-    var phi_4812_: f32;
-    var phi_4817_: f32;
-    var phi_4822_: f32;
-    var phi_4827_: f32;
-    var phi_4832_: f32;
-    var phi_4837_: f32;
-    var phi_4842_: f32;
-    var phi_4847_: f32;
-    var phi_4852_: f32;
-    var phi_4857_: f32;
-    var phi_4862_: f32;
-    var phi_4867_: f32;
-    var phi_4873_: f32;
-    var phi_4879_: f32;
-    var phi_4886_: f32;
-    var phi_4897_: f32;
-    var phi_4968_: f32;
-    var phi_4973_: f32;
-    var phi_4978_: f32;
-    var phi_4983_: f32;
-    var phi_4988_: f32;
-    var phi_4993_: f32;
-    var phi_4998_: f32;
-    var phi_5003_: f32;
-    var phi_5008_: f32;
-    var phi_5013_: f32;
-    var phi_5018_: f32;
-    var phi_5023_: f32;
-    var phi_5028_: f32;
-    var phi_5033_: f32;
-    var phi_5039_: f32;
-    var phi_5045_: f32;
-    var phi_5052_: f32;
-    var phi_5063_: f32;
-    var phi_5073_: f32;
-    var phi_5255_: bool;
+    var phi_4627_: f32;
+    var phi_4632_: f32;
+    var phi_4637_: f32;
+    var phi_4642_: f32;
+    var phi_4647_: f32;
+    var phi_4652_: f32;
+    var phi_4658_: f32;
+    var phi_4664_: f32;
+    var phi_4671_: f32;
+    var phi_4682_: f32;
+    var phi_4692_: f32;
+    var phi_4693_: f32;
+    var phi_4696_: bool;
+    var phi_4704_: bool;
+    var phi_4705_: bool;
+    var phi_4710_: type_9;
+    var phi_4711_: type_9;
+    var phi_4734_: type_9;
+    var phi_4805_: type_43;
+    var phi_4939_: type_39;
+    var phi_5318_: f32;
+    var phi_5325_: f32;
+    var phi_5330_: f32;
+    var phi_5337_: f32;
+    var phi_5342_: f32;
+    var phi_5355_: f32;
+    var phi_5362_: f32;
+    var phi_5367_: f32;
+    var phi_5374_: f32;
+    var phi_5379_: f32;
+    var phi_5384_: f32;
+    var phi_5401_: f32;
+    var phi_5408_: f32;
+    var phi_5413_: f32;
+    var phi_5420_: f32;
+    var phi_5425_: f32;
+    var phi_5439_: f32;
+    var phi_5446_: f32;
+    var phi_5451_: f32;
+    var phi_5458_: f32;
+    var phi_5463_: f32;
+    var phi_5468_: f32;
+    var phi_5485_: f32;
+    var phi_5492_: f32;
+    var phi_5497_: f32;
+    var phi_5504_: f32;
+    var phi_5509_: f32;
+    var phi_5523_: f32;
+    var phi_5530_: f32;
+    var phi_5535_: f32;
+    var phi_5542_: f32;
+    var phi_5547_: f32;
+    var phi_5552_: f32;
+    var phi_5583_: f32;
+    var phi_5589_: f32;
+    var phi_5596_: f32;
+    var phi_5603_: f32;
+    var phi_5609_: f32;
+    var phi_5616_: f32;
+    var phi_5622_: f32;
+    var phi_5628_: f32;
+    var phi_5634_: f32;
+    var phi_5641_: f32;
+    var phi_5648_: f32;
+    var phi_5672_: f32;
+    var phi_5677_: f32;
+    var phi_5682_: f32;
+    var phi_5687_: f32;
+    var phi_5692_: f32;
+    var phi_5697_: f32;
     var phi_5707_: f32;
-    var phi_5714_: f32;
-    var phi_5719_: f32;
-    var phi_5726_: f32;
-    var phi_5731_: f32;
-    var phi_5744_: f32;
-    var phi_5751_: f32;
-    var phi_5756_: f32;
-    var phi_5763_: f32;
-    var phi_5768_: f32;
-    var phi_5773_: f32;
-    var phi_5790_: f32;
-    var phi_5797_: f32;
-    var phi_5802_: f32;
-    var phi_5809_: f32;
-    var phi_5814_: f32;
-    var phi_5828_: f32;
-    var phi_5835_: f32;
-    var phi_5840_: f32;
-    var phi_5847_: f32;
-    var phi_5852_: f32;
-    var phi_5857_: f32;
-    var phi_5874_: f32;
-    var phi_5881_: f32;
-    var phi_5886_: f32;
-    var phi_5893_: f32;
-    var phi_5898_: f32;
-    var phi_5912_: f32;
-    var phi_5919_: f32;
-    var phi_5924_: f32;
-    var phi_5931_: f32;
-    var phi_5936_: f32;
-    var phi_5941_: f32;
-    var phi_5972_: f32;
-    var phi_5978_: f32;
-    var phi_5985_: f32;
-    var phi_5992_: f32;
-    var phi_5998_: f32;
+    var phi_5823_: array<f32, 3>;
+    var phi_5888_: array<f32, 3>;
+    var phi_5910_: f32;
+    var phi_5917_: f32;
+    var phi_5922_: f32;
+    var phi_5929_: f32;
+    var phi_5934_: f32;
+    var phi_5947_: f32;
+    var phi_5954_: f32;
+    var phi_5959_: f32;
+    var phi_5966_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: f32;
+    var phi_5993_: f32;
+    var phi_6000_: f32;
     var phi_6005_: f32;
-    var phi_6011_: f32;
+    var phi_6012_: f32;
     var phi_6017_: f32;
-    var phi_6023_: f32;
-    var phi_6030_: f32;
-    var phi_6037_: f32;
-    var phi_6061_: f32;
-    var phi_6066_: f32;
-    var phi_6071_: f32;
-    var phi_6076_: f32;
-    var phi_6081_: f32;
-    var phi_6086_: f32;
+    var phi_6031_: f32;
+    var phi_6038_: f32;
+    var phi_6043_: f32;
+    var phi_6050_: f32;
+    var phi_6055_: f32;
+    var phi_6060_: f32;
+    var phi_6077_: f32;
+    var phi_6084_: f32;
+    var phi_6089_: f32;
     var phi_6096_: f32;
-    var phi_6299_: f32;
-    var phi_6306_: f32;
-    var phi_6311_: f32;
+    var phi_6101_: f32;
+    var phi_6115_: f32;
+    var phi_6122_: f32;
+    var phi_6127_: f32;
+    var phi_6134_: f32;
+    var phi_6139_: f32;
+    var phi_6144_: f32;
+    var phi_6223_: f32;
+    var phi_6228_: f32;
+    var phi_6233_: f32;
+    var phi_6238_: f32;
+    var phi_6243_: f32;
+    var phi_6248_: f32;
+    var phi_6253_: f32;
+    var phi_6258_: f32;
+    var phi_6263_: f32;
+    var phi_6268_: f32;
+    var phi_6273_: f32;
+    var phi_6278_: f32;
+    var phi_6283_: f32;
+    var phi_6288_: f32;
+    var phi_6294_: f32;
+    var phi_6300_: f32;
+    var phi_6307_: f32;
     var phi_6318_: f32;
-    var phi_6323_: f32;
-    var phi_6336_: f32;
-    var phi_6343_: f32;
-    var phi_6348_: f32;
-    var phi_6355_: f32;
-    var phi_6360_: f32;
-    var phi_6365_: f32;
-    var phi_6382_: f32;
     var phi_6389_: f32;
     var phi_6394_: f32;
-    var phi_6401_: f32;
-    var phi_6406_: f32;
-    var phi_6420_: f32;
-    var phi_6427_: f32;
-    var phi_6432_: f32;
+    var phi_6399_: f32;
+    var phi_6404_: f32;
+    var phi_6409_: f32;
+    var phi_6414_: f32;
+    var phi_6419_: f32;
+    var phi_6424_: f32;
+    var phi_6429_: f32;
+    var phi_6434_: f32;
     var phi_6439_: f32;
     var phi_6444_: f32;
     var phi_6449_: f32;
+    var phi_6454_: f32;
+    var phi_6460_: f32;
     var phi_6466_: f32;
     var phi_6473_: f32;
-    var phi_6478_: f32;
-    var phi_6485_: f32;
-    var phi_6490_: f32;
-    var phi_6504_: f32;
-    var phi_6511_: f32;
-    var phi_6516_: f32;
-    var phi_6523_: f32;
-    var phi_6528_: f32;
-    var phi_6533_: f32;
+    var phi_6484_: f32;
+    var phi_6494_: f32;
+    var phi_6567_: f32;
+    var phi_6572_: f32;
+    var phi_6577_: f32;
+    var phi_6582_: f32;
+    var phi_6587_: f32;
+    var phi_6592_: f32;
+    var phi_6597_: f32;
+    var phi_6602_: f32;
+    var phi_6607_: f32;
     var phi_6612_: f32;
     var phi_6617_: f32;
     var phi_6622_: f32;
     var phi_6627_: f32;
     var phi_6632_: f32;
-    var phi_6637_: f32;
-    var phi_6642_: f32;
-    var phi_6647_: f32;
-    var phi_6652_: f32;
-    var phi_6657_: f32;
+    var phi_6638_: f32;
+    var phi_6644_: f32;
+    var phi_6651_: f32;
     var phi_6662_: f32;
-    var phi_6667_: f32;
     var phi_6672_: f32;
-    var phi_6677_: f32;
-    var phi_6683_: f32;
-    var phi_6689_: f32;
-    var phi_6696_: f32;
-    var phi_6707_: f32;
-    var phi_6778_: f32;
-    var phi_6783_: f32;
-    var phi_6788_: f32;
-    var phi_6793_: f32;
-    var phi_6798_: f32;
-    var phi_6803_: f32;
-    var phi_6808_: f32;
-    var phi_6813_: f32;
-    var phi_6818_: f32;
-    var phi_6823_: f32;
-    var phi_6828_: f32;
-    var phi_6833_: f32;
-    var phi_6838_: f32;
-    var phi_6843_: f32;
-    var phi_6849_: f32;
-    var phi_6855_: f32;
-    var phi_6862_: f32;
-    var phi_6873_: f32;
-    var phi_6883_: f32;
-    var phi_7065_: bool;
+    var phi_6673_: f32;
+    var phi_6676_: bool;
+    var phi_6921_: f32;
+    var phi_6928_: f32;
+    var phi_6933_: f32;
+    var phi_6940_: f32;
+    var phi_6945_: f32;
+    var phi_6958_: f32;
+    var phi_6965_: f32;
+    var phi_6970_: f32;
+    var phi_6977_: f32;
+    var phi_6982_: f32;
+    var phi_6987_: f32;
+    var phi_7004_: f32;
+    var phi_7011_: f32;
+    var phi_7016_: f32;
+    var phi_7023_: f32;
+    var phi_7028_: f32;
+    var phi_7042_: f32;
+    var phi_7049_: f32;
+    var phi_7054_: f32;
+    var phi_7061_: f32;
+    var phi_7066_: f32;
+    var phi_7071_: f32;
+    var phi_7088_: f32;
+    var phi_7095_: f32;
+    var phi_7100_: f32;
+    var phi_7107_: f32;
+    var phi_7112_: f32;
+    var phi_7126_: f32;
+    var phi_7133_: f32;
+    var phi_7138_: f32;
+    var phi_7145_: f32;
+    var phi_7150_: f32;
+    var phi_7155_: f32;
+    var phi_7186_: f32;
+    var phi_7192_: f32;
+    var phi_7199_: f32;
+    var phi_7206_: f32;
+    var phi_7212_: f32;
+    var phi_7219_: f32;
+    var phi_7225_: f32;
+    var phi_7231_: f32;
+    var phi_7237_: f32;
+    var phi_7244_: f32;
+    var phi_7251_: f32;
+    var phi_7275_: f32;
+    var phi_7280_: f32;
+    var phi_7285_: f32;
+    var phi_7290_: f32;
+    var phi_7295_: f32;
+    var phi_7300_: f32;
     var phi_7310_: f32;
-    var phi_7317_: f32;
-    var phi_7322_: f32;
-    var phi_7329_: f32;
-    var phi_7334_: f32;
-    var phi_7347_: f32;
-    var phi_7354_: f32;
-    var phi_7359_: f32;
-    var phi_7366_: f32;
-    var phi_7371_: f32;
-    var phi_7376_: f32;
-    var phi_7393_: f32;
-    var phi_7400_: f32;
-    var phi_7405_: f32;
-    var phi_7412_: f32;
-    var phi_7417_: f32;
-    var phi_7431_: f32;
-    var phi_7438_: f32;
-    var phi_7443_: f32;
-    var phi_7450_: f32;
-    var phi_7455_: f32;
-    var phi_7460_: f32;
-    var phi_7477_: f32;
-    var phi_7484_: f32;
-    var phi_7489_: f32;
-    var phi_7496_: f32;
-    var phi_7501_: f32;
-    var phi_7515_: f32;
-    var phi_7522_: f32;
-    var phi_7527_: f32;
-    var phi_7534_: f32;
-    var phi_7539_: f32;
-    var phi_7544_: f32;
-    var phi_7575_: f32;
-    var phi_7581_: f32;
-    var phi_7588_: f32;
-    var phi_7595_: f32;
-    var phi_7601_: f32;
+    var phi_7426_: array<f32, 3>;
+    var phi_7491_: array<f32, 3>;
+    var phi_7513_: f32;
+    var phi_7520_: f32;
+    var phi_7525_: f32;
+    var phi_7532_: f32;
+    var phi_7537_: f32;
+    var phi_7550_: f32;
+    var phi_7557_: f32;
+    var phi_7562_: f32;
+    var phi_7569_: f32;
+    var phi_7574_: f32;
+    var phi_7579_: f32;
+    var phi_7596_: f32;
+    var phi_7603_: f32;
     var phi_7608_: f32;
-    var phi_7614_: f32;
+    var phi_7615_: f32;
     var phi_7620_: f32;
-    var phi_7626_: f32;
-    var phi_7633_: f32;
-    var phi_7640_: f32;
-    var phi_7664_: f32;
-    var phi_7669_: f32;
-    var phi_7674_: f32;
-    var phi_7679_: f32;
-    var phi_7684_: f32;
-    var phi_7689_: f32;
+    var phi_7634_: f32;
+    var phi_7641_: f32;
+    var phi_7646_: f32;
+    var phi_7653_: f32;
+    var phi_7658_: f32;
+    var phi_7663_: f32;
+    var phi_7680_: f32;
+    var phi_7687_: f32;
+    var phi_7692_: f32;
     var phi_7699_: f32;
-    var phi_7902_: f32;
-    var phi_7909_: f32;
-    var phi_7914_: f32;
+    var phi_7704_: f32;
+    var phi_7718_: f32;
+    var phi_7725_: f32;
+    var phi_7730_: f32;
+    var phi_7737_: f32;
+    var phi_7742_: f32;
+    var phi_7747_: f32;
+    var phi_7826_: f32;
+    var phi_7831_: f32;
+    var phi_7836_: f32;
+    var phi_7841_: f32;
+    var phi_7846_: f32;
+    var phi_7851_: f32;
+    var phi_7856_: f32;
+    var phi_7861_: f32;
+    var phi_7866_: f32;
+    var phi_7871_: f32;
+    var phi_7876_: f32;
+    var phi_7881_: f32;
+    var phi_7886_: f32;
+    var phi_7891_: f32;
+    var phi_7897_: f32;
+    var phi_7903_: f32;
+    var phi_7910_: f32;
     var phi_7921_: f32;
-    var phi_7926_: f32;
-    var phi_7939_: f32;
-    var phi_7946_: f32;
-    var phi_7951_: f32;
-    var phi_7958_: f32;
-    var phi_7963_: f32;
-    var phi_7968_: f32;
-    var phi_7985_: f32;
     var phi_7992_: f32;
     var phi_7997_: f32;
-    var phi_8004_: f32;
-    var phi_8009_: f32;
-    var phi_8023_: f32;
-    var phi_8030_: f32;
-    var phi_8035_: f32;
+    var phi_8002_: f32;
+    var phi_8007_: f32;
+    var phi_8012_: f32;
+    var phi_8017_: f32;
+    var phi_8022_: f32;
+    var phi_8027_: f32;
+    var phi_8032_: f32;
+    var phi_8037_: f32;
     var phi_8042_: f32;
     var phi_8047_: f32;
     var phi_8052_: f32;
+    var phi_8057_: f32;
+    var phi_8063_: f32;
     var phi_8069_: f32;
     var phi_8076_: f32;
-    var phi_8081_: f32;
-    var phi_8088_: f32;
-    var phi_8093_: f32;
-    var phi_8107_: f32;
-    var phi_8114_: f32;
-    var phi_8119_: f32;
-    var phi_8126_: f32;
-    var phi_8131_: f32;
-    var phi_8136_: f32;
+    var phi_8087_: f32;
+    var phi_8097_: f32;
+    var phi_8170_: f32;
+    var phi_8175_: f32;
+    var phi_8180_: f32;
+    var phi_8185_: f32;
+    var phi_8190_: f32;
+    var phi_8195_: f32;
+    var phi_8200_: f32;
+    var phi_8205_: f32;
+    var phi_8210_: f32;
     var phi_8215_: f32;
     var phi_8220_: f32;
     var phi_8225_: f32;
     var phi_8230_: f32;
     var phi_8235_: f32;
-    var phi_8240_: f32;
-    var phi_8245_: f32;
-    var phi_8250_: f32;
-    var phi_8255_: f32;
-    var phi_8260_: f32;
+    var phi_8241_: f32;
+    var phi_8247_: f32;
+    var phi_8254_: f32;
     var phi_8265_: f32;
-    var phi_8270_: f32;
     var phi_8275_: f32;
-    var phi_8280_: f32;
-    var phi_8286_: f32;
-    var phi_8292_: f32;
-    var phi_8299_: f32;
-    var phi_8310_: f32;
-    var phi_8381_: f32;
-    var phi_8386_: f32;
-    var phi_8391_: f32;
-    var phi_8396_: f32;
-    var phi_8401_: f32;
-    var phi_8406_: f32;
-    var phi_8411_: f32;
-    var phi_8416_: f32;
-    var phi_8421_: f32;
-    var phi_8426_: f32;
-    var phi_8431_: f32;
-    var phi_8436_: f32;
-    var phi_8441_: f32;
-    var phi_8446_: f32;
-    var phi_8452_: f32;
-    var phi_8458_: f32;
-    var phi_8465_: f32;
-    var phi_8476_: f32;
-    var phi_8486_: f32;
-    var phi_8668_: bool;
-    var phi_8670_: bool;
-    var phi_8672_: bool;
-    var phi_8683_: bool;
-    var phi_8684_: bool;
-    var phi_8735_: type_9;
-    var phi_8736_: type_9;
-    var phi_8759_: type_9;
-    var phi_8782_: u32;
-    var phi_8833_: type_9;
-    var phi_8853_: bool;
-    var phi_8854_: bool;
+    var phi_8276_: f32;
+    var phi_8279_: bool;
+    var phi_8281_: bool;
+    var phi_8292_: bool;
+    var phi_8293_: bool;
+    var phi_8329_: type_9;
+    var phi_8330_: type_9;
+    var phi_8353_: type_9;
+    var phi_8377_: u32;
+    var phi_8429_: type_9;
+    var phi_8448_: bool;
+    var phi_8449_: bool;
+    var phi_1245_: type_9;
+    var local_6: u32;
     var local_7: u32;
+    var local_8: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -859,4006 +931,4223 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e69 = id_2;
-    let _e70 = n_2;
-    let _e71 = lane_2;
-    let _e84 = ((_e69.y * _e70.x) + _e69.x);
-    let _e87 = (_e70.x * _e70.y);
-    let _e90 = params.member.member_1.member_3;
-    let _e93 = params.member.member_1.member_2;
-    let _e95 = input.member[0u];
-    if (_e93 < _e95) {
-        phi_363_ = _e93;
+    let _e71 = id_2;
+    let _e72 = n_2;
+    let _e73 = lane_2;
+    let _e86 = ((_e71.y * _e72.x) + _e71.x);
+    let _e89 = (_e72.x * _e72.y);
+    let _e91 = params.member.member;
+    let _e96 = params.member.member_1.member_2;
+    let _e98 = input.member[0u];
+    if (_e96 < _e98) {
+        phi_377_ = _e96;
     } else {
-        phi_363_ = _e95;
+        phi_377_ = _e98;
     }
-    let _e98 = phi_363_;
-    let _e99 = (_e71 / 32u);
-    let _e100 = (_e71 % 32u);
-    let _e103 = params.member.member_1.member_1;
-    if (_e98 > _e103) {
-        let _e107 = params.member.member_1.member_1;
-        let _e108 = (_e98 - _e107);
-        let _e111 = params.member.member_2.member_3;
-        if (_e111 == 0u) {
+    let _e101 = phi_377_;
+    if (_e73 == 0u) {
+        atomicStore((&counters[9u]), 0u);
+    }
+    let _e106 = params.member.member_1.member_1;
+    if (_e101 > _e106) {
+        let _e110 = params.member.member_1.member_1;
+        let _e111 = (_e101 - _e110);
+        let _e114 = params.member.member_2.member_3;
+        if (_e114 == 0u) {
             return;
         }
-        let _e113 = (_e108 / _e111);
-        if (_e111 == 0u) {
+        let _e116 = (_e111 / _e114);
+        if (_e114 == 0u) {
             return;
         }
-        if ((_e108 % _e111) > 0u) {
-            phi_416_ = (_e113 + 1u);
+        if ((_e111 % _e114) > 0u) {
+            phi_426_ = (_e116 + 1u);
         } else {
-            phi_416_ = _e113;
+            phi_426_ = _e116;
         }
-        let _e119 = phi_416_;
-        phi_417_ = _e119;
+        let _e122 = phi_426_;
+        phi_427_ = _e122;
     } else {
-        phi_417_ = 0u;
+        phi_427_ = 0u;
     }
-    let _e121 = phi_417_;
-    let _e124 = params.member.member_2.member_4;
-    if (_e124 < _e121) {
-        phi_425_ = _e124;
+    let _e124 = phi_427_;
+    let _e127 = params.member.member_2.member_4;
+    if (_e127 < _e124) {
+        phi_435_ = _e127;
     } else {
-        phi_425_ = _e121;
+        phi_435_ = _e124;
     }
-    let _e127 = phi_425_;
-    let _e128 = (_e127 / 4u);
-    if ((_e127 % 4u) > 0u) {
-        phi_441_ = (_e128 + 1u);
+    let _e130 = phi_435_;
+    let _e131 = (_e130 / 4u);
+    if ((_e130 % 4u) > 0u) {
+        phi_451_ = (_e131 + 1u);
     } else {
-        phi_441_ = _e128;
+        phi_451_ = _e131;
     }
-    let _e133 = phi_441_;
-    if (_e133 > _e84) {
-        let _e135 = (_e133 - _e84);
-        if (_e87 == 0u) {
+    let _e136 = phi_451_;
+    if (_e136 > _e86) {
+        let _e138 = (_e136 - _e86);
+        if (_e89 == 0u) {
             return;
         }
-        let _e137 = (_e135 / _e87);
-        if (_e87 == 0u) {
+        let _e140 = (_e138 / _e89);
+        if (_e89 == 0u) {
             return;
         }
-        if ((_e135 % _e87) > 0u) {
-            phi_464_ = (_e137 + 1u);
+        if ((_e138 % _e89) > 0u) {
+            phi_474_ = (_e140 + 1u);
         } else {
-            phi_464_ = _e137;
+            phi_474_ = _e140;
         }
-        let _e143 = phi_464_;
-        phi_465_ = _e143;
+        let _e146 = phi_474_;
+        phi_475_ = _e146;
     } else {
-        phi_465_ = 0u;
+        phi_475_ = 0u;
     }
-    let _e145 = phi_465_;
-    phi_468_ = type_9(0u, _e145);
+    let _e148 = phi_475_;
+    phi_478_ = type_9(0u, _e148);
     loop {
-        let _e148 = phi_468_;
-        if (_e148.member < _e148.member_1) {
-            phi_469_ = type_9((_e148.member + 1u), _e148.member_1);
-            phi_492_ = type_9(1u, _e148.member);
+        let _e151 = phi_478_;
+        if (_e151.member < _e151.member_1) {
+            phi_479_ = type_9((_e151.member + 1u), _e151.member_1);
+            phi_504_ = type_9(1u, _e151.member);
         } else {
-            phi_469_ = _e148;
-            phi_492_ = type_9(0u, type_9().member_1);
+            phi_479_ = _e151;
+            phi_504_ = type_9(0u, type_9().member_1);
         }
-        let _e160 = phi_469_;
-        let _e162 = phi_492_;
-        let _e166 = (bitcast<i32>(_e162.member) != 0i);
-        if _e166 {
-            let _e171 = (((_e84 + (_e162.member_1 * _e87)) * 4u) + (_e71 / 32u));
-            let _e174 = params.member.member_1.member_1;
-            if (_e98 > _e174) {
-                let _e178 = params.member.member_1.member_1;
-                let _e179 = (_e98 - _e178);
-                let _e182 = params.member.member_2.member_3;
-                if (_e182 == 0u) {
+        let _e163 = phi_479_;
+        let _e165 = phi_504_;
+        let _e169 = (bitcast<i32>(_e165.member) != 0i);
+        if _e169 {
+            let _e174 = (((_e86 + (_e165.member_1 * _e89)) * 4u) + (_e73 / 32u));
+            let _e177 = params.member.member_1.member_1;
+            if (_e101 > _e177) {
+                let _e181 = params.member.member_1.member_1;
+                let _e182 = (_e101 - _e181);
+                let _e185 = params.member.member_2.member_3;
+                if (_e185 == 0u) {
                     return;
                 }
-                let _e184 = (_e179 / _e182);
-                if (_e182 == 0u) {
+                let _e187 = (_e182 / _e185);
+                if (_e185 == 0u) {
                     return;
                 }
-                if ((_e179 % _e182) > 0u) {
-                    phi_539_ = (_e184 + 1u);
+                if ((_e182 % _e185) > 0u) {
+                    phi_551_ = (_e187 + 1u);
                 } else {
-                    phi_539_ = _e184;
+                    phi_551_ = _e187;
                 }
-                let _e190 = phi_539_;
-                phi_540_ = _e190;
+                let _e193 = phi_551_;
+                phi_552_ = _e193;
             } else {
-                phi_540_ = 0u;
+                phi_552_ = 0u;
             }
-            let _e192 = phi_540_;
-            let _e195 = params.member.member_2.member_4;
-            if (_e195 < _e192) {
-                phi_548_ = _e195;
+            let _e195 = phi_552_;
+            let _e198 = params.member.member_2.member_4;
+            if (_e198 < _e195) {
+                phi_560_ = _e198;
             } else {
-                phi_548_ = _e192;
+                phi_560_ = _e195;
             }
-            let _e198 = phi_548_;
-            let _e199 = (_e171 < _e198);
-            let _e202 = params.member.member_1.member_1;
-            let _e205 = params.member.member_2.member_3;
-            if _e199 {
-                phi_562_ = (_e171 * _e205);
+            let _e201 = phi_560_;
+            let _e202 = (_e174 < _e201);
+            let _e205 = params.member.member_1.member_1;
+            let _e208 = params.member.member_2.member_3;
+            if _e202 {
+                phi_574_ = (_e174 * _e208);
             } else {
-                phi_562_ = 0u;
+                phi_574_ = 0u;
             }
-            let _e208 = phi_562_;
-            let _e210 = (2u * (_e202 + _e208));
-            let _e213 = input.member[(4u + _e210)];
-            let _e216 = input.member[(_e210 + 5u)];
-            if (_e71 < 8u) {
-                atomicStore((&counters[_e71]), 0u);
+            let _e211 = phi_574_;
+            let _e213 = (2u * (_e205 + _e211));
+            let _e216 = input.member[(4u + _e213)];
+            let _e219 = input.member[(_e213 + 5u)];
+            if (_e73 <= 7u) {
+                atomicStore((&counters[_e73]), 0u);
             }
             workgroupBarrier();
-            let _e224 = params.member.member_2.member[0u][1u];
-            let _e225 = (_e224 + (_e213 * 32u));
-            let _e231 = params.member.member_2.member[0u][1u];
-            let _e232 = (_e231 + (_e216 * 32u));
-            if (_e100 == 0u) {
-                firsts[(2u * _e99)] = _e225;
-                firsts[((2u * _e99) + 1u)] = _e232;
+            if ((_e73 % 32u) == 0u) {
+                let _e225 = (_e73 / 32u);
+                let _e231 = params.member.member_2.member[0u][1u];
+                firsts[(2u * _e225)] = (_e231 + (_e216 * 32u));
+                let _e240 = params.member.member_2.member[0u][1u];
+                firsts[((2u * _e225) + 1u)] = (_e240 + (_e219 * 32u));
             }
-            let _e241 = params.member.member_2.member_1;
-            if (_e241 == 0u) {
-                phi_652_ = array<u32, 2>(0u, 2u);
+            let _e245 = params.member.member_2.member_1;
+            if (_e245 == 0u) {
+                phi_677_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_652_ = array<u32, 2>(1u, 1u);
+                phi_677_ = array<u32, 2>(1u, 1u);
             }
-            let _e244 = phi_652_;
-            let _e247 = (_e71 / 32u);
-            let _e248 = (_e71 % 32u);
-            let _e250 = params.member.member_2.member_2;
-            let _e254 = params.member.member_2.member[_e250][_e244[0]];
-            let _e257 = nodes.member[(_e254 + _e213)];
-            let _e271 = params.member.member_2.member_2;
-            let _e275 = params.member.member_2.member[_e271][_e244[1]];
-            let _e278 = nodes.member[(_e275 + _e216)];
-            let _e292 = params.member.member_2.member_2;
-            let _e299 = params.member.member_2.member[(_e292 - 1u)][_e244[0]];
-            let _e302 = nodes.member[(_e299 + ((_e213 * 32u) + _e248))];
-            let _e319 = params.member.member_2.member_2;
-            let _e326 = params.member.member_2.member[(_e319 - 1u)][_e244[1]];
-            let _e329 = nodes.member[(_e326 + ((_e216 * 32u) + _e248))];
-            if _e199 {
-                if ((((((_e329.member.x <= _e257.member_1.y) && (_e257.member.x <= _e329.member_1.y)) && (_e329.member.y <= _e257.member_2.x)) && (_e257.member.y <= _e329.member_2.x)) && (_e329.member_1.x <= _e257.member_2.y)) && (_e257.member_1.x <= _e329.member_2.y)) {
-                    let _e355 = atomicAdd((&counters[_e247]), 1u);
-                    let _e356 = ((_e247 * 32u) + _e355);
-                    columns[_e356] = type_33(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member_1.x), array<f32, 3>(_e329.member_1.y, _e329.member_2.x, _e329.member_2.y));
-                    names[_e356] = _e248;
+            let _e248 = phi_677_;
+            let _e251 = (_e73 / 32u);
+            let _e252 = (_e73 % 32u);
+            let _e254 = params.member.member_2.member_2;
+            let _e258 = params.member.member_2.member[_e254][_e248[0]];
+            let _e261 = nodes.member[(_e258 + _e216)];
+            let _e275 = params.member.member_2.member_2;
+            let _e279 = params.member.member_2.member[_e275][_e248[1]];
+            let _e282 = nodes.member[(_e279 + _e219)];
+            let _e296 = params.member.member_2.member_2;
+            let _e303 = params.member.member_2.member[(_e296 - 1u)][_e248[0]];
+            let _e306 = nodes.member[(_e303 + ((_e216 * 32u) + _e252))];
+            let _e323 = params.member.member_2.member_2;
+            let _e330 = params.member.member_2.member[(_e323 - 1u)][_e248[1]];
+            let _e333 = nodes.member[(_e330 + ((_e219 * 32u) + _e252))];
+            if _e202 {
+                phi_838_ = ((((((_e306.member.x <= _e282.member_1.y) && (_e282.member.x <= _e306.member_1.y)) && (_e306.member.y <= _e282.member_2.x)) && (_e282.member.y <= _e306.member_2.x)) && (_e306.member_1.x <= _e282.member_2.y)) && (_e282.member_1.x <= _e306.member_2.y));
+            } else {
+                phi_838_ = false;
+            }
+            let _e358 = phi_838_;
+            if _e202 {
+                if ((((((_e333.member.x <= _e261.member_1.y) && (_e261.member.x <= _e333.member_1.y)) && (_e333.member.y <= _e261.member_2.x)) && (_e261.member.y <= _e333.member_2.x)) && (_e333.member_1.x <= _e261.member_2.y)) && (_e261.member_1.x <= _e333.member_2.y)) {
+                    let _e372 = atomicAdd((&counters[_e251]), 1u);
+                    let _e373 = ((_e251 * 32u) + _e372);
+                    columns[_e373] = type_29(array<f32, 3>(_e333.member.x, _e333.member.y, _e333.member_1.x), array<f32, 3>(_e333.member_1.y, _e333.member_2.x, _e333.member_2.y));
+                    names[_e373] = _e252;
                 }
             }
+            if _e358 {
+                phi_876_ = type_29(array<f32, 3>(_e306.member.x, _e306.member.y, _e306.member_1.x), array<f32, 3>(_e306.member_1.y, _e306.member_2.x, _e306.member_2.y));
+            } else {
+                phi_876_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            }
+            let _e380 = phi_876_;
             workgroupBarrier();
-            if _e199 {
-                if ((((((_e302.member.x <= _e278.member_1.y) && (_e278.member.x <= _e302.member_1.y)) && (_e302.member.y <= _e278.member_2.x)) && (_e278.member.y <= _e302.member_2.x)) && (_e302.member_1.x <= _e278.member_2.y)) && (_e278.member_1.x <= _e302.member_2.y)) {
-                    phi_850_ = false;
-                } else {
-                    phi_850_ = true;
-                }
-                let _e374 = phi_850_;
-                phi_851_ = _e374;
+            let _e381 = (_e216 == _e219);
+            let _e382 = (_e73 / 32u);
+            let _e384 = (_e382 * 32u);
+            let _e386 = atomicLoad((&counters[_e382]));
+            let _e387 = (_e386 / 4u);
+            if ((_e386 % 4u) > 0u) {
+                phi_905_ = (_e387 + 1u);
             } else {
-                phi_851_ = true;
+                phi_905_ = _e387;
             }
-            let _e376 = phi_851_;
-            if _e376 {
-                phi_855_ = type_33(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-            } else {
-                phi_855_ = type_33(array<f32, 3>(_e302.member.x, _e302.member.y, _e302.member_1.x), array<f32, 3>(_e302.member_1.y, _e302.member_2.x, _e302.member_2.y));
-            }
-            let _e378 = phi_855_;
-            let _e380 = (_e71 / 32u);
-            let _e381 = (_e71 % 32u);
-            let _e383 = atomicLoad((&counters[_e380]));
-            phi_870_ = type_9(0u, _e383);
-            phi_873_ = 0u;
+            let _e392 = phi_905_;
+            phi_908_ = type_9(0u, _e392);
+            phi_911_ = 0u;
             loop {
-                let _e386 = phi_870_;
-                let _e388 = phi_873_;
-                local_7 = _e388;
-                if (_e386.member < _e386.member_1) {
-                    phi_871_ = type_9((_e386.member + 1u), _e386.member_1);
-                    phi_896_ = type_9(1u, _e386.member);
+                let _e395 = phi_908_;
+                let _e397 = phi_911_;
+                local_3 = _e397;
+                local_6 = _e397;
+                if (_e395.member < _e395.member_1) {
+                    phi_909_ = type_9((_e395.member + 1u), _e395.member_1);
+                    phi_934_ = type_9(1u, _e395.member);
                 } else {
-                    phi_871_ = _e386;
-                    phi_896_ = type_9(0u, type_9().member_1);
+                    phi_909_ = _e395;
+                    phi_934_ = type_9(0u, type_9().member_1);
                 }
-                let _e400 = phi_871_;
-                let _e402 = phi_896_;
-                let _e406 = (bitcast<i32>(_e402.member) != 0i);
-                if _e406 {
-                    let _e410 = names[((_e380 * 32u) + _e402.member_1)];
-                    let _e414 = columns[((_e380 * 32u) + _e402.member_1)];
-                    if ((((((_e378.member[0] <= _e414.member_1[0]) && (_e414.member[0] <= _e378.member_1[0])) && (_e378.member[1] <= _e414.member_1[1])) && (_e414.member[1] <= _e378.member_1[1])) && (_e378.member[2] <= _e414.member_1[2])) && (_e414.member[2] <= _e378.member_1[2])) {
-                        if (_e213 == _e216) {
-                            let _e446 = (_e381 < _e410);
-                            if _e446 {
-                                phi_962_ = bool();
-                            } else {
-                                phi_962_ = false;
-                            }
-                            let _e448 = phi_962_;
-                            phi_963_ = _e448;
-                            phi_964_ = _e446;
-                        } else {
-                            phi_963_ = bool();
-                            phi_964_ = true;
-                        }
-                        let _e450 = phi_963_;
-                        let _e452 = phi_964_;
-                        if _e452 {
-                            phi_968_ = true;
-                        } else {
-                            phi_968_ = _e450;
-                        }
-                        let _e454 = phi_968_;
-                        if _e454 {
-                            let _e456 = atomicAdd((&counters[4u]), 1u);
-                            if (_e456 < 2048u) {
-                                hits[_e456] = (((_e380 << bitcast<u32>(10i)) | (_e381 << bitcast<u32>(5i))) | _e410);
-                                phi_986_ = _e388;
-                            } else {
-                                phi_986_ = (_e388 | (1u << bitcast<u32>((_e402.member_1 & 31u))));
-                            }
-                            let _e470 = phi_986_;
-                            phi_987_ = _e470;
-                        } else {
-                            phi_987_ = _e388;
-                        }
-                        let _e472 = phi_987_;
-                        phi_988_ = _e472;
-                    } else {
-                        phi_988_ = _e388;
-                    }
-                    let _e474 = phi_988_;
-                    phi_874_ = _e474;
+                let _e409 = phi_909_;
+                let _e411 = phi_934_;
+                let _e415 = (bitcast<i32>(_e411.member) != 0i);
+                if _e415 {
+                    let _e416 = (4u * _e411.member_1);
+                    let _e419 = columns[(_e384 + _e416)];
+                    let _e458 = columns[((_e384 + _e416) + 1u)];
+                    let _e499 = columns[((_e384 + _e416) + 2u)];
+                    let _e540 = columns[((_e384 + _e416) + 3u)];
+                    phi_912_ = (_e397 | ((((select(0u, 1u, ((((((_e380.member[0] <= _e419.member_1[0]) && (_e419.member[0] <= _e380.member_1[0])) && (_e380.member[1] <= _e419.member_1[1])) && (_e419.member[1] <= _e380.member_1[1])) && (_e380.member[2] <= _e419.member_1[2])) && (_e419.member[2] <= _e380.member_1[2]))) << bitcast<u32>((_e416 & 31u))) | (select(0u, 1u, ((((((_e380.member[0] <= _e458.member_1[0]) && (_e458.member[0] <= _e380.member_1[0])) && (_e380.member[1] <= _e458.member_1[1])) && (_e458.member[1] <= _e380.member_1[1])) && (_e380.member[2] <= _e458.member_1[2])) && (_e458.member[2] <= _e380.member_1[2]))) << bitcast<u32>(((_e416 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e380.member[0] <= _e499.member_1[0]) && (_e499.member[0] <= _e380.member_1[0])) && (_e380.member[1] <= _e499.member_1[1])) && (_e499.member[1] <= _e380.member_1[1])) && (_e380.member[2] <= _e499.member_1[2])) && (_e499.member[2] <= _e380.member_1[2]))) << bitcast<u32>(((_e416 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e380.member[0] <= _e540.member_1[0]) && (_e540.member[0] <= _e380.member_1[0])) && (_e380.member[1] <= _e540.member_1[1])) && (_e540.member[1] <= _e380.member_1[1])) && (_e380.member[2] <= _e540.member_1[2])) && (_e540.member[2] <= _e380.member_1[2]))) << bitcast<u32>(((_e416 + 3u) & 31u)))));
                 } else {
-                    phi_874_ = u32();
+                    phi_912_ = u32();
                 }
-                let _e476 = phi_874_;
+                let _e580 = phi_912_;
                 continue;
                 continuing {
-                    phi_870_ = _e400;
-                    phi_873_ = _e476;
-                    break if !(_e406);
+                    phi_908_ = _e409;
+                    phi_911_ = _e580;
+                    break if !(_e415);
                 }
             }
-            phi_991_ = type_9(0u, 32u);
-            let _e4985 = local_7;
-            phi_994_ = _e4985;
-            loop {
-                let _e479 = phi_991_;
-                let _e481 = phi_994_;
-                if (_e479.member < _e479.member_1) {
-                    phi_992_ = type_9((_e479.member + 1u), _e479.member_1);
-                    phi_1017_ = type_9(1u, _e479.member);
-                } else {
-                    phi_992_ = _e479;
-                    phi_1017_ = type_9(0u, type_9().member_1);
-                }
-                let _e493 = phi_992_;
-                let _e495 = phi_1017_;
-                if (bitcast<i32>(_e495.member) != 0i) {
-                    if (_e481 == 0u) {
-                        phi_2244_ = u32();
-                        phi_2245_ = false;
+            if (_e386 < 32u) {
+                let _e588 = local_3;
+                phi_1123_ = (_e588 & ((1u << bitcast<u32>((_e386 & 31u))) - 1u));
+            } else {
+                let _e5559 = local_6;
+                phi_1123_ = _e5559;
+            }
+            let _e591 = phi_1123_;
+            if _e381 {
+                phi_1129_ = type_9(0u, _e386);
+                phi_1132_ = _e591;
+                loop {
+                    let _e594 = phi_1129_;
+                    let _e596 = phi_1132_;
+                    local_7 = _e596;
+                    if (_e594.member < _e594.member_1) {
+                        phi_1130_ = type_9((_e594.member + 1u), _e594.member_1);
+                        phi_1155_ = type_9(1u, _e594.member);
                     } else {
-                        let _e506 = names[((_e99 * 32u) + select(firstTrailingBit(_e481), 32u, (_e481 == 0u)))];
-                        let _e509 = (_e225 + _e100);
-                        let _e510 = (_e232 + _e506);
-                        let _e512 = leaves.member[_e509];
-                        let _e514 = leaves.member[_e510];
-                        let _e516 = nodes.member[_e509];
-                        let _e530 = nodes.member[_e510];
-                        let _e545 = params.member.member.member_1;
-                        if ((_e545 & 1u) != 0u) {
-                            if (_e514.member[0] == _e512.member[0]) {
-                                phi_1137_ = true;
+                        phi_1130_ = _e594;
+                        phi_1155_ = type_9(0u, type_9().member_1);
+                    }
+                    let _e608 = phi_1130_;
+                    let _e610 = phi_1155_;
+                    let _e614 = (bitcast<i32>(_e610.member) != 0i);
+                    if _e614 {
+                        let _e617 = names[(_e384 + _e610.member_1)];
+                        if _e381 {
+                            let _e618 = ((_e73 % 32u) < _e617);
+                            if _e618 {
+                                phi_1179_ = bool();
                             } else {
-                                phi_1137_ = (_e514.member[0] == _e512.member[1]);
+                                phi_1179_ = false;
                             }
-                            let _e559 = phi_1137_;
-                            if (_e514.member[1] == _e512.member[0]) {
-                                phi_1143_ = true;
-                            } else {
-                                phi_1143_ = (_e514.member[1] == _e512.member[1]);
-                            }
-                            let _e563 = phi_1143_;
-                            if (_e559 || _e563) {
-                                phi_1149_ = false;
-                            } else {
-                                phi_1149_ = true;
-                            }
-                            let _e566 = phi_1149_;
-                            phi_1150_ = _e566;
+                            let _e620 = phi_1179_;
+                            phi_1180_ = _e620;
+                            phi_1181_ = _e618;
                         } else {
-                            phi_1150_ = true;
+                            phi_1180_ = bool();
+                            phi_1181_ = true;
                         }
-                        let _e568 = phi_1150_;
-                        if _e568 {
-                            let _e570 = params.member.member.member_1;
-                            if ((_e570 & 2u) != 0u) {
-                                let _e576 = bodies.member[_e512.member[0]];
-                                let _e580 = bodies.member[_e514.member[0]];
-                                if ((_e576 / 4u) != (_e580 / 4u)) {
-                                    phi_1195_ = true;
-                                } else {
-                                    if ((_e576 & 2u) == 0u) {
-                                        phi_1194_ = false;
+                        let _e622 = phi_1180_;
+                        let _e624 = phi_1181_;
+                        if _e624 {
+                            phi_1185_ = true;
+                        } else {
+                            phi_1185_ = _e622;
+                        }
+                        let _e626 = phi_1185_;
+                        if _e626 {
+                            phi_1193_ = false;
+                        } else {
+                            phi_1193_ = true;
+                        }
+                        let _e628 = phi_1193_;
+                        if _e628 {
+                            phi_1201_ = (_e596 & ~((1u << bitcast<u32>((_e610.member_1 & 31u)))));
+                        } else {
+                            phi_1201_ = _e596;
+                        }
+                        let _e635 = phi_1201_;
+                        phi_1133_ = _e635;
+                    } else {
+                        phi_1133_ = u32();
+                    }
+                    let _e637 = phi_1133_;
+                    continue;
+                    continuing {
+                        phi_1129_ = _e608;
+                        phi_1132_ = _e637;
+                        break if !(_e614);
+                    }
+                }
+                let _e5573 = local_7;
+                phi_1202_ = _e5573;
+            } else {
+                phi_1202_ = _e591;
+            }
+            let _e640 = phi_1202_;
+            let _e642 = countOneBits(_e640);
+            if (_e642 > 0u) {
+                let _e645 = atomicAdd((&counters[4u]), _e642);
+                phi_1212_ = type_9(_e640, _e645);
+            } else {
+                phi_1212_ = type_9(_e640, 0u);
+            }
+            let _e648 = phi_1212_;
+            workgroupBarrier();
+            if (_e73 == 0u) {
+                let _e651 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e651;
+            }
+            let _e654 = workgroupUniformLoad((&n_hits[0u]));
+            let _e655 = (_e654 / 512u);
+            if ((_e654 % 512u) > 0u) {
+                phi_1238_ = (_e655 + 1u);
+            } else {
+                phi_1238_ = _e655;
+            }
+            let _e660 = phi_1238_;
+            phi_1241_ = type_9(0u, _e660);
+            phi_1244_ = _e648;
+            loop {
+                let _e663 = phi_1241_;
+                let _e665 = phi_1244_;
+                if (_e663.member < _e663.member_1) {
+                    phi_1242_ = type_9((_e663.member + 1u), _e663.member_1);
+                    phi_1269_ = type_9(1u, _e663.member);
+                } else {
+                    phi_1242_ = _e663;
+                    phi_1269_ = type_9(0u, type_9().member_1);
+                }
+                let _e677 = phi_1242_;
+                let _e679 = phi_1269_;
+                let _e683 = (bitcast<i32>(_e679.member) != 0i);
+                if _e683 {
+                    let _e684 = (_e73 / 32u);
+                    let _e686 = (_e679.member_1 * 512u);
+                    phi_1286_ = _e665;
+                    phi_1289_ = type_9(0u, countOneBits(_e665.member));
+                    loop {
+                        let _e691 = phi_1286_;
+                        let _e693 = phi_1289_;
+                        local_8 = _e691;
+                        if (_e693.member < _e693.member_1) {
+                            phi_1290_ = type_9((_e693.member + 1u), _e693.member_1);
+                            phi_1312_ = type_9(1u, _e693.member);
+                        } else {
+                            phi_1290_ = _e693;
+                            phi_1312_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e705 = phi_1290_;
+                        let _e707 = phi_1312_;
+                        if (bitcast<i32>(_e707.member) != 0i) {
+                            let _e712 = (_e691.member_1 - _e686);
+                            if (_e712 >= 512u) {
+                                phi_1346_ = type_9();
+                                phi_1347_ = false;
+                            } else {
+                                let _e721 = names[((_e684 * 32u) + select(firstTrailingBit(_e691.member), 32u, (_e691.member == 0u)))];
+                                hits[_e712] = (((_e684 << bitcast<u32>(10i)) | ((_e73 % 32u) << bitcast<u32>(5i))) | _e721);
+                                phi_1346_ = type_9((_e691.member & (_e691.member - 1u)), (_e691.member_1 + 1u));
+                                phi_1347_ = true;
+                            }
+                            let _e737 = phi_1346_;
+                            let _e739 = phi_1347_;
+                            phi_1287_ = _e737;
+                            phi_1348_ = _e739;
+                        } else {
+                            phi_1287_ = type_9();
+                            phi_1348_ = false;
+                        }
+                        let _e741 = phi_1287_;
+                        let _e743 = phi_1348_;
+                        continue;
+                        continuing {
+                            phi_1286_ = _e741;
+                            phi_1289_ = _e705;
+                            break if !(_e743);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e746 = n_hits[0u];
+                    let _e747 = (_e746 - _e686);
+                    if (512u < _e747) {
+                        phi_1356_ = 512u;
+                    } else {
+                        phi_1356_ = _e747;
+                    }
+                    let _e750 = phi_1356_;
+                    phi_1359_ = type_9(0u, 4u);
+                    loop {
+                        let _e752 = phi_1359_;
+                        if (_e752.member < _e752.member_1) {
+                            phi_1360_ = type_9((_e752.member + 1u), _e752.member_1);
+                            phi_1385_ = type_9(1u, _e752.member);
+                        } else {
+                            phi_1360_ = _e752;
+                            phi_1385_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e764 = phi_1360_;
+                        let _e766 = phi_1385_;
+                        if (bitcast<i32>(_e766.member) != 0i) {
+                            let _e772 = (_e73 + (_e766.member_1 * 128u));
+                            if (_e772 >= _e750) {
+                                phi_2823_ = false;
+                            } else {
+                                let _e775 = hits[_e772];
+                                let _e778 = ((_e775 >> bitcast<u32>(10i)) & 3u);
+                                let _e785 = firsts[(2u * _e778)];
+                                let _e790 = firsts[((2u * _e778) + 1u)];
+                                let _e793 = leaves.member[(_e785 + ((_e775 >> bitcast<u32>(5i)) & 31u))];
+                                let _e799 = leaves.member[(_e790 + (_e775 & 31u))];
+                                let _e806 = ((_e775 >> bitcast<u32>(10i)) & 3u);
+                                let _e813 = firsts[(2u * _e806)];
+                                let _e818 = firsts[((2u * _e806) + 1u)];
+                                let _e821 = nodes.member[(_e813 + ((_e775 >> bitcast<u32>(5i)) & 31u))];
+                                let _e835 = nodes.member[(_e818 + (_e775 & 31u))];
+                                if ((_e91.member_1 & 1u) != 0u) {
+                                    if (_e799.x == _e793.x) {
+                                        phi_1541_ = true;
                                     } else {
-                                        phi_1194_ = true;
+                                        phi_1541_ = (_e799.x == _e793.y);
                                     }
-                                    let _e587 = phi_1194_;
-                                    phi_1195_ = _e587;
-                                }
-                                let _e589 = phi_1195_;
-                                if _e589 {
-                                    phi_1202_ = (((_e576 & _e580) & 1u) == 0u);
+                                    let _e854 = phi_1541_;
+                                    if (_e799.y == _e793.x) {
+                                        phi_1547_ = true;
+                                    } else {
+                                        phi_1547_ = (_e799.y == _e793.y);
+                                    }
+                                    let _e858 = phi_1547_;
+                                    if (_e854 || _e858) {
+                                        phi_1553_ = false;
+                                    } else {
+                                        phi_1553_ = true;
+                                    }
+                                    let _e861 = phi_1553_;
+                                    phi_1554_ = _e861;
                                 } else {
-                                    phi_1202_ = false;
+                                    phi_1554_ = true;
                                 }
-                                let _e594 = phi_1202_;
-                                if _e594 {
-                                    let _e596 = params.member.member.member_1;
-                                    if ((_e596 & 4u) != 0u) {
-                                        let _e601 = params.member.member.member[0u];
-                                        let _e603 = bodies.member[_e601];
-                                        let _e606 = bodies.member[(_e601 + 1u)];
-                                        let _e611 = ((_e601 + 4u) + (2u * (_e576 >> bitcast<u32>(2i))));
-                                        let _e616 = ((_e601 + 4u) + (2u * (_e580 >> bitcast<u32>(2i))));
-                                        let _e618 = bodies.member[_e611];
-                                        let _e620 = bodies.member[_e616];
-                                        let _e629 = bodies.member[((((_e601 + 4u) + (2u * _e603)) + (_e618 * _e606)) + (_e620 / 32u))];
-                                        let _e632 = bodies.member[(_e611 + 1u)];
-                                        let _e635 = bodies.member[(_e616 + 1u)];
-                                        if (_e632 == _e635) {
-                                            if (((_e629 >> bitcast<u32>(((_e620 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_1318_ = true;
-                                            } else {
-                                                phi_1318_ = ((_e576 >> bitcast<u32>(2i)) == (_e580 >> bitcast<u32>(2i)));
-                                            }
-                                            let _e649 = phi_1318_;
-                                            phi_1319_ = _e649;
+                                let _e863 = phi_1554_;
+                                if _e863 {
+                                    if ((_e91.member_1 & 2u) != 0u) {
+                                        let _e868 = bodies.member[_e793.x];
+                                        let _e870 = bodies.member[_e799.x];
+                                        if ((_e868 / 4u) != (_e870 / 4u)) {
+                                            phi_1596_ = true;
                                         } else {
-                                            phi_1319_ = false;
-                                        }
-                                        let _e651 = phi_1319_;
-                                        if _e651 {
-                                            let _e656 = bodies.member[(_e601 + 2u)];
-                                            let _e659 = bodies.member[(_e601 + 3u)];
-                                            let _e660 = (_e659 + _e601);
-                                            if (_e514.member_1 < _e512.member_1) {
-                                                phi_1356_ = _e512.member_1;
-                                                phi_1357_ = _e514.member_1;
+                                            if ((_e868 & 2u) == 0u) {
+                                                phi_1595_ = false;
                                             } else {
-                                                phi_1356_ = _e514.member_1;
-                                                phi_1357_ = _e512.member_1;
+                                                phi_1595_ = true;
                                             }
-                                            let _e663 = phi_1356_;
-                                            let _e665 = phi_1357_;
-                                            phi_1362_ = type_15(0i, 32i);
-                                            phi_1365_ = _e656;
-                                            phi_1367_ = 0u;
-                                            loop {
-                                                let _e667 = phi_1362_;
-                                                let _e669 = phi_1365_;
-                                                let _e671 = phi_1367_;
-                                                local_3 = _e671;
-                                                local_4 = _e671;
-                                                if (_e667.member < _e667.member_1) {
-                                                    let _e678 = (_e667.member + 1i);
-                                                    if ((false == (_e678 > _e667.member)) != false) {
-                                                        phi_1388_ = true;
+                                            let _e877 = phi_1595_;
+                                            phi_1596_ = _e877;
+                                        }
+                                        let _e879 = phi_1596_;
+                                        if _e879 {
+                                            phi_1603_ = (((_e868 & _e870) & 1u) == 0u);
+                                        } else {
+                                            phi_1603_ = false;
+                                        }
+                                        let _e884 = phi_1603_;
+                                        if _e884 {
+                                            if ((_e91.member_1 & 4u) != 0u) {
+                                                let _e891 = bodies.member[_e91.member[0]];
+                                                let _e894 = bodies.member[(_e91.member[0] + 1u)];
+                                                let _e899 = ((_e91.member[0] + 4u) + (2u * (_e868 >> bitcast<u32>(2i))));
+                                                let _e904 = ((_e91.member[0] + 4u) + (2u * (_e870 >> bitcast<u32>(2i))));
+                                                let _e906 = bodies.member[_e899];
+                                                let _e908 = bodies.member[_e904];
+                                                let _e917 = bodies.member[((((_e91.member[0] + 4u) + (2u * _e891)) + (_e906 * _e894)) + (_e908 / 32u))];
+                                                let _e920 = bodies.member[(_e899 + 1u)];
+                                                let _e923 = bodies.member[(_e904 + 1u)];
+                                                if (_e920 == _e923) {
+                                                    if (((_e917 >> bitcast<u32>(((_e908 % 32u) & 31u))) & 1u) == 1u) {
+                                                        phi_1717_ = true;
                                                     } else {
-                                                        phi_1388_ = false;
+                                                        phi_1717_ = ((_e868 >> bitcast<u32>(2i)) == (_e870 >> bitcast<u32>(2i)));
                                                     }
-                                                    let _e683 = phi_1388_;
-                                                    if _e683 {
-                                                        phi_1394_ = type_16(0u, type_16().member_1);
-                                                    } else {
-                                                        phi_1394_ = type_16(1u, _e678);
-                                                    }
-                                                    let _e688 = phi_1394_;
-                                                    phi_1363_ = type_15(_e688.member_1, _e667.member_1);
-                                                    phi_1408_ = type_16(1u, _e667.member);
+                                                    let _e937 = phi_1717_;
+                                                    phi_1718_ = _e937;
                                                 } else {
-                                                    phi_1363_ = _e667;
-                                                    phi_1408_ = type_16(0u, type_16().member_1);
+                                                    phi_1718_ = false;
                                                 }
-                                                let _e694 = phi_1363_;
-                                                let _e696 = phi_1408_;
-                                                if (bitcast<i32>(_e696.member) != 0i) {
-                                                    if (_e671 >= _e669) {
-                                                        phi_1491_ = u32();
-                                                        phi_1492_ = u32();
-                                                        phi_1493_ = false;
+                                                let _e939 = phi_1718_;
+                                                if _e939 {
+                                                    let _e942 = bodies.member[(_e91.member[0] + 2u)];
+                                                    let _e945 = bodies.member[(_e91.member[0] + 3u)];
+                                                    let _e946 = (_e945 + _e91.member[0]);
+                                                    if (_e799.w < _e793.w) {
+                                                        phi_1753_ = _e793.w;
+                                                        phi_1754_ = _e799.w;
                                                     } else {
-                                                        let _e703 = (_e671 + ((_e669 - _e671) / 2u));
-                                                        let _e705 = (_e660 + (3u * _e703));
-                                                        let _e707 = bodies.member[_e705];
-                                                        let _e710 = bodies.member[(_e705 + 1u)];
-                                                        let _e713 = bodies.member[(_e705 + 2u)];
-                                                        if (_e707 < 1u) {
-                                                            phi_1484_ = true;
+                                                        phi_1753_ = _e799.w;
+                                                        phi_1754_ = _e793.w;
+                                                    }
+                                                    let _e949 = phi_1753_;
+                                                    let _e951 = phi_1754_;
+                                                    phi_1759_ = type_15(0i, 32i);
+                                                    phi_1762_ = _e942;
+                                                    phi_1764_ = 0u;
+                                                    loop {
+                                                        let _e953 = phi_1759_;
+                                                        let _e955 = phi_1762_;
+                                                        let _e957 = phi_1764_;
+                                                        local_4 = _e957;
+                                                        local_5 = _e957;
+                                                        if (_e953.member < _e953.member_1) {
+                                                            let _e964 = (_e953.member + 1i);
+                                                            if ((false == (_e964 > _e953.member)) != false) {
+                                                                phi_1785_ = true;
+                                                            } else {
+                                                                phi_1785_ = false;
+                                                            }
+                                                            let _e969 = phi_1785_;
+                                                            if _e969 {
+                                                                phi_1791_ = type_16(0u, type_16().member_1);
+                                                            } else {
+                                                                phi_1791_ = type_16(1u, _e964);
+                                                            }
+                                                            let _e974 = phi_1791_;
+                                                            phi_1760_ = type_15(_e974.member_1, _e953.member_1);
+                                                            phi_1805_ = type_16(1u, _e953.member);
                                                         } else {
-                                                            if (_e707 == 1u) {
-                                                                if (_e710 < _e665) {
-                                                                    phi_1478_ = false;
+                                                            phi_1760_ = _e953;
+                                                            phi_1805_ = type_16(0u, type_16().member_1);
+                                                        }
+                                                        let _e980 = phi_1760_;
+                                                        let _e982 = phi_1805_;
+                                                        if (bitcast<i32>(_e982.member) != 0i) {
+                                                            if (_e957 >= _e955) {
+                                                                phi_1888_ = u32();
+                                                                phi_1889_ = u32();
+                                                                phi_1890_ = false;
+                                                            } else {
+                                                                let _e989 = (_e957 + ((_e955 - _e957) / 2u));
+                                                                let _e991 = (_e946 + (3u * _e989));
+                                                                let _e993 = bodies.member[_e991];
+                                                                let _e996 = bodies.member[(_e991 + 1u)];
+                                                                let _e999 = bodies.member[(_e991 + 2u)];
+                                                                if (_e993 < 1u) {
+                                                                    phi_1881_ = true;
                                                                 } else {
-                                                                    if (_e710 == _e665) {
-                                                                        if (_e713 < _e663) {
-                                                                            phi_1476_ = false;
+                                                                    if (_e993 == 1u) {
+                                                                        if (_e996 < _e951) {
+                                                                            phi_1875_ = false;
                                                                         } else {
-                                                                            phi_1476_ = true;
+                                                                            if (_e996 == _e951) {
+                                                                                if (_e999 < _e949) {
+                                                                                    phi_1873_ = false;
+                                                                                } else {
+                                                                                    phi_1873_ = true;
+                                                                                }
+                                                                                let _e1006 = phi_1873_;
+                                                                                phi_1874_ = _e1006;
+                                                                            } else {
+                                                                                phi_1874_ = true;
+                                                                            }
+                                                                            let _e1008 = phi_1874_;
+                                                                            phi_1875_ = _e1008;
                                                                         }
-                                                                        let _e720 = phi_1476_;
-                                                                        phi_1477_ = _e720;
+                                                                        let _e1010 = phi_1875_;
+                                                                        phi_1876_ = _e1010;
                                                                     } else {
-                                                                        phi_1477_ = true;
+                                                                        phi_1876_ = true;
                                                                     }
-                                                                    let _e722 = phi_1477_;
-                                                                    phi_1478_ = _e722;
+                                                                    let _e1012 = phi_1876_;
+                                                                    if _e1012 {
+                                                                        phi_1880_ = false;
+                                                                    } else {
+                                                                        phi_1880_ = true;
+                                                                    }
+                                                                    let _e1014 = phi_1880_;
+                                                                    phi_1881_ = _e1014;
                                                                 }
-                                                                let _e724 = phi_1478_;
-                                                                phi_1479_ = _e724;
-                                                            } else {
-                                                                phi_1479_ = true;
-                                                            }
-                                                            let _e726 = phi_1479_;
-                                                            if _e726 {
-                                                                phi_1483_ = false;
-                                                            } else {
-                                                                phi_1483_ = true;
-                                                            }
-                                                            let _e728 = phi_1483_;
-                                                            phi_1484_ = _e728;
-                                                        }
-                                                        let _e730 = phi_1484_;
-                                                        if _e730 {
-                                                            phi_1489_ = _e669;
-                                                            phi_1490_ = (_e703 + 1u);
-                                                        } else {
-                                                            phi_1489_ = _e703;
-                                                            phi_1490_ = _e671;
-                                                        }
-                                                        let _e733 = phi_1489_;
-                                                        let _e735 = phi_1490_;
-                                                        phi_1491_ = _e733;
-                                                        phi_1492_ = _e735;
-                                                        phi_1493_ = true;
-                                                    }
-                                                    let _e737 = phi_1491_;
-                                                    let _e739 = phi_1492_;
-                                                    let _e741 = phi_1493_;
-                                                    phi_1366_ = _e737;
-                                                    phi_1368_ = _e739;
-                                                    phi_1494_ = _e741;
-                                                } else {
-                                                    phi_1366_ = u32();
-                                                    phi_1368_ = u32();
-                                                    phi_1494_ = false;
-                                                }
-                                                let _e743 = phi_1366_;
-                                                let _e745 = phi_1368_;
-                                                let _e747 = phi_1494_;
-                                                continue;
-                                                continuing {
-                                                    phi_1362_ = _e694;
-                                                    phi_1365_ = _e743;
-                                                    phi_1367_ = _e745;
-                                                    break if !(_e747);
-                                                }
-                                            }
-                                            let _e750 = local_3;
-                                            if (_e750 < _e656) {
-                                                let _e753 = local_4;
-                                                let _e755 = (_e660 + (3u * _e753));
-                                                let _e757 = bodies.member[_e755];
-                                                if (_e757 == 1u) {
-                                                    let _e761 = bodies.member[(_e755 + 1u)];
-                                                    if (_e761 == _e665) {
-                                                        let _e765 = bodies.member[(_e755 + 2u)];
-                                                        phi_1542_ = (_e765 == _e663);
-                                                        phi_1543_ = false;
-                                                    } else {
-                                                        phi_1542_ = bool();
-                                                        phi_1543_ = true;
-                                                    }
-                                                    let _e768 = phi_1542_;
-                                                    let _e770 = phi_1543_;
-                                                    phi_1544_ = _e768;
-                                                    phi_1545_ = _e770;
-                                                } else {
-                                                    phi_1544_ = bool();
-                                                    phi_1545_ = true;
-                                                }
-                                                let _e772 = phi_1544_;
-                                                let _e774 = phi_1545_;
-                                                if _e774 {
-                                                    phi_1549_ = false;
-                                                } else {
-                                                    phi_1549_ = _e772;
-                                                }
-                                                let _e776 = phi_1549_;
-                                                phi_1550_ = _e776;
-                                            } else {
-                                                phi_1550_ = false;
-                                            }
-                                            let _e778 = phi_1550_;
-                                            phi_1554_ = _e778;
-                                        } else {
-                                            phi_1554_ = true;
-                                        }
-                                        let _e780 = phi_1554_;
-                                        if _e780 {
-                                            phi_1558_ = false;
-                                        } else {
-                                            phi_1558_ = true;
-                                        }
-                                        let _e782 = phi_1558_;
-                                        phi_1559_ = _e782;
-                                    } else {
-                                        phi_1559_ = true;
-                                    }
-                                    let _e784 = phi_1559_;
-                                    if _e784 {
-                                        phi_1563_ = false;
-                                    } else {
-                                        phi_1563_ = true;
-                                    }
-                                    let _e786 = phi_1563_;
-                                    phi_1564_ = _e786;
-                                } else {
-                                    phi_1564_ = true;
-                                }
-                                let _e788 = phi_1564_;
-                                if _e788 {
-                                    phi_1568_ = false;
-                                } else {
-                                    phi_1568_ = true;
-                                }
-                                let _e790 = phi_1568_;
-                                phi_1569_ = _e790;
-                            } else {
-                                phi_1569_ = true;
-                            }
-                            let _e792 = phi_1569_;
-                            if _e792 {
-                                let _e794 = params.member.member.member_1;
-                                if ((_e794 & 32u) != 0u) {
-                                    let _e798 = params.member.member.member_6;
-                                    let _e815 = (((((_e516.member_1.y - _e530.member.x) > _e798) && ((_e530.member_1.y - _e516.member.x) > _e798)) && (((_e516.member_2.x - _e530.member.y) > _e798) && ((_e530.member_2.x - _e516.member.y) > _e798))) && (((_e516.member_2.y - _e530.member_1.x) > _e798) && ((_e530.member_2.y - _e516.member_1.x) > _e798)));
-                                    if _e815 {
-                                        phi_2171_ = bool();
-                                    } else {
-                                        let _e819 = keys.member[_e512.member[0]];
-                                        let _e824 = keys.member[_e512.member[1]];
-                                        let _e826 = function_(_e819[0], _e824[0]);
-                                        let _e830 = keys.member[_e512.member[2]];
-                                        let _e832 = function_(_e826, _e830[0]);
-                                        let _e836 = keys.member[_e514.member[0]];
-                                        let _e841 = keys.member[_e514.member[1]];
-                                        let _e843 = function_1(_e836[3], _e841[3]);
-                                        let _e847 = keys.member[_e514.member[2]];
-                                        let _e849 = function_1(_e843, _e847[3]);
-                                        if (_e832[1] > _e849[1]) {
-                                            phi_1694_ = true;
-                                        } else {
-                                            if (_e832[1] == _e849[1]) {
-                                                phi_1693_ = (_e832[0] > _e849[0]);
-                                            } else {
-                                                phi_1693_ = false;
-                                            }
-                                            let _e860 = phi_1693_;
-                                            phi_1694_ = _e860;
-                                        }
-                                        let _e862 = phi_1694_;
-                                        let _e867 = keys.member[_e514.member[0]];
-                                        let _e872 = keys.member[_e514.member[1]];
-                                        let _e874 = function_(_e867[0], _e872[0]);
-                                        let _e878 = keys.member[_e514.member[2]];
-                                        let _e880 = function_(_e874, _e878[0]);
-                                        let _e884 = keys.member[_e512.member[0]];
-                                        let _e889 = keys.member[_e512.member[1]];
-                                        let _e891 = function_1(_e884[3], _e889[3]);
-                                        let _e895 = keys.member[_e512.member[2]];
-                                        let _e897 = function_1(_e891, _e895[3]);
-                                        if (_e880[1] > _e897[1]) {
-                                            phi_1788_ = true;
-                                        } else {
-                                            if (_e880[1] == _e897[1]) {
-                                                phi_1787_ = (_e880[0] > _e897[0]);
-                                            } else {
-                                                phi_1787_ = false;
-                                            }
-                                            let _e908 = phi_1787_;
-                                            phi_1788_ = _e908;
-                                        }
-                                        let _e910 = phi_1788_;
-                                        let _e916 = keys.member[_e512.member[0]];
-                                        let _e921 = keys.member[_e512.member[1]];
-                                        let _e923 = function_2(_e916[1], _e921[1]);
-                                        let _e927 = keys.member[_e512.member[2]];
-                                        let _e929 = function_2(_e923, _e927[1]);
-                                        let _e933 = keys.member[_e514.member[0]];
-                                        let _e938 = keys.member[_e514.member[1]];
-                                        let _e940 = function_3(_e933[4], _e938[4]);
-                                        let _e944 = keys.member[_e514.member[2]];
-                                        let _e946 = function_3(_e940, _e944[4]);
-                                        if (_e929[1] > _e946[1]) {
-                                            phi_1883_ = true;
-                                        } else {
-                                            if (_e929[1] == _e946[1]) {
-                                                phi_1882_ = (_e929[0] > _e946[0]);
-                                            } else {
-                                                phi_1882_ = false;
-                                            }
-                                            let _e957 = phi_1882_;
-                                            phi_1883_ = _e957;
-                                        }
-                                        let _e959 = phi_1883_;
-                                        let _e964 = keys.member[_e514.member[0]];
-                                        let _e969 = keys.member[_e514.member[1]];
-                                        let _e971 = function_2(_e964[1], _e969[1]);
-                                        let _e975 = keys.member[_e514.member[2]];
-                                        let _e977 = function_2(_e971, _e975[1]);
-                                        let _e981 = keys.member[_e512.member[0]];
-                                        let _e986 = keys.member[_e512.member[1]];
-                                        let _e988 = function_3(_e981[4], _e986[4]);
-                                        let _e992 = keys.member[_e512.member[2]];
-                                        let _e994 = function_3(_e988, _e992[4]);
-                                        if (_e977[1] > _e994[1]) {
-                                            phi_1977_ = true;
-                                        } else {
-                                            if (_e977[1] == _e994[1]) {
-                                                phi_1976_ = (_e977[0] > _e994[0]);
-                                            } else {
-                                                phi_1976_ = false;
-                                            }
-                                            let _e1005 = phi_1976_;
-                                            phi_1977_ = _e1005;
-                                        }
-                                        let _e1007 = phi_1977_;
-                                        let _e1014 = keys.member[_e512.member[0]];
-                                        let _e1019 = keys.member[_e512.member[1]];
-                                        let _e1021 = function_4(_e1014[2], _e1019[2]);
-                                        let _e1025 = keys.member[_e512.member[2]];
-                                        let _e1027 = function_4(_e1021, _e1025[2]);
-                                        let _e1031 = keys.member[_e514.member[0]];
-                                        let _e1036 = keys.member[_e514.member[1]];
-                                        let _e1038 = function_5(_e1031[5], _e1036[5]);
-                                        let _e1042 = keys.member[_e514.member[2]];
-                                        let _e1044 = function_5(_e1038, _e1042[5]);
-                                        if (_e1027[1] > _e1044[1]) {
-                                            phi_2073_ = true;
-                                        } else {
-                                            if (_e1027[1] == _e1044[1]) {
-                                                phi_2072_ = (_e1027[0] > _e1044[0]);
-                                            } else {
-                                                phi_2072_ = false;
-                                            }
-                                            let _e1055 = phi_2072_;
-                                            phi_2073_ = _e1055;
-                                        }
-                                        let _e1057 = phi_2073_;
-                                        let _e1062 = keys.member[_e514.member[0]];
-                                        let _e1067 = keys.member[_e514.member[1]];
-                                        let _e1069 = function_4(_e1062[2], _e1067[2]);
-                                        let _e1073 = keys.member[_e514.member[2]];
-                                        let _e1075 = function_4(_e1069, _e1073[2]);
-                                        let _e1079 = keys.member[_e512.member[0]];
-                                        let _e1084 = keys.member[_e512.member[1]];
-                                        let _e1086 = function_5(_e1079[5], _e1084[5]);
-                                        let _e1090 = keys.member[_e512.member[2]];
-                                        let _e1092 = function_5(_e1086, _e1090[5]);
-                                        if (_e1075[1] > _e1092[1]) {
-                                            phi_2167_ = true;
-                                        } else {
-                                            if (_e1075[1] == _e1092[1]) {
-                                                phi_2166_ = (_e1075[0] > _e1092[0]);
-                                            } else {
-                                                phi_2166_ = false;
-                                            }
-                                            let _e1103 = phi_2166_;
-                                            phi_2167_ = _e1103;
-                                        }
-                                        let _e1105 = phi_2167_;
-                                        phi_2171_ = (((!(_e862) && !(_e910)) && (!(_e959) && !(_e1007))) && (!(_e1057) && !(_e1105)));
-                                    }
-                                    let _e1110 = phi_2171_;
-                                    phi_2172_ = _e1110;
-                                    phi_2173_ = _e815;
-                                } else {
-                                    phi_2172_ = bool();
-                                    phi_2173_ = true;
-                                }
-                                let _e1112 = phi_2172_;
-                                let _e1114 = phi_2173_;
-                                if _e1114 {
-                                    phi_2177_ = false;
-                                } else {
-                                    phi_2177_ = true;
-                                }
-                                let _e1116 = phi_2177_;
-                                phi_2178_ = _e1112;
-                                phi_2179_ = _e1116;
-                            } else {
-                                phi_2178_ = false;
-                                phi_2179_ = true;
-                            }
-                            let _e1118 = phi_2178_;
-                            let _e1120 = phi_2179_;
-                            phi_2180_ = _e1118;
-                            phi_2181_ = _e1120;
-                        } else {
-                            phi_2180_ = false;
-                            phi_2181_ = true;
-                        }
-                        let _e1122 = phi_2180_;
-                        let _e1124 = phi_2181_;
-                        if _e1124 {
-                            phi_2185_ = _e1122;
-                        } else {
-                            phi_2185_ = true;
-                        }
-                        let _e1126 = phi_2185_;
-                        if _e1126 {
-                            if (_e512.member_1 < _e514.member_1) {
-                                phi_2201_ = type_9(_e512.member_1, _e514.member_1);
-                            } else {
-                                phi_2201_ = type_9(_e514.member_1, _e512.member_1);
-                            }
-                            let _e1133 = phi_2201_;
-                            let _e1137 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1137 + 1u) < _e1137) {
-                                let _e1141 = atomicAdd((&output.member[2u]), 1u);
-                            }
-                            if (_e1137 < _e90) {
-                                let _e1143 = (2u * _e1137);
-                                atomicStore((&output.member[(4u + _e1143)]), _e1133.member);
-                                atomicStore((&output.member[(_e1143 + 5u)]), _e1133.member_1);
-                            }
-                            let _e1149 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1149 + 1u) < _e1149) {
-                                let _e1153 = atomicAdd((&output.member[3u]), 1u);
-                            }
-                        }
-                        phi_2244_ = (_e481 & (_e481 - 1u));
-                        phi_2245_ = true;
-                    }
-                    let _e1155 = phi_2244_;
-                    let _e1157 = phi_2245_;
-                    phi_995_ = _e1155;
-                    phi_2246_ = _e1157;
-                } else {
-                    phi_995_ = u32();
-                    phi_2246_ = false;
-                }
-                let _e1159 = phi_995_;
-                let _e1161 = phi_2246_;
-                continue;
-                continuing {
-                    phi_991_ = _e493;
-                    phi_994_ = _e1159;
-                    break if !(_e1161);
-                }
-            }
-            workgroupBarrier();
-            let _e1164 = atomicLoad((&counters[4u]));
-            if (2048u < _e1164) {
-                phi_2253_ = 2048u;
-            } else {
-                phi_2253_ = _e1164;
-            }
-            let _e1167 = phi_2253_;
-            phi_2256_ = type_9(0u, 16u);
-            loop {
-                let _e1169 = phi_2256_;
-                if (_e1169.member < _e1169.member_1) {
-                    phi_2257_ = type_9((_e1169.member + 1u), _e1169.member_1);
-                    phi_2280_ = type_9(1u, _e1169.member);
-                } else {
-                    phi_2257_ = _e1169;
-                    phi_2280_ = type_9(0u, type_9().member_1);
-                }
-                let _e1181 = phi_2257_;
-                let _e1183 = phi_2280_;
-                if (bitcast<i32>(_e1183.member) != 0i) {
-                    let _e1189 = (_e71 + (_e1183.member_1 * 128u));
-                    if (_e1189 >= _e1167) {
-                        phi_8683_ = false;
-                    } else {
-                        let _e1192 = hits[_e1189];
-                        let _e1195 = ((_e1192 >> bitcast<u32>(10i)) & 3u);
-                        let _e1202 = firsts[(2u * _e1195)];
-                        let _e1203 = (_e1202 + ((_e1192 >> bitcast<u32>(5i)) & 31u));
-                        let _e1207 = firsts[((2u * _e1195) + 1u)];
-                        let _e1208 = (_e1207 + (_e1192 & 31u));
-                        let _e1210 = leaves.member[_e1203];
-                        let _e1212 = leaves.member[_e1208];
-                        let _e1214 = nodes.member[_e1203];
-                        let _e1228 = nodes.member[_e1208];
-                        let _e1243 = params.member.member.member_1;
-                        if ((_e1243 & 1u) != 0u) {
-                            if (_e1212.member[0] == _e1210.member[0]) {
-                                phi_2408_ = true;
-                            } else {
-                                phi_2408_ = (_e1212.member[0] == _e1210.member[1]);
-                            }
-                            let _e1257 = phi_2408_;
-                            if (_e1212.member[1] == _e1210.member[0]) {
-                                phi_2414_ = true;
-                            } else {
-                                phi_2414_ = (_e1212.member[1] == _e1210.member[1]);
-                            }
-                            let _e1261 = phi_2414_;
-                            if (_e1257 || _e1261) {
-                                phi_2420_ = false;
-                            } else {
-                                phi_2420_ = true;
-                            }
-                            let _e1264 = phi_2420_;
-                            phi_2421_ = _e1264;
-                        } else {
-                            phi_2421_ = true;
-                        }
-                        let _e1266 = phi_2421_;
-                        if _e1266 {
-                            let _e1268 = params.member.member.member_1;
-                            if ((_e1268 & 2u) != 0u) {
-                                let _e1274 = bodies.member[_e1210.member[0]];
-                                let _e1278 = bodies.member[_e1212.member[0]];
-                                if ((_e1274 / 4u) != (_e1278 / 4u)) {
-                                    phi_2466_ = true;
-                                } else {
-                                    if ((_e1274 & 2u) == 0u) {
-                                        phi_2465_ = false;
-                                    } else {
-                                        phi_2465_ = true;
-                                    }
-                                    let _e1285 = phi_2465_;
-                                    phi_2466_ = _e1285;
-                                }
-                                let _e1287 = phi_2466_;
-                                if _e1287 {
-                                    phi_2473_ = (((_e1274 & _e1278) & 1u) == 0u);
-                                } else {
-                                    phi_2473_ = false;
-                                }
-                                let _e1292 = phi_2473_;
-                                if _e1292 {
-                                    let _e1294 = params.member.member.member_1;
-                                    if ((_e1294 & 4u) != 0u) {
-                                        let _e1299 = params.member.member.member[0u];
-                                        let _e1301 = bodies.member[_e1299];
-                                        let _e1304 = bodies.member[(_e1299 + 1u)];
-                                        let _e1309 = ((_e1299 + 4u) + (2u * (_e1274 >> bitcast<u32>(2i))));
-                                        let _e1314 = ((_e1299 + 4u) + (2u * (_e1278 >> bitcast<u32>(2i))));
-                                        let _e1316 = bodies.member[_e1309];
-                                        let _e1318 = bodies.member[_e1314];
-                                        let _e1327 = bodies.member[((((_e1299 + 4u) + (2u * _e1301)) + (_e1316 * _e1304)) + (_e1318 / 32u))];
-                                        let _e1330 = bodies.member[(_e1309 + 1u)];
-                                        let _e1333 = bodies.member[(_e1314 + 1u)];
-                                        if (_e1330 == _e1333) {
-                                            if (((_e1327 >> bitcast<u32>(((_e1318 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_2589_ = true;
-                                            } else {
-                                                phi_2589_ = ((_e1274 >> bitcast<u32>(2i)) == (_e1278 >> bitcast<u32>(2i)));
-                                            }
-                                            let _e1347 = phi_2589_;
-                                            phi_2590_ = _e1347;
-                                        } else {
-                                            phi_2590_ = false;
-                                        }
-                                        let _e1349 = phi_2590_;
-                                        if _e1349 {
-                                            let _e1354 = bodies.member[(_e1299 + 2u)];
-                                            let _e1357 = bodies.member[(_e1299 + 3u)];
-                                            let _e1358 = (_e1357 + _e1299);
-                                            if (_e1212.member_1 < _e1210.member_1) {
-                                                phi_2627_ = _e1210.member_1;
-                                                phi_2628_ = _e1212.member_1;
-                                            } else {
-                                                phi_2627_ = _e1212.member_1;
-                                                phi_2628_ = _e1210.member_1;
-                                            }
-                                            let _e1361 = phi_2627_;
-                                            let _e1363 = phi_2628_;
-                                            phi_2633_ = type_15(0i, 32i);
-                                            phi_2636_ = _e1354;
-                                            phi_2638_ = 0u;
-                                            loop {
-                                                let _e1365 = phi_2633_;
-                                                let _e1367 = phi_2636_;
-                                                let _e1369 = phi_2638_;
-                                                local_5 = _e1369;
-                                                local_6 = _e1369;
-                                                if (_e1365.member < _e1365.member_1) {
-                                                    let _e1376 = (_e1365.member + 1i);
-                                                    if ((false == (_e1376 > _e1365.member)) != false) {
-                                                        phi_2659_ = true;
-                                                    } else {
-                                                        phi_2659_ = false;
-                                                    }
-                                                    let _e1381 = phi_2659_;
-                                                    if _e1381 {
-                                                        phi_2665_ = type_16(0u, type_16().member_1);
-                                                    } else {
-                                                        phi_2665_ = type_16(1u, _e1376);
-                                                    }
-                                                    let _e1386 = phi_2665_;
-                                                    phi_2634_ = type_15(_e1386.member_1, _e1365.member_1);
-                                                    phi_2679_ = type_16(1u, _e1365.member);
-                                                } else {
-                                                    phi_2634_ = _e1365;
-                                                    phi_2679_ = type_16(0u, type_16().member_1);
-                                                }
-                                                let _e1392 = phi_2634_;
-                                                let _e1394 = phi_2679_;
-                                                if (bitcast<i32>(_e1394.member) != 0i) {
-                                                    if (_e1369 >= _e1367) {
-                                                        phi_2762_ = u32();
-                                                        phi_2763_ = u32();
-                                                        phi_2764_ = false;
-                                                    } else {
-                                                        let _e1401 = (_e1369 + ((_e1367 - _e1369) / 2u));
-                                                        let _e1403 = (_e1358 + (3u * _e1401));
-                                                        let _e1405 = bodies.member[_e1403];
-                                                        let _e1408 = bodies.member[(_e1403 + 1u)];
-                                                        let _e1411 = bodies.member[(_e1403 + 2u)];
-                                                        if (_e1405 < 1u) {
-                                                            phi_2755_ = true;
-                                                        } else {
-                                                            if (_e1405 == 1u) {
-                                                                if (_e1408 < _e1363) {
-                                                                    phi_2749_ = false;
+                                                                let _e1016 = phi_1881_;
+                                                                if _e1016 {
+                                                                    phi_1886_ = _e955;
+                                                                    phi_1887_ = (_e989 + 1u);
                                                                 } else {
-                                                                    if (_e1408 == _e1363) {
-                                                                        if (_e1411 < _e1361) {
-                                                                            phi_2747_ = false;
-                                                                        } else {
-                                                                            phi_2747_ = true;
-                                                                        }
-                                                                        let _e1418 = phi_2747_;
-                                                                        phi_2748_ = _e1418;
-                                                                    } else {
-                                                                        phi_2748_ = true;
-                                                                    }
-                                                                    let _e1420 = phi_2748_;
-                                                                    phi_2749_ = _e1420;
+                                                                    phi_1886_ = _e989;
+                                                                    phi_1887_ = _e957;
                                                                 }
-                                                                let _e1422 = phi_2749_;
-                                                                phi_2750_ = _e1422;
-                                                            } else {
-                                                                phi_2750_ = true;
+                                                                let _e1019 = phi_1886_;
+                                                                let _e1021 = phi_1887_;
+                                                                phi_1888_ = _e1019;
+                                                                phi_1889_ = _e1021;
+                                                                phi_1890_ = true;
                                                             }
-                                                            let _e1424 = phi_2750_;
-                                                            if _e1424 {
-                                                                phi_2754_ = false;
-                                                            } else {
-                                                                phi_2754_ = true;
-                                                            }
-                                                            let _e1426 = phi_2754_;
-                                                            phi_2755_ = _e1426;
-                                                        }
-                                                        let _e1428 = phi_2755_;
-                                                        if _e1428 {
-                                                            phi_2760_ = _e1367;
-                                                            phi_2761_ = (_e1401 + 1u);
+                                                            let _e1023 = phi_1888_;
+                                                            let _e1025 = phi_1889_;
+                                                            let _e1027 = phi_1890_;
+                                                            phi_1763_ = _e1023;
+                                                            phi_1765_ = _e1025;
+                                                            phi_1891_ = _e1027;
                                                         } else {
-                                                            phi_2760_ = _e1401;
-                                                            phi_2761_ = _e1369;
+                                                            phi_1763_ = u32();
+                                                            phi_1765_ = u32();
+                                                            phi_1891_ = false;
                                                         }
-                                                        let _e1431 = phi_2760_;
-                                                        let _e1433 = phi_2761_;
-                                                        phi_2762_ = _e1431;
-                                                        phi_2763_ = _e1433;
-                                                        phi_2764_ = true;
+                                                        let _e1029 = phi_1763_;
+                                                        let _e1031 = phi_1765_;
+                                                        let _e1033 = phi_1891_;
+                                                        continue;
+                                                        continuing {
+                                                            phi_1759_ = _e980;
+                                                            phi_1762_ = _e1029;
+                                                            phi_1764_ = _e1031;
+                                                            break if !(_e1033);
+                                                        }
                                                     }
-                                                    let _e1435 = phi_2762_;
-                                                    let _e1437 = phi_2763_;
-                                                    let _e1439 = phi_2764_;
-                                                    phi_2637_ = _e1435;
-                                                    phi_2639_ = _e1437;
-                                                    phi_2765_ = _e1439;
-                                                } else {
-                                                    phi_2637_ = u32();
-                                                    phi_2639_ = u32();
-                                                    phi_2765_ = false;
-                                                }
-                                                let _e1441 = phi_2637_;
-                                                let _e1443 = phi_2639_;
-                                                let _e1445 = phi_2765_;
-                                                continue;
-                                                continuing {
-                                                    phi_2633_ = _e1392;
-                                                    phi_2636_ = _e1441;
-                                                    phi_2638_ = _e1443;
-                                                    break if !(_e1445);
-                                                }
-                                            }
-                                            let _e1448 = local_5;
-                                            if (_e1448 < _e1354) {
-                                                let _e1451 = local_6;
-                                                let _e1453 = (_e1358 + (3u * _e1451));
-                                                let _e1455 = bodies.member[_e1453];
-                                                if (_e1455 == 1u) {
-                                                    let _e1459 = bodies.member[(_e1453 + 1u)];
-                                                    if (_e1459 == _e1363) {
-                                                        let _e1463 = bodies.member[(_e1453 + 2u)];
-                                                        phi_2813_ = (_e1463 == _e1361);
-                                                        phi_2814_ = false;
+                                                    let _e1036 = local_4;
+                                                    if (_e1036 < _e942) {
+                                                        let _e1039 = local_5;
+                                                        let _e1041 = (_e946 + (3u * _e1039));
+                                                        let _e1043 = bodies.member[_e1041];
+                                                        if (_e1043 == 1u) {
+                                                            let _e1047 = bodies.member[(_e1041 + 1u)];
+                                                            if (_e1047 == _e951) {
+                                                                let _e1051 = bodies.member[(_e1041 + 2u)];
+                                                                phi_1939_ = (_e1051 == _e949);
+                                                                phi_1940_ = false;
+                                                            } else {
+                                                                phi_1939_ = bool();
+                                                                phi_1940_ = true;
+                                                            }
+                                                            let _e1054 = phi_1939_;
+                                                            let _e1056 = phi_1940_;
+                                                            phi_1941_ = _e1054;
+                                                            phi_1942_ = _e1056;
+                                                        } else {
+                                                            phi_1941_ = bool();
+                                                            phi_1942_ = true;
+                                                        }
+                                                        let _e1058 = phi_1941_;
+                                                        let _e1060 = phi_1942_;
+                                                        if _e1060 {
+                                                            phi_1946_ = false;
+                                                        } else {
+                                                            phi_1946_ = _e1058;
+                                                        }
+                                                        let _e1062 = phi_1946_;
+                                                        phi_1947_ = _e1062;
                                                     } else {
-                                                        phi_2813_ = bool();
-                                                        phi_2814_ = true;
+                                                        phi_1947_ = false;
                                                     }
-                                                    let _e1466 = phi_2813_;
-                                                    let _e1468 = phi_2814_;
-                                                    phi_2815_ = _e1466;
-                                                    phi_2816_ = _e1468;
+                                                    let _e1064 = phi_1947_;
+                                                    phi_1951_ = _e1064;
                                                 } else {
-                                                    phi_2815_ = bool();
-                                                    phi_2816_ = true;
+                                                    phi_1951_ = true;
                                                 }
-                                                let _e1470 = phi_2815_;
-                                                let _e1472 = phi_2816_;
-                                                if _e1472 {
-                                                    phi_2820_ = false;
+                                                let _e1066 = phi_1951_;
+                                                if _e1066 {
+                                                    phi_1955_ = false;
                                                 } else {
-                                                    phi_2820_ = _e1470;
+                                                    phi_1955_ = true;
                                                 }
-                                                let _e1474 = phi_2820_;
-                                                phi_2821_ = _e1474;
+                                                let _e1068 = phi_1955_;
+                                                phi_1956_ = _e1068;
                                             } else {
-                                                phi_2821_ = false;
+                                                phi_1956_ = true;
                                             }
-                                            let _e1476 = phi_2821_;
-                                            phi_2825_ = _e1476;
+                                            let _e1070 = phi_1956_;
+                                            if _e1070 {
+                                                phi_1960_ = false;
+                                            } else {
+                                                phi_1960_ = true;
+                                            }
+                                            let _e1072 = phi_1960_;
+                                            phi_1961_ = _e1072;
                                         } else {
-                                            phi_2825_ = true;
+                                            phi_1961_ = true;
                                         }
-                                        let _e1478 = phi_2825_;
-                                        if _e1478 {
-                                            phi_2829_ = false;
+                                        let _e1074 = phi_1961_;
+                                        if _e1074 {
+                                            phi_1965_ = false;
                                         } else {
-                                            phi_2829_ = true;
+                                            phi_1965_ = true;
                                         }
-                                        let _e1480 = phi_2829_;
-                                        phi_2830_ = _e1480;
+                                        let _e1076 = phi_1965_;
+                                        phi_1966_ = _e1076;
                                     } else {
-                                        phi_2830_ = true;
+                                        phi_1966_ = true;
                                     }
-                                    let _e1482 = phi_2830_;
-                                    if _e1482 {
-                                        phi_2834_ = false;
+                                    let _e1078 = phi_1966_;
+                                    if _e1078 {
+                                        if ((_e91.member_1 & 32u) != 0u) {
+                                            let _e1099 = (((((_e821.member_1.y - _e835.member.x) > _e91.member_6) && ((_e835.member_1.y - _e821.member.x) > _e91.member_6)) && (((_e821.member_2.x - _e835.member.y) > _e91.member_6) && ((_e835.member_2.x - _e821.member.y) > _e91.member_6))) && (((_e821.member_2.y - _e835.member_1.x) > _e91.member_6) && ((_e835.member_2.y - _e821.member_1.x) > _e91.member_6)));
+                                            if _e1099 {
+                                                phi_2530_ = bool();
+                                            } else {
+                                                let _e1101 = keys.member[_e793.x];
+                                                let _e1104 = keys.member[_e793.y];
+                                                let _e1106 = function_(_e1101[0], _e1104[0]);
+                                                let _e1108 = keys.member[_e793.z];
+                                                let _e1110 = function_(_e1106, _e1108[0]);
+                                                let _e1112 = keys.member[_e799.x];
+                                                let _e1115 = keys.member[_e799.y];
+                                                let _e1117 = function_1(_e1112[3], _e1115[3]);
+                                                let _e1119 = keys.member[_e799.z];
+                                                let _e1121 = function_1(_e1117, _e1119[3]);
+                                                if (_e1110[1] > _e1121[1]) {
+                                                    phi_2083_ = true;
+                                                } else {
+                                                    if (_e1110[1] == _e1121[1]) {
+                                                        phi_2082_ = (_e1110[0] > _e1121[0]);
+                                                    } else {
+                                                        phi_2082_ = false;
+                                                    }
+                                                    let _e1132 = phi_2082_;
+                                                    phi_2083_ = _e1132;
+                                                }
+                                                let _e1134 = phi_2083_;
+                                                let _e1137 = keys.member[_e799.x];
+                                                let _e1140 = keys.member[_e799.y];
+                                                let _e1142 = function_(_e1137[0], _e1140[0]);
+                                                let _e1144 = keys.member[_e799.z];
+                                                let _e1146 = function_(_e1142, _e1144[0]);
+                                                let _e1148 = keys.member[_e793.x];
+                                                let _e1151 = keys.member[_e793.y];
+                                                let _e1153 = function_1(_e1148[3], _e1151[3]);
+                                                let _e1155 = keys.member[_e793.z];
+                                                let _e1157 = function_1(_e1153, _e1155[3]);
+                                                if (_e1146[1] > _e1157[1]) {
+                                                    phi_2171_ = true;
+                                                } else {
+                                                    if (_e1146[1] == _e1157[1]) {
+                                                        phi_2170_ = (_e1146[0] > _e1157[0]);
+                                                    } else {
+                                                        phi_2170_ = false;
+                                                    }
+                                                    let _e1168 = phi_2170_;
+                                                    phi_2171_ = _e1168;
+                                                }
+                                                let _e1170 = phi_2171_;
+                                                let _e1174 = keys.member[_e793.x];
+                                                let _e1177 = keys.member[_e793.y];
+                                                let _e1179 = function_2(_e1174[1], _e1177[1]);
+                                                let _e1181 = keys.member[_e793.z];
+                                                let _e1183 = function_2(_e1179, _e1181[1]);
+                                                let _e1185 = keys.member[_e799.x];
+                                                let _e1188 = keys.member[_e799.y];
+                                                let _e1190 = function_3(_e1185[4], _e1188[4]);
+                                                let _e1192 = keys.member[_e799.z];
+                                                let _e1194 = function_3(_e1190, _e1192[4]);
+                                                if (_e1183[1] > _e1194[1]) {
+                                                    phi_2260_ = true;
+                                                } else {
+                                                    if (_e1183[1] == _e1194[1]) {
+                                                        phi_2259_ = (_e1183[0] > _e1194[0]);
+                                                    } else {
+                                                        phi_2259_ = false;
+                                                    }
+                                                    let _e1205 = phi_2259_;
+                                                    phi_2260_ = _e1205;
+                                                }
+                                                let _e1207 = phi_2260_;
+                                                let _e1210 = keys.member[_e799.x];
+                                                let _e1213 = keys.member[_e799.y];
+                                                let _e1215 = function_2(_e1210[1], _e1213[1]);
+                                                let _e1217 = keys.member[_e799.z];
+                                                let _e1219 = function_2(_e1215, _e1217[1]);
+                                                let _e1221 = keys.member[_e793.x];
+                                                let _e1224 = keys.member[_e793.y];
+                                                let _e1226 = function_3(_e1221[4], _e1224[4]);
+                                                let _e1228 = keys.member[_e793.z];
+                                                let _e1230 = function_3(_e1226, _e1228[4]);
+                                                if (_e1219[1] > _e1230[1]) {
+                                                    phi_2348_ = true;
+                                                } else {
+                                                    if (_e1219[1] == _e1230[1]) {
+                                                        phi_2347_ = (_e1219[0] > _e1230[0]);
+                                                    } else {
+                                                        phi_2347_ = false;
+                                                    }
+                                                    let _e1241 = phi_2347_;
+                                                    phi_2348_ = _e1241;
+                                                }
+                                                let _e1243 = phi_2348_;
+                                                let _e1248 = keys.member[_e793.x];
+                                                let _e1251 = keys.member[_e793.y];
+                                                let _e1253 = function_4(_e1248[2], _e1251[2]);
+                                                let _e1255 = keys.member[_e793.z];
+                                                let _e1257 = function_4(_e1253, _e1255[2]);
+                                                let _e1259 = keys.member[_e799.x];
+                                                let _e1262 = keys.member[_e799.y];
+                                                let _e1264 = function_5(_e1259[5], _e1262[5]);
+                                                let _e1266 = keys.member[_e799.z];
+                                                let _e1268 = function_5(_e1264, _e1266[5]);
+                                                if (_e1257[1] > _e1268[1]) {
+                                                    phi_2438_ = true;
+                                                } else {
+                                                    if (_e1257[1] == _e1268[1]) {
+                                                        phi_2437_ = (_e1257[0] > _e1268[0]);
+                                                    } else {
+                                                        phi_2437_ = false;
+                                                    }
+                                                    let _e1279 = phi_2437_;
+                                                    phi_2438_ = _e1279;
+                                                }
+                                                let _e1281 = phi_2438_;
+                                                let _e1284 = keys.member[_e799.x];
+                                                let _e1287 = keys.member[_e799.y];
+                                                let _e1289 = function_4(_e1284[2], _e1287[2]);
+                                                let _e1291 = keys.member[_e799.z];
+                                                let _e1293 = function_4(_e1289, _e1291[2]);
+                                                let _e1295 = keys.member[_e793.x];
+                                                let _e1298 = keys.member[_e793.y];
+                                                let _e1300 = function_5(_e1295[5], _e1298[5]);
+                                                let _e1302 = keys.member[_e793.z];
+                                                let _e1304 = function_5(_e1300, _e1302[5]);
+                                                if (_e1293[1] > _e1304[1]) {
+                                                    phi_2526_ = true;
+                                                } else {
+                                                    if (_e1293[1] == _e1304[1]) {
+                                                        phi_2525_ = (_e1293[0] > _e1304[0]);
+                                                    } else {
+                                                        phi_2525_ = false;
+                                                    }
+                                                    let _e1315 = phi_2525_;
+                                                    phi_2526_ = _e1315;
+                                                }
+                                                let _e1317 = phi_2526_;
+                                                phi_2530_ = (((!(_e1134) && !(_e1170)) && (!(_e1207) && !(_e1243))) && (!(_e1281) && !(_e1317)));
+                                            }
+                                            let _e1322 = phi_2530_;
+                                            phi_2531_ = _e1322;
+                                            phi_2532_ = _e1099;
+                                        } else {
+                                            phi_2531_ = bool();
+                                            phi_2532_ = true;
+                                        }
+                                        let _e1324 = phi_2531_;
+                                        let _e1326 = phi_2532_;
+                                        if _e1326 {
+                                            phi_2536_ = false;
+                                        } else {
+                                            phi_2536_ = true;
+                                        }
+                                        let _e1328 = phi_2536_;
+                                        phi_2537_ = _e1324;
+                                        phi_2538_ = _e1328;
                                     } else {
-                                        phi_2834_ = true;
+                                        phi_2537_ = false;
+                                        phi_2538_ = true;
                                     }
-                                    let _e1484 = phi_2834_;
-                                    phi_2835_ = _e1484;
+                                    let _e1330 = phi_2537_;
+                                    let _e1332 = phi_2538_;
+                                    phi_2539_ = _e1330;
+                                    phi_2540_ = _e1332;
                                 } else {
-                                    phi_2835_ = true;
+                                    phi_2539_ = false;
+                                    phi_2540_ = true;
                                 }
-                                let _e1486 = phi_2835_;
-                                if _e1486 {
-                                    phi_2839_ = false;
+                                let _e1334 = phi_2539_;
+                                let _e1336 = phi_2540_;
+                                if _e1336 {
+                                    phi_2544_ = _e1334;
                                 } else {
-                                    phi_2839_ = true;
+                                    phi_2544_ = true;
                                 }
-                                let _e1488 = phi_2839_;
-                                phi_2840_ = _e1488;
-                            } else {
-                                phi_2840_ = true;
+                                let _e1338 = phi_2544_;
+                                if _e1338 {
+                                    let _e1340 = atomicAdd((&counters[9u]), 1u);
+                                }
+                                if _e1338 {
+                                    if (_e793.w < _e799.w) {
+                                        phi_2579_ = type_43(1u, array<u32, 4>(_e793.x, _e793.y, _e799.x, _e799.y));
+                                    } else {
+                                        phi_2579_ = type_43(1u, array<u32, 4>(_e799.x, _e799.y, _e793.x, _e793.y));
+                                    }
+                                    let _e1347 = phi_2579_;
+                                    let _e1352 = paths.member[_e1347.member_1[0]];
+                                    let _e1367 = paths.member[_e1347.member_1[1]];
+                                    let _e1382 = paths.member[_e1347.member_1[2]];
+                                    let _e1397 = paths.member[_e1347.member_1[3]];
+                                    let _e1410 = array<f32, 3>(_e1352.member.x, _e1352.member.y, _e1352.member.z);
+                                    let _e1411 = array<f32, 3>(_e1352.member_1.x, _e1352.member_1.y, _e1352.member_1.z);
+                                    let _e1416 = (((_e91.member_5 + (2f * _e91.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+                                    if (_e1347.member != 0u) {
+                                        let _e1441 = function_7(_e1352.member.x, _e1367.member.x);
+                                        let _e1442 = function_7(_e1352.member.y, _e1367.member.y);
+                                        let _e1443 = function_7(_e1352.member.z, _e1367.member.z);
+                                        let _e1445 = function_6(_e1352.member.x, _e1367.member.x);
+                                        let _e1446 = function_6(_e1352.member.y, _e1367.member.y);
+                                        let _e1447 = function_6(_e1352.member.z, _e1367.member.z);
+                                        let _e1450 = function_7(_e1382.member.x, _e1397.member.x);
+                                        let _e1451 = function_7(_e1382.member.y, _e1397.member.y);
+                                        let _e1452 = function_7(_e1382.member.z, _e1397.member.z);
+                                        let _e1454 = function_6(_e1382.member.x, _e1397.member.x);
+                                        let _e1455 = function_6(_e1382.member.y, _e1397.member.y);
+                                        let _e1456 = function_6(_e1382.member.z, _e1397.member.z);
+                                        phi_2704_ = type_44(array<array<f32, 3>, 2>(array<f32, 3>(_e1441, _e1442, _e1443), array<f32, 3>(_e1445, _e1446, _e1447)), array<array<f32, 3>, 2>(array<f32, 3>(_e1450, _e1451, _e1452), array<f32, 3>(_e1454, _e1455, _e1456)));
+                                    } else {
+                                        let _e1418 = function_7(_e1367.member.x, _e1382.member.x);
+                                        let _e1419 = function_7(_e1367.member.y, _e1382.member.y);
+                                        let _e1420 = function_7(_e1367.member.z, _e1382.member.z);
+                                        let _e1421 = function_6(_e1367.member.x, _e1382.member.x);
+                                        let _e1422 = function_6(_e1367.member.y, _e1382.member.y);
+                                        let _e1423 = function_6(_e1367.member.z, _e1382.member.z);
+                                        let _e1425 = function_7(_e1418, _e1397.member.x);
+                                        let _e1426 = function_7(_e1419, _e1397.member.y);
+                                        let _e1427 = function_7(_e1420, _e1397.member.z);
+                                        let _e1429 = function_6(_e1418, _e1397.member.x);
+                                        let _e1430 = function_6(_e1419, _e1397.member.y);
+                                        let _e1431 = function_6(_e1420, _e1397.member.z);
+                                        let _e1432 = function_7(_e1421, _e1397.member.x);
+                                        let _e1433 = function_7(_e1422, _e1397.member.y);
+                                        let _e1434 = function_7(_e1423, _e1397.member.z);
+                                        let _e1435 = function_6(_e1421, _e1397.member.x);
+                                        let _e1436 = function_6(_e1422, _e1397.member.y);
+                                        let _e1437 = function_6(_e1423, _e1397.member.z);
+                                        phi_2704_ = type_44(array<array<f32, 3>, 2>(_e1410, _e1410), array<array<f32, 3>, 2>(array<f32, 3>(_e1425, _e1426, _e1427), array<f32, 3>(_e1435, _e1436, _e1437)));
+                                    }
+                                    let _e1461 = phi_2704_;
+                                    if (_e1347.member != 0u) {
+                                        let _e1486 = function_7(_e1352.member_1.x, _e1367.member_1.x);
+                                        let _e1487 = function_7(_e1352.member_1.y, _e1367.member_1.y);
+                                        let _e1488 = function_7(_e1352.member_1.z, _e1367.member_1.z);
+                                        let _e1490 = function_6(_e1352.member_1.x, _e1367.member_1.x);
+                                        let _e1491 = function_6(_e1352.member_1.y, _e1367.member_1.y);
+                                        let _e1492 = function_6(_e1352.member_1.z, _e1367.member_1.z);
+                                        let _e1495 = function_7(_e1382.member_1.x, _e1397.member_1.x);
+                                        let _e1496 = function_7(_e1382.member_1.y, _e1397.member_1.y);
+                                        let _e1497 = function_7(_e1382.member_1.z, _e1397.member_1.z);
+                                        let _e1499 = function_6(_e1382.member_1.x, _e1397.member_1.x);
+                                        let _e1500 = function_6(_e1382.member_1.y, _e1397.member_1.y);
+                                        let _e1501 = function_6(_e1382.member_1.z, _e1397.member_1.z);
+                                        phi_2751_ = type_44(array<array<f32, 3>, 2>(array<f32, 3>(_e1486, _e1487, _e1488), array<f32, 3>(_e1490, _e1491, _e1492)), array<array<f32, 3>, 2>(array<f32, 3>(_e1495, _e1496, _e1497), array<f32, 3>(_e1499, _e1500, _e1501)));
+                                    } else {
+                                        let _e1463 = function_7(_e1367.member_1.x, _e1382.member_1.x);
+                                        let _e1464 = function_7(_e1367.member_1.y, _e1382.member_1.y);
+                                        let _e1465 = function_7(_e1367.member_1.z, _e1382.member_1.z);
+                                        let _e1466 = function_6(_e1367.member_1.x, _e1382.member_1.x);
+                                        let _e1467 = function_6(_e1367.member_1.y, _e1382.member_1.y);
+                                        let _e1468 = function_6(_e1367.member_1.z, _e1382.member_1.z);
+                                        let _e1470 = function_7(_e1463, _e1397.member_1.x);
+                                        let _e1471 = function_7(_e1464, _e1397.member_1.y);
+                                        let _e1472 = function_7(_e1465, _e1397.member_1.z);
+                                        let _e1474 = function_6(_e1463, _e1397.member_1.x);
+                                        let _e1475 = function_6(_e1464, _e1397.member_1.y);
+                                        let _e1476 = function_6(_e1465, _e1397.member_1.z);
+                                        let _e1477 = function_7(_e1466, _e1397.member_1.x);
+                                        let _e1478 = function_7(_e1467, _e1397.member_1.y);
+                                        let _e1479 = function_7(_e1468, _e1397.member_1.z);
+                                        let _e1480 = function_6(_e1466, _e1397.member_1.x);
+                                        let _e1481 = function_6(_e1467, _e1397.member_1.y);
+                                        let _e1482 = function_6(_e1468, _e1397.member_1.z);
+                                        phi_2751_ = type_44(array<array<f32, 3>, 2>(_e1411, _e1411), array<array<f32, 3>, 2>(array<f32, 3>(_e1470, _e1471, _e1472), array<f32, 3>(_e1480, _e1481, _e1482)));
+                                    }
+                                    let _e1506 = phi_2751_;
+                                    if !(((((((_e1461.member[0][0] - _e1461.member_1[1][0]) > _e1416) && ((_e1506.member[0][0] - _e1506.member_1[1][0]) > _e1416)) || (((_e1461.member_1[0][0] - _e1461.member[1][0]) > _e1416) && ((_e1506.member_1[0][0] - _e1506.member[1][0]) > _e1416))) || ((((_e1461.member[0][1] - _e1461.member_1[1][1]) > _e1416) && ((_e1506.member[0][1] - _e1506.member_1[1][1]) > _e1416)) || (((_e1461.member_1[0][1] - _e1461.member[1][1]) > _e1416) && ((_e1506.member_1[0][1] - _e1506.member[1][1]) > _e1416)))) || ((((_e1461.member[0][2] - _e1461.member_1[1][2]) > _e1416) && ((_e1506.member[0][2] - _e1506.member_1[1][2]) > _e1416)) || (((_e1461.member_1[0][2] - _e1461.member[1][2]) > _e1416) && ((_e1506.member_1[0][2] - _e1506.member[1][2]) > _e1416))))) {
+                                        let _e1596 = atomicAdd((&counters[5u]), 1u);
+                                        left[_e1596] = _e775;
+                                    }
+                                }
+                                phi_2823_ = true;
                             }
-                            let _e1490 = phi_2840_;
-                            if _e1490 {
-                                let _e1492 = params.member.member.member_1;
-                                if ((_e1492 & 32u) != 0u) {
-                                    let _e1496 = params.member.member.member_6;
-                                    let _e1513 = (((((_e1214.member_1.y - _e1228.member.x) > _e1496) && ((_e1228.member_1.y - _e1214.member.x) > _e1496)) && (((_e1214.member_2.x - _e1228.member.y) > _e1496) && ((_e1228.member_2.x - _e1214.member.y) > _e1496))) && (((_e1214.member_2.y - _e1228.member_1.x) > _e1496) && ((_e1228.member_2.y - _e1214.member_1.x) > _e1496)));
-                                    if _e1513 {
-                                        phi_3442_ = bool();
-                                    } else {
-                                        let _e1517 = keys.member[_e1210.member[0]];
-                                        let _e1522 = keys.member[_e1210.member[1]];
-                                        let _e1524 = function_(_e1517[0], _e1522[0]);
-                                        let _e1528 = keys.member[_e1210.member[2]];
-                                        let _e1530 = function_(_e1524, _e1528[0]);
-                                        let _e1534 = keys.member[_e1212.member[0]];
-                                        let _e1539 = keys.member[_e1212.member[1]];
-                                        let _e1541 = function_1(_e1534[3], _e1539[3]);
-                                        let _e1545 = keys.member[_e1212.member[2]];
-                                        let _e1547 = function_1(_e1541, _e1545[3]);
-                                        if (_e1530[1] > _e1547[1]) {
-                                            phi_2965_ = true;
-                                        } else {
-                                            if (_e1530[1] == _e1547[1]) {
-                                                phi_2964_ = (_e1530[0] > _e1547[0]);
-                                            } else {
-                                                phi_2964_ = false;
-                                            }
-                                            let _e1558 = phi_2964_;
-                                            phi_2965_ = _e1558;
-                                        }
-                                        let _e1560 = phi_2965_;
-                                        let _e1565 = keys.member[_e1212.member[0]];
-                                        let _e1570 = keys.member[_e1212.member[1]];
-                                        let _e1572 = function_(_e1565[0], _e1570[0]);
-                                        let _e1576 = keys.member[_e1212.member[2]];
-                                        let _e1578 = function_(_e1572, _e1576[0]);
-                                        let _e1582 = keys.member[_e1210.member[0]];
-                                        let _e1587 = keys.member[_e1210.member[1]];
-                                        let _e1589 = function_1(_e1582[3], _e1587[3]);
-                                        let _e1593 = keys.member[_e1210.member[2]];
-                                        let _e1595 = function_1(_e1589, _e1593[3]);
-                                        if (_e1578[1] > _e1595[1]) {
-                                            phi_3059_ = true;
-                                        } else {
-                                            if (_e1578[1] == _e1595[1]) {
-                                                phi_3058_ = (_e1578[0] > _e1595[0]);
-                                            } else {
-                                                phi_3058_ = false;
-                                            }
-                                            let _e1606 = phi_3058_;
-                                            phi_3059_ = _e1606;
-                                        }
-                                        let _e1608 = phi_3059_;
-                                        let _e1614 = keys.member[_e1210.member[0]];
-                                        let _e1619 = keys.member[_e1210.member[1]];
-                                        let _e1621 = function_2(_e1614[1], _e1619[1]);
-                                        let _e1625 = keys.member[_e1210.member[2]];
-                                        let _e1627 = function_2(_e1621, _e1625[1]);
-                                        let _e1631 = keys.member[_e1212.member[0]];
-                                        let _e1636 = keys.member[_e1212.member[1]];
-                                        let _e1638 = function_3(_e1631[4], _e1636[4]);
-                                        let _e1642 = keys.member[_e1212.member[2]];
-                                        let _e1644 = function_3(_e1638, _e1642[4]);
-                                        if (_e1627[1] > _e1644[1]) {
-                                            phi_3154_ = true;
-                                        } else {
-                                            if (_e1627[1] == _e1644[1]) {
-                                                phi_3153_ = (_e1627[0] > _e1644[0]);
-                                            } else {
-                                                phi_3153_ = false;
-                                            }
-                                            let _e1655 = phi_3153_;
-                                            phi_3154_ = _e1655;
-                                        }
-                                        let _e1657 = phi_3154_;
-                                        let _e1662 = keys.member[_e1212.member[0]];
-                                        let _e1667 = keys.member[_e1212.member[1]];
-                                        let _e1669 = function_2(_e1662[1], _e1667[1]);
-                                        let _e1673 = keys.member[_e1212.member[2]];
-                                        let _e1675 = function_2(_e1669, _e1673[1]);
-                                        let _e1679 = keys.member[_e1210.member[0]];
-                                        let _e1684 = keys.member[_e1210.member[1]];
-                                        let _e1686 = function_3(_e1679[4], _e1684[4]);
-                                        let _e1690 = keys.member[_e1210.member[2]];
-                                        let _e1692 = function_3(_e1686, _e1690[4]);
-                                        if (_e1675[1] > _e1692[1]) {
-                                            phi_3248_ = true;
-                                        } else {
-                                            if (_e1675[1] == _e1692[1]) {
-                                                phi_3247_ = (_e1675[0] > _e1692[0]);
-                                            } else {
-                                                phi_3247_ = false;
-                                            }
-                                            let _e1703 = phi_3247_;
-                                            phi_3248_ = _e1703;
-                                        }
-                                        let _e1705 = phi_3248_;
-                                        let _e1712 = keys.member[_e1210.member[0]];
-                                        let _e1717 = keys.member[_e1210.member[1]];
-                                        let _e1719 = function_4(_e1712[2], _e1717[2]);
-                                        let _e1723 = keys.member[_e1210.member[2]];
-                                        let _e1725 = function_4(_e1719, _e1723[2]);
-                                        let _e1729 = keys.member[_e1212.member[0]];
-                                        let _e1734 = keys.member[_e1212.member[1]];
-                                        let _e1736 = function_5(_e1729[5], _e1734[5]);
-                                        let _e1740 = keys.member[_e1212.member[2]];
-                                        let _e1742 = function_5(_e1736, _e1740[5]);
-                                        if (_e1725[1] > _e1742[1]) {
-                                            phi_3344_ = true;
-                                        } else {
-                                            if (_e1725[1] == _e1742[1]) {
-                                                phi_3343_ = (_e1725[0] > _e1742[0]);
-                                            } else {
-                                                phi_3343_ = false;
-                                            }
-                                            let _e1753 = phi_3343_;
-                                            phi_3344_ = _e1753;
-                                        }
-                                        let _e1755 = phi_3344_;
-                                        let _e1760 = keys.member[_e1212.member[0]];
-                                        let _e1765 = keys.member[_e1212.member[1]];
-                                        let _e1767 = function_4(_e1760[2], _e1765[2]);
-                                        let _e1771 = keys.member[_e1212.member[2]];
-                                        let _e1773 = function_4(_e1767, _e1771[2]);
-                                        let _e1777 = keys.member[_e1210.member[0]];
-                                        let _e1782 = keys.member[_e1210.member[1]];
-                                        let _e1784 = function_5(_e1777[5], _e1782[5]);
-                                        let _e1788 = keys.member[_e1210.member[2]];
-                                        let _e1790 = function_5(_e1784, _e1788[5]);
-                                        if (_e1773[1] > _e1790[1]) {
-                                            phi_3438_ = true;
-                                        } else {
-                                            if (_e1773[1] == _e1790[1]) {
-                                                phi_3437_ = (_e1773[0] > _e1790[0]);
-                                            } else {
-                                                phi_3437_ = false;
-                                            }
-                                            let _e1801 = phi_3437_;
-                                            phi_3438_ = _e1801;
-                                        }
-                                        let _e1803 = phi_3438_;
-                                        phi_3442_ = (((!(_e1560) && !(_e1608)) && (!(_e1657) && !(_e1705))) && (!(_e1755) && !(_e1803)));
-                                    }
-                                    let _e1808 = phi_3442_;
-                                    phi_3443_ = _e1808;
-                                    phi_3444_ = _e1513;
-                                } else {
-                                    phi_3443_ = bool();
-                                    phi_3444_ = true;
-                                }
-                                let _e1810 = phi_3443_;
-                                let _e1812 = phi_3444_;
-                                if _e1812 {
-                                    phi_3448_ = false;
-                                } else {
-                                    phi_3448_ = true;
-                                }
-                                let _e1814 = phi_3448_;
-                                phi_3449_ = _e1810;
-                                phi_3450_ = _e1814;
-                            } else {
-                                phi_3449_ = false;
-                                phi_3450_ = true;
-                            }
-                            let _e1816 = phi_3449_;
-                            let _e1818 = phi_3450_;
-                            phi_3451_ = _e1816;
-                            phi_3452_ = _e1818;
+                            let _e1599 = phi_2823_;
+                            phi_2824_ = _e1599;
                         } else {
-                            phi_3451_ = false;
-                            phi_3452_ = true;
+                            phi_2824_ = false;
                         }
-                        let _e1820 = phi_3451_;
-                        let _e1822 = phi_3452_;
-                        if _e1822 {
-                            phi_3456_ = _e1820;
-                        } else {
-                            phi_3456_ = true;
+                        let _e1601 = phi_2824_;
+                        continue;
+                        continuing {
+                            phi_1359_ = _e764;
+                            break if !(_e1601);
                         }
-                        let _e1824 = phi_3456_;
-                        if _e1824 {
-                            let _e1826 = atomicAdd((&counters[7u]), 1u);
-                            if (_e1210.member_1 < _e1212.member_1) {
-                                phi_3473_ = _e1212.member;
-                                phi_3474_ = _e1210.member;
-                            } else {
-                                phi_3473_ = _e1210.member;
-                                phi_3474_ = _e1212.member;
-                            }
-                            let _e1836 = phi_3473_;
-                            let _e1838 = phi_3474_;
-                            let _e1844 = params.member.member.member_4;
-                            let _e1846 = params.member.member.member_5;
-                            let _e1848 = paths.member[_e1838[0]];
-                            let _e1850 = paths.member[_e1838[1]];
-                            let _e1856 = paths.member[_e1836[0]];
-                            let _e1858 = paths.member[_e1836[1]];
-                            local_2 = type_41(array<array<f32, 3>, 2>(array<f32, 3>((_e1856.member[0] - _e1848.member[0]), (_e1856.member[1] - _e1848.member[1]), (_e1856.member[2] - _e1848.member[2])), array<f32, 3>((_e1856.member_1[0] - _e1848.member_1[0]), (_e1856.member_1[1] - _e1848.member_1[1]), (_e1856.member_1[2] - _e1848.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1850.member[0] - _e1848.member[0]), (_e1850.member[1] - _e1848.member[1]), (_e1850.member[2] - _e1848.member[2])), array<f32, 3>((_e1850.member_1[0] - _e1848.member_1[0]), (_e1850.member_1[1] - _e1848.member_1[1]), (_e1850.member_1[2] - _e1848.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1856.member[0] - _e1858.member[0]), (_e1856.member[1] - _e1858.member[1]), (_e1856.member[2] - _e1858.member[2])), array<f32, 3>((_e1856.member_1[0] - _e1858.member_1[0]), (_e1856.member_1[1] - _e1858.member_1[1]), (_e1856.member_1[2] - _e1858.member_1[2]))), (_e1844 + _e1844));
-                            let _e1918 = local_2.member_1[0u];
-                            let _e1924 = local_2.member_2[0u];
-                            let _e1930 = ((_e1918[1] * _e1924[2]) - (_e1918[2] * _e1924[1]));
-                            let _e1933 = ((_e1918[2] * _e1924[0]) - (_e1918[0] * _e1924[2]));
-                            let _e1936 = ((_e1918[0] * _e1924[1]) - (_e1918[1] * _e1924[0]));
-                            let _e1939 = local_2.member_1[1u];
-                            let _e1945 = local_2.member_2[1u];
-                            let _e1951 = ((_e1939[1] * _e1945[2]) - (_e1939[2] * _e1945[1]));
-                            let _e1954 = ((_e1939[2] * _e1945[0]) - (_e1939[0] * _e1945[2]));
-                            let _e1957 = ((_e1939[0] * _e1945[1]) - (_e1939[1] * _e1945[0]));
-                            let _e1960 = local_2.member_1[0u];
-                            let _e1966 = local_2.member_2[1u];
-                            let _e1981 = local_2.member_1[1u];
-                            let _e1987 = local_2.member_2[0u];
-                            let _e2000 = (((_e1960[1] * _e1966[2]) - (_e1960[2] * _e1966[1])) + ((_e1981[1] * _e1987[2]) - (_e1981[2] * _e1987[1])));
-                            let _e2001 = (((_e1960[2] * _e1966[0]) - (_e1960[0] * _e1966[2])) + ((_e1981[2] * _e1987[0]) - (_e1981[0] * _e1987[2])));
-                            let _e2002 = (((_e1960[0] * _e1966[1]) - (_e1960[1] * _e1966[0])) + ((_e1981[0] * _e1987[1]) - (_e1981[1] * _e1987[0])));
-                            let _e2005 = local_2.member[0u];
-                            let _e2016 = local_2.member[1u];
-                            let _e2027 = local_2.member[0u];
-                            let _e2036 = ((((_e2016[0] * _e1930) + (_e2016[1] * _e1933)) + (_e2016[2] * _e1936)) + (((_e2027[0] * _e2000) + (_e2027[1] * _e2001)) + (_e2027[2] * _e2002)));
-                            let _e2039 = local_2.member[0u];
-                            let _e2050 = local_2.member[1u];
-                            let _e2059 = ((((_e2039[0] * _e1951) + (_e2039[1] * _e1954)) + (_e2039[2] * _e1957)) + (((_e2050[0] * _e2000) + (_e2050[1] * _e2001)) + (_e2050[2] * _e2002)));
-                            let _e2062 = local_2.member[1u];
-                            let _e2073 = local_2.member[0u];
-                            if (_e2073[0] < 0f) {
-                                phi_3897_ = -(_e2073[0]);
-                            } else {
-                                phi_3897_ = _e2073[0];
-                            }
-                            let _e2080 = phi_3897_;
-                            if (_e2073[1] < 0f) {
-                                phi_3904_ = -(_e2073[1]);
-                            } else {
-                                phi_3904_ = _e2073[1];
-                            }
-                            let _e2084 = phi_3904_;
-                            if (_e2080 > _e2084) {
-                                phi_3909_ = _e2080;
-                            } else {
-                                phi_3909_ = _e2084;
-                            }
-                            let _e2087 = phi_3909_;
-                            if (_e2073[2] < 0f) {
-                                phi_3916_ = -(_e2073[2]);
-                            } else {
-                                phi_3916_ = _e2073[2];
-                            }
-                            let _e2091 = phi_3916_;
-                            if (_e2087 > _e2091) {
-                                phi_3921_ = _e2087;
-                            } else {
-                                phi_3921_ = _e2091;
-                            }
-                            let _e2094 = phi_3921_;
-                            let _e2097 = local_2.member[1u];
-                            if (_e2097[0] < 0f) {
-                                phi_3934_ = -(_e2097[0]);
-                            } else {
-                                phi_3934_ = _e2097[0];
-                            }
-                            let _e2104 = phi_3934_;
-                            if (_e2097[1] < 0f) {
-                                phi_3941_ = -(_e2097[1]);
-                            } else {
-                                phi_3941_ = _e2097[1];
-                            }
-                            let _e2108 = phi_3941_;
-                            if (_e2104 > _e2108) {
-                                phi_3946_ = _e2104;
-                            } else {
-                                phi_3946_ = _e2108;
-                            }
-                            let _e2111 = phi_3946_;
-                            if (_e2097[2] < 0f) {
-                                phi_3953_ = -(_e2097[2]);
-                            } else {
-                                phi_3953_ = _e2097[2];
-                            }
-                            let _e2115 = phi_3953_;
-                            if (_e2111 > _e2115) {
-                                phi_3958_ = _e2111;
-                            } else {
-                                phi_3958_ = _e2115;
-                            }
-                            let _e2118 = phi_3958_;
-                            if (_e2094 > _e2118) {
-                                phi_3963_ = _e2094;
-                            } else {
-                                phi_3963_ = _e2118;
-                            }
-                            let _e2121 = phi_3963_;
-                            let _e2123 = local_2.member_3;
-                            let _e2124 = (_e2121 + _e2123);
-                            let _e2127 = local_2.member_1[0u];
-                            if (_e2127[0] < 0f) {
-                                phi_3980_ = -(_e2127[0]);
-                            } else {
-                                phi_3980_ = _e2127[0];
-                            }
-                            let _e2134 = phi_3980_;
-                            if (_e2127[1] < 0f) {
-                                phi_3987_ = -(_e2127[1]);
-                            } else {
-                                phi_3987_ = _e2127[1];
-                            }
-                            let _e2138 = phi_3987_;
-                            if (_e2134 > _e2138) {
-                                phi_3992_ = _e2134;
-                            } else {
-                                phi_3992_ = _e2138;
-                            }
-                            let _e2141 = phi_3992_;
-                            if (_e2127[2] < 0f) {
-                                phi_3999_ = -(_e2127[2]);
-                            } else {
-                                phi_3999_ = _e2127[2];
-                            }
-                            let _e2145 = phi_3999_;
-                            if (_e2141 > _e2145) {
-                                phi_4004_ = _e2141;
-                            } else {
-                                phi_4004_ = _e2145;
-                            }
-                            let _e2148 = phi_4004_;
-                            let _e2151 = local_2.member_1[1u];
-                            if (_e2151[0] < 0f) {
-                                phi_4018_ = -(_e2151[0]);
-                            } else {
-                                phi_4018_ = _e2151[0];
-                            }
-                            let _e2158 = phi_4018_;
-                            if (_e2151[1] < 0f) {
-                                phi_4025_ = -(_e2151[1]);
-                            } else {
-                                phi_4025_ = _e2151[1];
-                            }
-                            let _e2162 = phi_4025_;
-                            if (_e2158 > _e2162) {
-                                phi_4030_ = _e2158;
-                            } else {
-                                phi_4030_ = _e2162;
-                            }
-                            let _e2165 = phi_4030_;
-                            if (_e2151[2] < 0f) {
-                                phi_4037_ = -(_e2151[2]);
-                            } else {
-                                phi_4037_ = _e2151[2];
-                            }
-                            let _e2169 = phi_4037_;
-                            if (_e2165 > _e2169) {
-                                phi_4042_ = _e2165;
-                            } else {
-                                phi_4042_ = _e2169;
-                            }
-                            let _e2172 = phi_4042_;
-                            if (_e2148 > _e2172) {
-                                phi_4047_ = _e2148;
-                            } else {
-                                phi_4047_ = _e2172;
-                            }
-                            let _e2175 = phi_4047_;
-                            let _e2177 = local_2.member_3;
-                            let _e2178 = (_e2175 + _e2177);
-                            let _e2181 = local_2.member_2[0u];
-                            if (_e2181[0] < 0f) {
-                                phi_4064_ = -(_e2181[0]);
-                            } else {
-                                phi_4064_ = _e2181[0];
-                            }
-                            let _e2188 = phi_4064_;
-                            if (_e2181[1] < 0f) {
-                                phi_4071_ = -(_e2181[1]);
-                            } else {
-                                phi_4071_ = _e2181[1];
-                            }
-                            let _e2192 = phi_4071_;
-                            if (_e2188 > _e2192) {
-                                phi_4076_ = _e2188;
-                            } else {
-                                phi_4076_ = _e2192;
-                            }
-                            let _e2195 = phi_4076_;
-                            if (_e2181[2] < 0f) {
-                                phi_4083_ = -(_e2181[2]);
-                            } else {
-                                phi_4083_ = _e2181[2];
-                            }
-                            let _e2199 = phi_4083_;
-                            if (_e2195 > _e2199) {
-                                phi_4088_ = _e2195;
-                            } else {
-                                phi_4088_ = _e2199;
-                            }
-                            let _e2202 = phi_4088_;
-                            let _e2205 = local_2.member_2[1u];
-                            if (_e2205[0] < 0f) {
-                                phi_4102_ = -(_e2205[0]);
-                            } else {
-                                phi_4102_ = _e2205[0];
-                            }
-                            let _e2212 = phi_4102_;
-                            if (_e2205[1] < 0f) {
-                                phi_4109_ = -(_e2205[1]);
-                            } else {
-                                phi_4109_ = _e2205[1];
-                            }
-                            let _e2216 = phi_4109_;
-                            if (_e2212 > _e2216) {
-                                phi_4114_ = _e2212;
-                            } else {
-                                phi_4114_ = _e2216;
-                            }
-                            let _e2219 = phi_4114_;
-                            if (_e2205[2] < 0f) {
-                                phi_4121_ = -(_e2205[2]);
-                            } else {
-                                phi_4121_ = _e2205[2];
-                            }
-                            let _e2223 = phi_4121_;
-                            if (_e2219 > _e2223) {
-                                phi_4126_ = _e2219;
-                            } else {
-                                phi_4126_ = _e2223;
-                            }
-                            let _e2226 = phi_4126_;
-                            if (_e2202 > _e2226) {
-                                phi_4131_ = _e2202;
-                            } else {
-                                phi_4131_ = _e2226;
-                            }
-                            let _e2229 = phi_4131_;
-                            let _e2231 = local_2.member_3;
-                            let _e2232 = (_e2229 + _e2231);
-                            let _e2234 = ((_e2178 * 8f) * _e2232);
-                            let _e2241 = local_2.member_3;
-                            if (_e1930 < 0f) {
-                                phi_4162_ = -(_e1930);
-                            } else {
-                                phi_4162_ = _e1930;
-                            }
-                            let _e2258 = phi_4162_;
-                            if (_e1933 < 0f) {
-                                phi_4168_ = -(_e1933);
-                            } else {
-                                phi_4168_ = _e1933;
-                            }
-                            let _e2262 = phi_4168_;
-                            if (_e1936 < 0f) {
-                                phi_4175_ = -(_e1936);
-                            } else {
-                                phi_4175_ = _e1936;
-                            }
-                            let _e2267 = phi_4175_;
-                            let _e2268 = ((_e2258 + _e2262) + _e2267);
-                            if (_e1951 < 0f) {
-                                phi_4182_ = -(_e1951);
-                            } else {
-                                phi_4182_ = _e1951;
-                            }
-                            let _e2272 = phi_4182_;
-                            if (_e1954 < 0f) {
-                                phi_4188_ = -(_e1954);
-                            } else {
-                                phi_4188_ = _e1954;
-                            }
-                            let _e2276 = phi_4188_;
-                            if (_e1957 < 0f) {
-                                phi_4195_ = -(_e1957);
-                            } else {
-                                phi_4195_ = _e1957;
-                            }
-                            let _e2281 = phi_4195_;
-                            let _e2282 = ((_e2272 + _e2276) + _e2281);
-                            if (_e2268 > _e2282) {
-                                phi_4201_ = _e2268;
-                            } else {
-                                phi_4201_ = _e2282;
-                            }
-                            let _e2285 = phi_4201_;
-                            if (_e2000 < 0f) {
-                                phi_4207_ = -(_e2000);
-                            } else {
-                                phi_4207_ = _e2000;
-                            }
-                            let _e2289 = phi_4207_;
-                            if (_e2001 < 0f) {
-                                phi_4213_ = -(_e2001);
-                            } else {
-                                phi_4213_ = _e2001;
-                            }
-                            let _e2293 = phi_4213_;
-                            if (_e2002 < 0f) {
-                                phi_4220_ = -(_e2002);
-                            } else {
-                                phi_4220_ = _e2002;
-                            }
-                            let _e2298 = phi_4220_;
-                            let _e2300 = (((_e2289 + _e2293) + _e2298) * 0.5f);
-                            if (_e2285 > _e2300) {
-                                phi_4227_ = _e2285;
-                            } else {
-                                phi_4227_ = _e2300;
-                            }
-                            let _e2303 = phi_4227_;
-                            let _e2308 = local_2.member_3;
-                            let _e2321 = ((((_e2005[0] * _e1930) + (_e2005[1] * _e1933)) + (_e2005[2] * _e1936)) * 3f);
-                            let _e2322 = ((((_e2062[0] * _e1951) + (_e2062[1] * _e1954)) + (_e2062[2] * _e1957)) * 3f);
-                            if (_e2321 < _e2322) {
-                                phi_4251_ = _e2321;
-                            } else {
-                                phi_4251_ = _e2322;
-                            }
-                            let _e2325 = phi_4251_;
-                            if (_e2036 < _e2059) {
-                                phi_4256_ = _e2036;
-                            } else {
-                                phi_4256_ = _e2059;
-                            }
-                            let _e2328 = phi_4256_;
-                            if (_e2325 < _e2328) {
-                                phi_4261_ = _e2325;
-                            } else {
-                                phi_4261_ = _e2328;
-                            }
-                            let _e2331 = phi_4261_;
-                            if (_e2321 > _e2322) {
-                                phi_4266_ = _e2321;
-                            } else {
-                                phi_4266_ = _e2322;
-                            }
-                            let _e2334 = phi_4266_;
-                            if (_e2036 > _e2059) {
-                                phi_4271_ = _e2036;
-                            } else {
-                                phi_4271_ = _e2059;
-                            }
-                            let _e2337 = phi_4271_;
-                            if (_e2334 > _e2337) {
-                                phi_4276_ = _e2334;
-                            } else {
-                                phi_4276_ = _e2337;
-                            }
-                            let _e2340 = phi_4276_;
-                            let _e2345 = -(_e2340);
-                            if (_e2331 > _e2345) {
-                                phi_4286_ = _e2331;
-                            } else {
-                                phi_4286_ = _e2345;
-                            }
-                            let _e2348 = phi_4286_;
-                            let _e2350 = ((_e2348 - ((((((_e2124 * 8f) * _e2234) * (0.000000059604645f * (524f / 64f))) + ((_e2241 * 19f) * ((_e2124 * (_e2178 + _e2232)) + (_e2178 * _e2232)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2124) * ((1f + _e2178) * (1f + _e2232))))) + ((_e1846 * (((_e2303 + (_e2234 * (0.000000059604645f * 8f))) + ((_e2308 * 6f) * (_e2178 + _e2232))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2178) * (1f + _e2232))))) * (3f * 1.0001f)))) > 0f);
-                            if _e2350 {
-                                phi_5255_ = _e2350;
-                            } else {
-                                let _e2353 = local_2.member_1[0u];
-                                let _e2359 = local_2.member_1[1u];
-                                let _e2363 = (_e2353[0] + _e2359[0]);
-                                let _e2364 = (_e2353[1] + _e2359[1]);
-                                let _e2365 = (_e2353[2] + _e2359[2]);
-                                let _e2368 = local_2.member_2[0u];
-                                let _e2374 = local_2.member_2[1u];
-                                let _e2378 = (_e2368[0] + _e2374[0]);
-                                let _e2379 = (_e2368[1] + _e2374[1]);
-                                let _e2380 = (_e2368[2] + _e2374[2]);
-                                let _e2383 = ((_e2364 * _e2380) - (_e2365 * _e2379));
-                                let _e2386 = ((_e2365 * _e2378) - (_e2363 * _e2380));
-                                let _e2389 = ((_e2363 * _e2379) - (_e2364 * _e2378));
-                                let _e2392 = local_2.member[0u];
-                                let _e2398 = local_2.member_1[0u];
-                                let _e2404 = local_2.member_2[0u];
-                                let _e2408 = (_e2392[0] - _e2398[0]);
-                                let _e2409 = (_e2392[1] - _e2398[1]);
-                                let _e2410 = (_e2392[2] - _e2398[2]);
-                                let _e2411 = (_e2408 - _e2404[0]);
-                                let _e2412 = (_e2409 - _e2404[1]);
-                                let _e2413 = (_e2410 - _e2404[2]);
-                                let _e2414 = (_e2392[0] - _e2404[0]);
-                                let _e2415 = (_e2392[1] - _e2404[1]);
-                                let _e2416 = (_e2392[2] - _e2404[2]);
-                                let _e2419 = local_2.member[1u];
-                                let _e2425 = local_2.member_1[1u];
-                                let _e2431 = local_2.member_2[1u];
-                                let _e2435 = (_e2419[0] - _e2425[0]);
-                                let _e2436 = (_e2419[1] - _e2425[1]);
-                                let _e2437 = (_e2419[2] - _e2425[2]);
-                                let _e2438 = (_e2435 - _e2431[0]);
-                                let _e2439 = (_e2436 - _e2431[1]);
-                                let _e2440 = (_e2437 - _e2431[2]);
-                                let _e2441 = (_e2419[0] - _e2431[0]);
-                                let _e2442 = (_e2419[1] - _e2431[1]);
-                                let _e2443 = (_e2419[2] - _e2431[2]);
-                                let _e2446 = local_2.member[0u];
-                                if (_e2446[0] < 0f) {
-                                    phi_4489_ = -(_e2446[0]);
-                                } else {
-                                    phi_4489_ = _e2446[0];
-                                }
-                                let _e2453 = phi_4489_;
-                                if (_e2446[1] < 0f) {
-                                    phi_4496_ = -(_e2446[1]);
-                                } else {
-                                    phi_4496_ = _e2446[1];
-                                }
-                                let _e2457 = phi_4496_;
-                                if (_e2453 > _e2457) {
-                                    phi_4501_ = _e2453;
-                                } else {
-                                    phi_4501_ = _e2457;
-                                }
-                                let _e2460 = phi_4501_;
-                                if (_e2446[2] < 0f) {
-                                    phi_4508_ = -(_e2446[2]);
-                                } else {
-                                    phi_4508_ = _e2446[2];
-                                }
-                                let _e2464 = phi_4508_;
-                                if (_e2460 > _e2464) {
-                                    phi_4513_ = _e2460;
-                                } else {
-                                    phi_4513_ = _e2464;
-                                }
-                                let _e2467 = phi_4513_;
-                                let _e2470 = local_2.member[1u];
-                                if (_e2470[0] < 0f) {
-                                    phi_4526_ = -(_e2470[0]);
-                                } else {
-                                    phi_4526_ = _e2470[0];
-                                }
-                                let _e2477 = phi_4526_;
-                                if (_e2470[1] < 0f) {
-                                    phi_4533_ = -(_e2470[1]);
-                                } else {
-                                    phi_4533_ = _e2470[1];
-                                }
-                                let _e2481 = phi_4533_;
-                                if (_e2477 > _e2481) {
-                                    phi_4538_ = _e2477;
-                                } else {
-                                    phi_4538_ = _e2481;
-                                }
-                                let _e2484 = phi_4538_;
-                                if (_e2470[2] < 0f) {
-                                    phi_4545_ = -(_e2470[2]);
-                                } else {
-                                    phi_4545_ = _e2470[2];
-                                }
-                                let _e2488 = phi_4545_;
-                                if (_e2484 > _e2488) {
-                                    phi_4550_ = _e2484;
-                                } else {
-                                    phi_4550_ = _e2488;
-                                }
-                                let _e2491 = phi_4550_;
-                                if (_e2467 > _e2491) {
-                                    phi_4555_ = _e2467;
-                                } else {
-                                    phi_4555_ = _e2491;
-                                }
-                                let _e2494 = phi_4555_;
-                                let _e2496 = local_2.member_3;
-                                let _e2500 = local_2.member_1[0u];
-                                if (_e2500[0] < 0f) {
-                                    phi_4572_ = -(_e2500[0]);
-                                } else {
-                                    phi_4572_ = _e2500[0];
-                                }
-                                let _e2507 = phi_4572_;
-                                if (_e2500[1] < 0f) {
-                                    phi_4579_ = -(_e2500[1]);
-                                } else {
-                                    phi_4579_ = _e2500[1];
-                                }
-                                let _e2511 = phi_4579_;
-                                if (_e2507 > _e2511) {
-                                    phi_4584_ = _e2507;
-                                } else {
-                                    phi_4584_ = _e2511;
-                                }
-                                let _e2514 = phi_4584_;
-                                if (_e2500[2] < 0f) {
-                                    phi_4591_ = -(_e2500[2]);
-                                } else {
-                                    phi_4591_ = _e2500[2];
-                                }
-                                let _e2518 = phi_4591_;
-                                if (_e2514 > _e2518) {
-                                    phi_4596_ = _e2514;
-                                } else {
-                                    phi_4596_ = _e2518;
-                                }
-                                let _e2521 = phi_4596_;
-                                let _e2524 = local_2.member_1[1u];
-                                if (_e2524[0] < 0f) {
-                                    phi_4610_ = -(_e2524[0]);
-                                } else {
-                                    phi_4610_ = _e2524[0];
-                                }
-                                let _e2531 = phi_4610_;
-                                if (_e2524[1] < 0f) {
-                                    phi_4617_ = -(_e2524[1]);
-                                } else {
-                                    phi_4617_ = _e2524[1];
-                                }
-                                let _e2535 = phi_4617_;
-                                if (_e2531 > _e2535) {
-                                    phi_4622_ = _e2531;
-                                } else {
-                                    phi_4622_ = _e2535;
-                                }
-                                let _e2538 = phi_4622_;
-                                if (_e2524[2] < 0f) {
-                                    phi_4629_ = -(_e2524[2]);
-                                } else {
-                                    phi_4629_ = _e2524[2];
-                                }
-                                let _e2542 = phi_4629_;
-                                if (_e2538 > _e2542) {
-                                    phi_4634_ = _e2538;
-                                } else {
-                                    phi_4634_ = _e2542;
-                                }
-                                let _e2545 = phi_4634_;
-                                if (_e2521 > _e2545) {
-                                    phi_4639_ = _e2521;
-                                } else {
-                                    phi_4639_ = _e2545;
-                                }
-                                let _e2548 = phi_4639_;
-                                let _e2550 = local_2.member_3;
-                                let _e2554 = local_2.member_2[0u];
-                                if (_e2554[0] < 0f) {
-                                    phi_4656_ = -(_e2554[0]);
-                                } else {
-                                    phi_4656_ = _e2554[0];
-                                }
-                                let _e2561 = phi_4656_;
-                                if (_e2554[1] < 0f) {
-                                    phi_4663_ = -(_e2554[1]);
-                                } else {
-                                    phi_4663_ = _e2554[1];
-                                }
-                                let _e2565 = phi_4663_;
-                                if (_e2561 > _e2565) {
-                                    phi_4668_ = _e2561;
-                                } else {
-                                    phi_4668_ = _e2565;
-                                }
-                                let _e2568 = phi_4668_;
-                                if (_e2554[2] < 0f) {
-                                    phi_4675_ = -(_e2554[2]);
-                                } else {
-                                    phi_4675_ = _e2554[2];
-                                }
-                                let _e2572 = phi_4675_;
-                                if (_e2568 > _e2572) {
-                                    phi_4680_ = _e2568;
-                                } else {
-                                    phi_4680_ = _e2572;
-                                }
-                                let _e2575 = phi_4680_;
-                                let _e2578 = local_2.member_2[1u];
-                                if (_e2578[0] < 0f) {
-                                    phi_4694_ = -(_e2578[0]);
-                                } else {
-                                    phi_4694_ = _e2578[0];
-                                }
-                                let _e2585 = phi_4694_;
-                                if (_e2578[1] < 0f) {
-                                    phi_4701_ = -(_e2578[1]);
-                                } else {
-                                    phi_4701_ = _e2578[1];
-                                }
-                                let _e2589 = phi_4701_;
-                                if (_e2585 > _e2589) {
-                                    phi_4706_ = _e2585;
-                                } else {
-                                    phi_4706_ = _e2589;
-                                }
-                                let _e2592 = phi_4706_;
-                                if (_e2578[2] < 0f) {
-                                    phi_4713_ = -(_e2578[2]);
-                                } else {
-                                    phi_4713_ = _e2578[2];
-                                }
-                                let _e2596 = phi_4713_;
-                                if (_e2592 > _e2596) {
-                                    phi_4718_ = _e2592;
-                                } else {
-                                    phi_4718_ = _e2596;
-                                }
-                                let _e2599 = phi_4718_;
-                                if (_e2575 > _e2599) {
-                                    phi_4723_ = _e2575;
-                                } else {
-                                    phi_4723_ = _e2599;
-                                }
-                                let _e2602 = phi_4723_;
-                                let _e2604 = local_2.member_3;
-                                let _e2608 = ((((_e2494 + _e2496) + (_e2548 + _e2550)) + (_e2602 + _e2604)) * 2f);
-                                let _e2611 = local_2.member_3;
-                                let _e2615 = (((_e1846 * 1.0001f) + (_e2611 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2618 = ((_e2386 * _e2365) - (_e2389 * _e2364));
-                                let _e2621 = ((_e2389 * _e2363) - (_e2383 * _e2365));
-                                let _e2624 = ((_e2383 * _e2364) - (_e2386 * _e2363));
-                                let _e2629 = (((_e2618 * _e2392[0]) + (_e2621 * _e2392[1])) + (_e2624 * _e2392[2]));
-                                let _e2634 = (((_e2618 * _e2408) + (_e2621 * _e2409)) + (_e2624 * _e2410));
-                                let _e2639 = (((_e2618 * _e2414) + (_e2621 * _e2415)) + (_e2624 * _e2416));
-                                let _e2644 = (((_e2618 * _e2411) + (_e2621 * _e2412)) + (_e2624 * _e2413));
-                                let _e2649 = (((_e2618 * _e2419[0]) + (_e2621 * _e2419[1])) + (_e2624 * _e2419[2]));
-                                let _e2654 = (((_e2618 * _e2435) + (_e2621 * _e2436)) + (_e2624 * _e2437));
-                                let _e2659 = (((_e2618 * _e2441) + (_e2621 * _e2442)) + (_e2624 * _e2443));
-                                let _e2664 = (((_e2618 * _e2438) + (_e2621 * _e2439)) + (_e2624 * _e2440));
-                                if (_e2629 < _e2634) {
-                                    phi_4802_ = _e2629;
-                                } else {
-                                    phi_4802_ = _e2634;
-                                }
-                                let _e2667 = phi_4802_;
-                                if (_e2639 < _e2644) {
-                                    phi_4807_ = _e2639;
-                                } else {
-                                    phi_4807_ = _e2644;
-                                }
-                                let _e2670 = phi_4807_;
-                                if (_e2667 < _e2670) {
-                                    phi_4812_ = _e2667;
-                                } else {
-                                    phi_4812_ = _e2670;
-                                }
-                                let _e2673 = phi_4812_;
-                                if (_e2649 < _e2654) {
-                                    phi_4817_ = _e2649;
-                                } else {
-                                    phi_4817_ = _e2654;
-                                }
-                                let _e2676 = phi_4817_;
-                                if (_e2659 < _e2664) {
-                                    phi_4822_ = _e2659;
-                                } else {
-                                    phi_4822_ = _e2664;
-                                }
-                                let _e2679 = phi_4822_;
-                                if (_e2676 < _e2679) {
-                                    phi_4827_ = _e2676;
-                                } else {
-                                    phi_4827_ = _e2679;
-                                }
-                                let _e2682 = phi_4827_;
-                                if (_e2673 < _e2682) {
-                                    phi_4832_ = _e2673;
-                                } else {
-                                    phi_4832_ = _e2682;
-                                }
-                                let _e2685 = phi_4832_;
-                                if (_e2629 > _e2634) {
-                                    phi_4837_ = _e2629;
-                                } else {
-                                    phi_4837_ = _e2634;
-                                }
-                                let _e2688 = phi_4837_;
-                                if (_e2639 > _e2644) {
-                                    phi_4842_ = _e2639;
-                                } else {
-                                    phi_4842_ = _e2644;
-                                }
-                                let _e2691 = phi_4842_;
-                                if (_e2688 > _e2691) {
-                                    phi_4847_ = _e2688;
-                                } else {
-                                    phi_4847_ = _e2691;
-                                }
-                                let _e2694 = phi_4847_;
-                                if (_e2649 > _e2654) {
-                                    phi_4852_ = _e2649;
-                                } else {
-                                    phi_4852_ = _e2654;
-                                }
-                                let _e2697 = phi_4852_;
-                                if (_e2659 > _e2664) {
-                                    phi_4857_ = _e2659;
-                                } else {
-                                    phi_4857_ = _e2664;
-                                }
-                                let _e2700 = phi_4857_;
-                                if (_e2697 > _e2700) {
-                                    phi_4862_ = _e2697;
-                                } else {
-                                    phi_4862_ = _e2700;
-                                }
-                                let _e2703 = phi_4862_;
-                                if (_e2694 > _e2703) {
-                                    phi_4867_ = _e2694;
-                                } else {
-                                    phi_4867_ = _e2703;
-                                }
-                                let _e2706 = phi_4867_;
-                                if (_e2618 < 0f) {
-                                    phi_4873_ = -(_e2618);
-                                } else {
-                                    phi_4873_ = _e2618;
-                                }
-                                let _e2710 = phi_4873_;
-                                if (_e2621 < 0f) {
-                                    phi_4879_ = -(_e2621);
-                                } else {
-                                    phi_4879_ = _e2621;
-                                }
-                                let _e2714 = phi_4879_;
-                                if (_e2624 < 0f) {
-                                    phi_4886_ = -(_e2624);
-                                } else {
-                                    phi_4886_ = _e2624;
-                                }
-                                let _e2719 = phi_4886_;
-                                let _e2720 = ((_e2710 + _e2714) + _e2719);
-                                let _e2725 = -(_e2706);
-                                if (_e2685 > _e2725) {
-                                    phi_4897_ = _e2685;
-                                } else {
-                                    phi_4897_ = _e2725;
-                                }
-                                let _e2728 = phi_4897_;
-                                let _e2733 = (((_e2728 - ((_e2720 * _e2608) * (0.000000059604645f * (17f / 2f)))) - (_e2720 * _e2615)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2736 = ((_e2386 * _e2380) - (_e2389 * _e2379));
-                                let _e2739 = ((_e2389 * _e2378) - (_e2383 * _e2380));
-                                let _e2742 = ((_e2383 * _e2379) - (_e2386 * _e2378));
-                                let _e2747 = (((_e2736 * _e2392[0]) + (_e2739 * _e2392[1])) + (_e2742 * _e2392[2]));
-                                let _e2752 = (((_e2736 * _e2408) + (_e2739 * _e2409)) + (_e2742 * _e2410));
-                                let _e2757 = (((_e2736 * _e2414) + (_e2739 * _e2415)) + (_e2742 * _e2416));
-                                let _e2762 = (((_e2736 * _e2411) + (_e2739 * _e2412)) + (_e2742 * _e2413));
-                                let _e2767 = (((_e2736 * _e2419[0]) + (_e2739 * _e2419[1])) + (_e2742 * _e2419[2]));
-                                let _e2772 = (((_e2736 * _e2435) + (_e2739 * _e2436)) + (_e2742 * _e2437));
-                                let _e2777 = (((_e2736 * _e2441) + (_e2739 * _e2442)) + (_e2742 * _e2443));
-                                let _e2782 = (((_e2736 * _e2438) + (_e2739 * _e2439)) + (_e2742 * _e2440));
-                                if (_e2747 < _e2752) {
-                                    phi_4968_ = _e2747;
-                                } else {
-                                    phi_4968_ = _e2752;
-                                }
-                                let _e2785 = phi_4968_;
-                                if (_e2757 < _e2762) {
-                                    phi_4973_ = _e2757;
-                                } else {
-                                    phi_4973_ = _e2762;
-                                }
-                                let _e2788 = phi_4973_;
-                                if (_e2785 < _e2788) {
-                                    phi_4978_ = _e2785;
-                                } else {
-                                    phi_4978_ = _e2788;
-                                }
-                                let _e2791 = phi_4978_;
-                                if (_e2767 < _e2772) {
-                                    phi_4983_ = _e2767;
-                                } else {
-                                    phi_4983_ = _e2772;
-                                }
-                                let _e2794 = phi_4983_;
-                                if (_e2777 < _e2782) {
-                                    phi_4988_ = _e2777;
-                                } else {
-                                    phi_4988_ = _e2782;
-                                }
-                                let _e2797 = phi_4988_;
-                                if (_e2794 < _e2797) {
-                                    phi_4993_ = _e2794;
-                                } else {
-                                    phi_4993_ = _e2797;
-                                }
-                                let _e2800 = phi_4993_;
-                                if (_e2791 < _e2800) {
-                                    phi_4998_ = _e2791;
-                                } else {
-                                    phi_4998_ = _e2800;
-                                }
-                                let _e2803 = phi_4998_;
-                                if (_e2747 > _e2752) {
-                                    phi_5003_ = _e2747;
-                                } else {
-                                    phi_5003_ = _e2752;
-                                }
-                                let _e2806 = phi_5003_;
-                                if (_e2757 > _e2762) {
-                                    phi_5008_ = _e2757;
-                                } else {
-                                    phi_5008_ = _e2762;
-                                }
-                                let _e2809 = phi_5008_;
-                                if (_e2806 > _e2809) {
-                                    phi_5013_ = _e2806;
-                                } else {
-                                    phi_5013_ = _e2809;
-                                }
-                                let _e2812 = phi_5013_;
-                                if (_e2767 > _e2772) {
-                                    phi_5018_ = _e2767;
-                                } else {
-                                    phi_5018_ = _e2772;
-                                }
-                                let _e2815 = phi_5018_;
-                                if (_e2777 > _e2782) {
-                                    phi_5023_ = _e2777;
-                                } else {
-                                    phi_5023_ = _e2782;
-                                }
-                                let _e2818 = phi_5023_;
-                                if (_e2815 > _e2818) {
-                                    phi_5028_ = _e2815;
-                                } else {
-                                    phi_5028_ = _e2818;
-                                }
-                                let _e2821 = phi_5028_;
-                                if (_e2812 > _e2821) {
-                                    phi_5033_ = _e2812;
-                                } else {
-                                    phi_5033_ = _e2821;
-                                }
-                                let _e2824 = phi_5033_;
-                                if (_e2736 < 0f) {
-                                    phi_5039_ = -(_e2736);
-                                } else {
-                                    phi_5039_ = _e2736;
-                                }
-                                let _e2828 = phi_5039_;
-                                if (_e2739 < 0f) {
-                                    phi_5045_ = -(_e2739);
-                                } else {
-                                    phi_5045_ = _e2739;
-                                }
-                                let _e2832 = phi_5045_;
-                                if (_e2742 < 0f) {
-                                    phi_5052_ = -(_e2742);
-                                } else {
-                                    phi_5052_ = _e2742;
-                                }
-                                let _e2837 = phi_5052_;
-                                let _e2838 = ((_e2828 + _e2832) + _e2837);
-                                let _e2843 = -(_e2824);
-                                if (_e2803 > _e2843) {
-                                    phi_5063_ = _e2803;
-                                } else {
-                                    phi_5063_ = _e2843;
-                                }
-                                let _e2846 = phi_5063_;
-                                let _e2851 = (((_e2846 - ((_e2838 * _e2608) * (0.000000059604645f * (17f / 2f)))) - (_e2838 * _e2615)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2733 > _e2851) {
-                                    phi_5073_ = _e2733;
-                                } else {
-                                    phi_5073_ = _e2851;
-                                }
-                                let _e2854 = phi_5073_;
-                                phi_5255_ = (_e2350 || (_e2854 > 0f));
-                            }
-                            let _e2858 = phi_5255_;
-                            if _e2858 {
-                                phi_8672_ = _e2858;
-                            } else {
-                                let _e2861 = local_2.member[0u];
-                                let _e2867 = local_2.member[1u];
-                                let _e2874 = ((_e2861[0] + _e2867[0]) * 0.5f);
-                                let _e2875 = ((_e2861[1] + _e2867[1]) * 0.5f);
-                                let _e2876 = ((_e2861[2] + _e2867[2]) * 0.5f);
-                                let _e2879 = local_2.member_1[0u];
-                                let _e2885 = local_2.member_1[1u];
-                                let _e2892 = ((_e2879[0] + _e2885[0]) * 0.5f);
-                                let _e2893 = ((_e2879[1] + _e2885[1]) * 0.5f);
-                                let _e2894 = ((_e2879[2] + _e2885[2]) * 0.5f);
-                                let _e2897 = local_2.member_2[0u];
-                                let _e2903 = local_2.member_2[1u];
-                                let _e2910 = ((_e2897[0] + _e2903[0]) * 0.5f);
-                                let _e2911 = ((_e2897[1] + _e2903[1]) * 0.5f);
-                                let _e2912 = ((_e2897[2] + _e2903[2]) * 0.5f);
-                                let _e2915 = local_2.member[0u];
-                                let _e2918 = local_2.member_1[0u];
-                                let _e2921 = local_2.member_2[0u];
-                                let _e2923 = local_2.member_3;
-                                let _e2926 = local_2.member[1u];
-                                let _e2929 = local_2.member_1[1u];
-                                let _e2932 = local_2.member_2[1u];
-                                let _e2934 = local_2.member_3;
-                                local = type_41(array<array<f32, 3>, 2>(_e2915, array<f32, 3>(_e2874, _e2875, _e2876)), array<array<f32, 3>, 2>(_e2918, array<f32, 3>(_e2892, _e2893, _e2894)), array<array<f32, 3>, 2>(_e2921, array<f32, 3>(_e2910, _e2911, _e2912)), _e2923);
-                                local_1 = type_41(array<array<f32, 3>, 2>(array<f32, 3>(_e2874, _e2875, _e2876), _e2926), array<array<f32, 3>, 2>(array<f32, 3>(_e2892, _e2893, _e2894), _e2929), array<array<f32, 3>, 2>(array<f32, 3>(_e2910, _e2911, _e2912), _e2932), _e2934);
-                                let _e2951 = local.member_1[0u];
-                                let _e2957 = local.member_2[0u];
-                                let _e2963 = ((_e2951[1] * _e2957[2]) - (_e2951[2] * _e2957[1]));
-                                let _e2966 = ((_e2951[2] * _e2957[0]) - (_e2951[0] * _e2957[2]));
-                                let _e2969 = ((_e2951[0] * _e2957[1]) - (_e2951[1] * _e2957[0]));
-                                let _e2972 = local.member_1[1u];
-                                let _e2978 = local.member_2[1u];
-                                let _e2984 = ((_e2972[1] * _e2978[2]) - (_e2972[2] * _e2978[1]));
-                                let _e2987 = ((_e2972[2] * _e2978[0]) - (_e2972[0] * _e2978[2]));
-                                let _e2990 = ((_e2972[0] * _e2978[1]) - (_e2972[1] * _e2978[0]));
-                                let _e2993 = local.member_1[0u];
-                                let _e2999 = local.member_2[1u];
-                                let _e3014 = local.member_1[1u];
-                                let _e3020 = local.member_2[0u];
-                                let _e3033 = (((_e2993[1] * _e2999[2]) - (_e2993[2] * _e2999[1])) + ((_e3014[1] * _e3020[2]) - (_e3014[2] * _e3020[1])));
-                                let _e3034 = (((_e2993[2] * _e2999[0]) - (_e2993[0] * _e2999[2])) + ((_e3014[2] * _e3020[0]) - (_e3014[0] * _e3020[2])));
-                                let _e3035 = (((_e2993[0] * _e2999[1]) - (_e2993[1] * _e2999[0])) + ((_e3014[0] * _e3020[1]) - (_e3014[1] * _e3020[0])));
-                                let _e3038 = local.member[0u];
-                                let _e3049 = local.member[1u];
-                                let _e3060 = local.member[0u];
-                                let _e3069 = ((((_e3049[0] * _e2963) + (_e3049[1] * _e2966)) + (_e3049[2] * _e2969)) + (((_e3060[0] * _e3033) + (_e3060[1] * _e3034)) + (_e3060[2] * _e3035)));
-                                let _e3072 = local.member[0u];
-                                let _e3083 = local.member[1u];
-                                let _e3092 = ((((_e3072[0] * _e2984) + (_e3072[1] * _e2987)) + (_e3072[2] * _e2990)) + (((_e3083[0] * _e3033) + (_e3083[1] * _e3034)) + (_e3083[2] * _e3035)));
-                                let _e3095 = local.member[1u];
-                                let _e3106 = local.member[0u];
-                                if (_e3106[0] < 0f) {
-                                    phi_5707_ = -(_e3106[0]);
-                                } else {
-                                    phi_5707_ = _e3106[0];
-                                }
-                                let _e3113 = phi_5707_;
-                                if (_e3106[1] < 0f) {
-                                    phi_5714_ = -(_e3106[1]);
-                                } else {
-                                    phi_5714_ = _e3106[1];
-                                }
-                                let _e3117 = phi_5714_;
-                                if (_e3113 > _e3117) {
-                                    phi_5719_ = _e3113;
-                                } else {
-                                    phi_5719_ = _e3117;
-                                }
-                                let _e3120 = phi_5719_;
-                                if (_e3106[2] < 0f) {
-                                    phi_5726_ = -(_e3106[2]);
-                                } else {
-                                    phi_5726_ = _e3106[2];
-                                }
-                                let _e3124 = phi_5726_;
-                                if (_e3120 > _e3124) {
-                                    phi_5731_ = _e3120;
-                                } else {
-                                    phi_5731_ = _e3124;
-                                }
-                                let _e3127 = phi_5731_;
-                                let _e3130 = local.member[1u];
-                                if (_e3130[0] < 0f) {
-                                    phi_5744_ = -(_e3130[0]);
-                                } else {
-                                    phi_5744_ = _e3130[0];
-                                }
-                                let _e3137 = phi_5744_;
-                                if (_e3130[1] < 0f) {
-                                    phi_5751_ = -(_e3130[1]);
-                                } else {
-                                    phi_5751_ = _e3130[1];
-                                }
-                                let _e3141 = phi_5751_;
-                                if (_e3137 > _e3141) {
-                                    phi_5756_ = _e3137;
-                                } else {
-                                    phi_5756_ = _e3141;
-                                }
-                                let _e3144 = phi_5756_;
-                                if (_e3130[2] < 0f) {
-                                    phi_5763_ = -(_e3130[2]);
-                                } else {
-                                    phi_5763_ = _e3130[2];
-                                }
-                                let _e3148 = phi_5763_;
-                                if (_e3144 > _e3148) {
-                                    phi_5768_ = _e3144;
-                                } else {
-                                    phi_5768_ = _e3148;
-                                }
-                                let _e3151 = phi_5768_;
-                                if (_e3127 > _e3151) {
-                                    phi_5773_ = _e3127;
-                                } else {
-                                    phi_5773_ = _e3151;
-                                }
-                                let _e3154 = phi_5773_;
-                                let _e3156 = local.member_3;
-                                let _e3157 = (_e3154 + _e3156);
-                                let _e3160 = local.member_1[0u];
-                                if (_e3160[0] < 0f) {
-                                    phi_5790_ = -(_e3160[0]);
-                                } else {
-                                    phi_5790_ = _e3160[0];
-                                }
-                                let _e3167 = phi_5790_;
-                                if (_e3160[1] < 0f) {
-                                    phi_5797_ = -(_e3160[1]);
-                                } else {
-                                    phi_5797_ = _e3160[1];
-                                }
-                                let _e3171 = phi_5797_;
-                                if (_e3167 > _e3171) {
-                                    phi_5802_ = _e3167;
-                                } else {
-                                    phi_5802_ = _e3171;
-                                }
-                                let _e3174 = phi_5802_;
-                                if (_e3160[2] < 0f) {
-                                    phi_5809_ = -(_e3160[2]);
-                                } else {
-                                    phi_5809_ = _e3160[2];
-                                }
-                                let _e3178 = phi_5809_;
-                                if (_e3174 > _e3178) {
-                                    phi_5814_ = _e3174;
-                                } else {
-                                    phi_5814_ = _e3178;
-                                }
-                                let _e3181 = phi_5814_;
-                                let _e3184 = local.member_1[1u];
-                                if (_e3184[0] < 0f) {
-                                    phi_5828_ = -(_e3184[0]);
-                                } else {
-                                    phi_5828_ = _e3184[0];
-                                }
-                                let _e3191 = phi_5828_;
-                                if (_e3184[1] < 0f) {
-                                    phi_5835_ = -(_e3184[1]);
-                                } else {
-                                    phi_5835_ = _e3184[1];
-                                }
-                                let _e3195 = phi_5835_;
-                                if (_e3191 > _e3195) {
-                                    phi_5840_ = _e3191;
-                                } else {
-                                    phi_5840_ = _e3195;
-                                }
-                                let _e3198 = phi_5840_;
-                                if (_e3184[2] < 0f) {
-                                    phi_5847_ = -(_e3184[2]);
-                                } else {
-                                    phi_5847_ = _e3184[2];
-                                }
-                                let _e3202 = phi_5847_;
-                                if (_e3198 > _e3202) {
-                                    phi_5852_ = _e3198;
-                                } else {
-                                    phi_5852_ = _e3202;
-                                }
-                                let _e3205 = phi_5852_;
-                                if (_e3181 > _e3205) {
-                                    phi_5857_ = _e3181;
-                                } else {
-                                    phi_5857_ = _e3205;
-                                }
-                                let _e3208 = phi_5857_;
-                                let _e3210 = local.member_3;
-                                let _e3211 = (_e3208 + _e3210);
-                                let _e3214 = local.member_2[0u];
-                                if (_e3214[0] < 0f) {
-                                    phi_5874_ = -(_e3214[0]);
-                                } else {
-                                    phi_5874_ = _e3214[0];
-                                }
-                                let _e3221 = phi_5874_;
-                                if (_e3214[1] < 0f) {
-                                    phi_5881_ = -(_e3214[1]);
-                                } else {
-                                    phi_5881_ = _e3214[1];
-                                }
-                                let _e3225 = phi_5881_;
-                                if (_e3221 > _e3225) {
-                                    phi_5886_ = _e3221;
-                                } else {
-                                    phi_5886_ = _e3225;
-                                }
-                                let _e3228 = phi_5886_;
-                                if (_e3214[2] < 0f) {
-                                    phi_5893_ = -(_e3214[2]);
-                                } else {
-                                    phi_5893_ = _e3214[2];
-                                }
-                                let _e3232 = phi_5893_;
-                                if (_e3228 > _e3232) {
-                                    phi_5898_ = _e3228;
-                                } else {
-                                    phi_5898_ = _e3232;
-                                }
-                                let _e3235 = phi_5898_;
-                                let _e3238 = local.member_2[1u];
-                                if (_e3238[0] < 0f) {
-                                    phi_5912_ = -(_e3238[0]);
-                                } else {
-                                    phi_5912_ = _e3238[0];
-                                }
-                                let _e3245 = phi_5912_;
-                                if (_e3238[1] < 0f) {
-                                    phi_5919_ = -(_e3238[1]);
-                                } else {
-                                    phi_5919_ = _e3238[1];
-                                }
-                                let _e3249 = phi_5919_;
-                                if (_e3245 > _e3249) {
-                                    phi_5924_ = _e3245;
-                                } else {
-                                    phi_5924_ = _e3249;
-                                }
-                                let _e3252 = phi_5924_;
-                                if (_e3238[2] < 0f) {
-                                    phi_5931_ = -(_e3238[2]);
-                                } else {
-                                    phi_5931_ = _e3238[2];
-                                }
-                                let _e3256 = phi_5931_;
-                                if (_e3252 > _e3256) {
-                                    phi_5936_ = _e3252;
-                                } else {
-                                    phi_5936_ = _e3256;
-                                }
-                                let _e3259 = phi_5936_;
-                                if (_e3235 > _e3259) {
-                                    phi_5941_ = _e3235;
-                                } else {
-                                    phi_5941_ = _e3259;
-                                }
-                                let _e3262 = phi_5941_;
-                                let _e3264 = local.member_3;
-                                let _e3265 = (_e3262 + _e3264);
-                                let _e3267 = ((_e3211 * 8f) * _e3265);
-                                let _e3274 = local.member_3;
-                                if (_e2963 < 0f) {
-                                    phi_5972_ = -(_e2963);
-                                } else {
-                                    phi_5972_ = _e2963;
-                                }
-                                let _e3291 = phi_5972_;
-                                if (_e2966 < 0f) {
-                                    phi_5978_ = -(_e2966);
-                                } else {
-                                    phi_5978_ = _e2966;
-                                }
-                                let _e3295 = phi_5978_;
-                                if (_e2969 < 0f) {
-                                    phi_5985_ = -(_e2969);
-                                } else {
-                                    phi_5985_ = _e2969;
-                                }
-                                let _e3300 = phi_5985_;
-                                let _e3301 = ((_e3291 + _e3295) + _e3300);
-                                if (_e2984 < 0f) {
-                                    phi_5992_ = -(_e2984);
-                                } else {
-                                    phi_5992_ = _e2984;
-                                }
-                                let _e3305 = phi_5992_;
-                                if (_e2987 < 0f) {
-                                    phi_5998_ = -(_e2987);
-                                } else {
-                                    phi_5998_ = _e2987;
-                                }
-                                let _e3309 = phi_5998_;
-                                if (_e2990 < 0f) {
-                                    phi_6005_ = -(_e2990);
-                                } else {
-                                    phi_6005_ = _e2990;
-                                }
-                                let _e3314 = phi_6005_;
-                                let _e3315 = ((_e3305 + _e3309) + _e3314);
-                                if (_e3301 > _e3315) {
-                                    phi_6011_ = _e3301;
-                                } else {
-                                    phi_6011_ = _e3315;
-                                }
-                                let _e3318 = phi_6011_;
-                                if (_e3033 < 0f) {
-                                    phi_6017_ = -(_e3033);
-                                } else {
-                                    phi_6017_ = _e3033;
-                                }
-                                let _e3322 = phi_6017_;
-                                if (_e3034 < 0f) {
-                                    phi_6023_ = -(_e3034);
-                                } else {
-                                    phi_6023_ = _e3034;
-                                }
-                                let _e3326 = phi_6023_;
-                                if (_e3035 < 0f) {
-                                    phi_6030_ = -(_e3035);
-                                } else {
-                                    phi_6030_ = _e3035;
-                                }
-                                let _e3331 = phi_6030_;
-                                let _e3333 = (((_e3322 + _e3326) + _e3331) * 0.5f);
-                                if (_e3318 > _e3333) {
-                                    phi_6037_ = _e3318;
-                                } else {
-                                    phi_6037_ = _e3333;
-                                }
-                                let _e3336 = phi_6037_;
-                                let _e3341 = local.member_3;
-                                let _e3354 = ((((_e3038[0] * _e2963) + (_e3038[1] * _e2966)) + (_e3038[2] * _e2969)) * 3f);
-                                let _e3355 = ((((_e3095[0] * _e2984) + (_e3095[1] * _e2987)) + (_e3095[2] * _e2990)) * 3f);
-                                if (_e3354 < _e3355) {
-                                    phi_6061_ = _e3354;
-                                } else {
-                                    phi_6061_ = _e3355;
-                                }
-                                let _e3358 = phi_6061_;
-                                if (_e3069 < _e3092) {
-                                    phi_6066_ = _e3069;
-                                } else {
-                                    phi_6066_ = _e3092;
-                                }
-                                let _e3361 = phi_6066_;
-                                if (_e3358 < _e3361) {
-                                    phi_6071_ = _e3358;
-                                } else {
-                                    phi_6071_ = _e3361;
-                                }
-                                let _e3364 = phi_6071_;
-                                if (_e3354 > _e3355) {
-                                    phi_6076_ = _e3354;
-                                } else {
-                                    phi_6076_ = _e3355;
-                                }
-                                let _e3367 = phi_6076_;
-                                if (_e3069 > _e3092) {
-                                    phi_6081_ = _e3069;
-                                } else {
-                                    phi_6081_ = _e3092;
-                                }
-                                let _e3370 = phi_6081_;
-                                if (_e3367 > _e3370) {
-                                    phi_6086_ = _e3367;
-                                } else {
-                                    phi_6086_ = _e3370;
-                                }
-                                let _e3373 = phi_6086_;
-                                let _e3378 = -(_e3373);
-                                if (_e3364 > _e3378) {
-                                    phi_6096_ = _e3364;
-                                } else {
-                                    phi_6096_ = _e3378;
-                                }
-                                let _e3381 = phi_6096_;
-                                let _e3383 = ((_e3381 - ((((((_e3157 * 8f) * _e3267) * (0.000000059604645f * (524f / 64f))) + ((_e3274 * 19f) * ((_e3157 * (_e3211 + _e3265)) + (_e3211 * _e3265)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3157) * ((1f + _e3211) * (1f + _e3265))))) + ((_e1846 * (((_e3336 + (_e3267 * (0.000000059604645f * 8f))) + ((_e3341 * 6f) * (_e3211 + _e3265))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3211) * (1f + _e3265))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3383 {
-                                    phi_7065_ = _e3383;
-                                } else {
-                                    let _e3386 = local.member_1[0u];
-                                    let _e3392 = local.member_1[1u];
-                                    let _e3396 = (_e3386[0] + _e3392[0]);
-                                    let _e3397 = (_e3386[1] + _e3392[1]);
-                                    let _e3398 = (_e3386[2] + _e3392[2]);
-                                    let _e3401 = local.member_2[0u];
-                                    let _e3407 = local.member_2[1u];
-                                    let _e3411 = (_e3401[0] + _e3407[0]);
-                                    let _e3412 = (_e3401[1] + _e3407[1]);
-                                    let _e3413 = (_e3401[2] + _e3407[2]);
-                                    let _e3416 = ((_e3397 * _e3413) - (_e3398 * _e3412));
-                                    let _e3419 = ((_e3398 * _e3411) - (_e3396 * _e3413));
-                                    let _e3422 = ((_e3396 * _e3412) - (_e3397 * _e3411));
-                                    let _e3425 = local.member[0u];
-                                    let _e3431 = local.member_1[0u];
-                                    let _e3437 = local.member_2[0u];
-                                    let _e3441 = (_e3425[0] - _e3431[0]);
-                                    let _e3442 = (_e3425[1] - _e3431[1]);
-                                    let _e3443 = (_e3425[2] - _e3431[2]);
-                                    let _e3444 = (_e3441 - _e3437[0]);
-                                    let _e3445 = (_e3442 - _e3437[1]);
-                                    let _e3446 = (_e3443 - _e3437[2]);
-                                    let _e3447 = (_e3425[0] - _e3437[0]);
-                                    let _e3448 = (_e3425[1] - _e3437[1]);
-                                    let _e3449 = (_e3425[2] - _e3437[2]);
-                                    let _e3452 = local.member[1u];
-                                    let _e3458 = local.member_1[1u];
-                                    let _e3464 = local.member_2[1u];
-                                    let _e3468 = (_e3452[0] - _e3458[0]);
-                                    let _e3469 = (_e3452[1] - _e3458[1]);
-                                    let _e3470 = (_e3452[2] - _e3458[2]);
-                                    let _e3471 = (_e3468 - _e3464[0]);
-                                    let _e3472 = (_e3469 - _e3464[1]);
-                                    let _e3473 = (_e3470 - _e3464[2]);
-                                    let _e3474 = (_e3452[0] - _e3464[0]);
-                                    let _e3475 = (_e3452[1] - _e3464[1]);
-                                    let _e3476 = (_e3452[2] - _e3464[2]);
-                                    let _e3479 = local.member[0u];
-                                    if (_e3479[0] < 0f) {
-                                        phi_6299_ = -(_e3479[0]);
-                                    } else {
-                                        phi_6299_ = _e3479[0];
-                                    }
-                                    let _e3486 = phi_6299_;
-                                    if (_e3479[1] < 0f) {
-                                        phi_6306_ = -(_e3479[1]);
-                                    } else {
-                                        phi_6306_ = _e3479[1];
-                                    }
-                                    let _e3490 = phi_6306_;
-                                    if (_e3486 > _e3490) {
-                                        phi_6311_ = _e3486;
-                                    } else {
-                                        phi_6311_ = _e3490;
-                                    }
-                                    let _e3493 = phi_6311_;
-                                    if (_e3479[2] < 0f) {
-                                        phi_6318_ = -(_e3479[2]);
-                                    } else {
-                                        phi_6318_ = _e3479[2];
-                                    }
-                                    let _e3497 = phi_6318_;
-                                    if (_e3493 > _e3497) {
-                                        phi_6323_ = _e3493;
-                                    } else {
-                                        phi_6323_ = _e3497;
-                                    }
-                                    let _e3500 = phi_6323_;
-                                    let _e3503 = local.member[1u];
-                                    if (_e3503[0] < 0f) {
-                                        phi_6336_ = -(_e3503[0]);
-                                    } else {
-                                        phi_6336_ = _e3503[0];
-                                    }
-                                    let _e3510 = phi_6336_;
-                                    if (_e3503[1] < 0f) {
-                                        phi_6343_ = -(_e3503[1]);
-                                    } else {
-                                        phi_6343_ = _e3503[1];
-                                    }
-                                    let _e3514 = phi_6343_;
-                                    if (_e3510 > _e3514) {
-                                        phi_6348_ = _e3510;
-                                    } else {
-                                        phi_6348_ = _e3514;
-                                    }
-                                    let _e3517 = phi_6348_;
-                                    if (_e3503[2] < 0f) {
-                                        phi_6355_ = -(_e3503[2]);
-                                    } else {
-                                        phi_6355_ = _e3503[2];
-                                    }
-                                    let _e3521 = phi_6355_;
-                                    if (_e3517 > _e3521) {
-                                        phi_6360_ = _e3517;
-                                    } else {
-                                        phi_6360_ = _e3521;
-                                    }
-                                    let _e3524 = phi_6360_;
-                                    if (_e3500 > _e3524) {
-                                        phi_6365_ = _e3500;
-                                    } else {
-                                        phi_6365_ = _e3524;
-                                    }
-                                    let _e3527 = phi_6365_;
-                                    let _e3529 = local.member_3;
-                                    let _e3533 = local.member_1[0u];
-                                    if (_e3533[0] < 0f) {
-                                        phi_6382_ = -(_e3533[0]);
-                                    } else {
-                                        phi_6382_ = _e3533[0];
-                                    }
-                                    let _e3540 = phi_6382_;
-                                    if (_e3533[1] < 0f) {
-                                        phi_6389_ = -(_e3533[1]);
-                                    } else {
-                                        phi_6389_ = _e3533[1];
-                                    }
-                                    let _e3544 = phi_6389_;
-                                    if (_e3540 > _e3544) {
-                                        phi_6394_ = _e3540;
-                                    } else {
-                                        phi_6394_ = _e3544;
-                                    }
-                                    let _e3547 = phi_6394_;
-                                    if (_e3533[2] < 0f) {
-                                        phi_6401_ = -(_e3533[2]);
-                                    } else {
-                                        phi_6401_ = _e3533[2];
-                                    }
-                                    let _e3551 = phi_6401_;
-                                    if (_e3547 > _e3551) {
-                                        phi_6406_ = _e3547;
-                                    } else {
-                                        phi_6406_ = _e3551;
-                                    }
-                                    let _e3554 = phi_6406_;
-                                    let _e3557 = local.member_1[1u];
-                                    if (_e3557[0] < 0f) {
-                                        phi_6420_ = -(_e3557[0]);
-                                    } else {
-                                        phi_6420_ = _e3557[0];
-                                    }
-                                    let _e3564 = phi_6420_;
-                                    if (_e3557[1] < 0f) {
-                                        phi_6427_ = -(_e3557[1]);
-                                    } else {
-                                        phi_6427_ = _e3557[1];
-                                    }
-                                    let _e3568 = phi_6427_;
-                                    if (_e3564 > _e3568) {
-                                        phi_6432_ = _e3564;
-                                    } else {
-                                        phi_6432_ = _e3568;
-                                    }
-                                    let _e3571 = phi_6432_;
-                                    if (_e3557[2] < 0f) {
-                                        phi_6439_ = -(_e3557[2]);
-                                    } else {
-                                        phi_6439_ = _e3557[2];
-                                    }
-                                    let _e3575 = phi_6439_;
-                                    if (_e3571 > _e3575) {
-                                        phi_6444_ = _e3571;
-                                    } else {
-                                        phi_6444_ = _e3575;
-                                    }
-                                    let _e3578 = phi_6444_;
-                                    if (_e3554 > _e3578) {
-                                        phi_6449_ = _e3554;
-                                    } else {
-                                        phi_6449_ = _e3578;
-                                    }
-                                    let _e3581 = phi_6449_;
-                                    let _e3583 = local.member_3;
-                                    let _e3587 = local.member_2[0u];
-                                    if (_e3587[0] < 0f) {
-                                        phi_6466_ = -(_e3587[0]);
-                                    } else {
-                                        phi_6466_ = _e3587[0];
-                                    }
-                                    let _e3594 = phi_6466_;
-                                    if (_e3587[1] < 0f) {
-                                        phi_6473_ = -(_e3587[1]);
-                                    } else {
-                                        phi_6473_ = _e3587[1];
-                                    }
-                                    let _e3598 = phi_6473_;
-                                    if (_e3594 > _e3598) {
-                                        phi_6478_ = _e3594;
-                                    } else {
-                                        phi_6478_ = _e3598;
-                                    }
-                                    let _e3601 = phi_6478_;
-                                    if (_e3587[2] < 0f) {
-                                        phi_6485_ = -(_e3587[2]);
-                                    } else {
-                                        phi_6485_ = _e3587[2];
-                                    }
-                                    let _e3605 = phi_6485_;
-                                    if (_e3601 > _e3605) {
-                                        phi_6490_ = _e3601;
-                                    } else {
-                                        phi_6490_ = _e3605;
-                                    }
-                                    let _e3608 = phi_6490_;
-                                    let _e3611 = local.member_2[1u];
-                                    if (_e3611[0] < 0f) {
-                                        phi_6504_ = -(_e3611[0]);
-                                    } else {
-                                        phi_6504_ = _e3611[0];
-                                    }
-                                    let _e3618 = phi_6504_;
-                                    if (_e3611[1] < 0f) {
-                                        phi_6511_ = -(_e3611[1]);
-                                    } else {
-                                        phi_6511_ = _e3611[1];
-                                    }
-                                    let _e3622 = phi_6511_;
-                                    if (_e3618 > _e3622) {
-                                        phi_6516_ = _e3618;
-                                    } else {
-                                        phi_6516_ = _e3622;
-                                    }
-                                    let _e3625 = phi_6516_;
-                                    if (_e3611[2] < 0f) {
-                                        phi_6523_ = -(_e3611[2]);
-                                    } else {
-                                        phi_6523_ = _e3611[2];
-                                    }
-                                    let _e3629 = phi_6523_;
-                                    if (_e3625 > _e3629) {
-                                        phi_6528_ = _e3625;
-                                    } else {
-                                        phi_6528_ = _e3629;
-                                    }
-                                    let _e3632 = phi_6528_;
-                                    if (_e3608 > _e3632) {
-                                        phi_6533_ = _e3608;
-                                    } else {
-                                        phi_6533_ = _e3632;
-                                    }
-                                    let _e3635 = phi_6533_;
-                                    let _e3637 = local.member_3;
-                                    let _e3641 = ((((_e3527 + _e3529) + (_e3581 + _e3583)) + (_e3635 + _e3637)) * 2f);
-                                    let _e3644 = local.member_3;
-                                    let _e3648 = (((_e1846 * 1.0001f) + (_e3644 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3651 = ((_e3419 * _e3398) - (_e3422 * _e3397));
-                                    let _e3654 = ((_e3422 * _e3396) - (_e3416 * _e3398));
-                                    let _e3657 = ((_e3416 * _e3397) - (_e3419 * _e3396));
-                                    let _e3662 = (((_e3651 * _e3425[0]) + (_e3654 * _e3425[1])) + (_e3657 * _e3425[2]));
-                                    let _e3667 = (((_e3651 * _e3441) + (_e3654 * _e3442)) + (_e3657 * _e3443));
-                                    let _e3672 = (((_e3651 * _e3447) + (_e3654 * _e3448)) + (_e3657 * _e3449));
-                                    let _e3677 = (((_e3651 * _e3444) + (_e3654 * _e3445)) + (_e3657 * _e3446));
-                                    let _e3682 = (((_e3651 * _e3452[0]) + (_e3654 * _e3452[1])) + (_e3657 * _e3452[2]));
-                                    let _e3687 = (((_e3651 * _e3468) + (_e3654 * _e3469)) + (_e3657 * _e3470));
-                                    let _e3692 = (((_e3651 * _e3474) + (_e3654 * _e3475)) + (_e3657 * _e3476));
-                                    let _e3697 = (((_e3651 * _e3471) + (_e3654 * _e3472)) + (_e3657 * _e3473));
-                                    if (_e3662 < _e3667) {
-                                        phi_6612_ = _e3662;
-                                    } else {
-                                        phi_6612_ = _e3667;
-                                    }
-                                    let _e3700 = phi_6612_;
-                                    if (_e3672 < _e3677) {
-                                        phi_6617_ = _e3672;
-                                    } else {
-                                        phi_6617_ = _e3677;
-                                    }
-                                    let _e3703 = phi_6617_;
-                                    if (_e3700 < _e3703) {
-                                        phi_6622_ = _e3700;
-                                    } else {
-                                        phi_6622_ = _e3703;
-                                    }
-                                    let _e3706 = phi_6622_;
-                                    if (_e3682 < _e3687) {
-                                        phi_6627_ = _e3682;
-                                    } else {
-                                        phi_6627_ = _e3687;
-                                    }
-                                    let _e3709 = phi_6627_;
-                                    if (_e3692 < _e3697) {
-                                        phi_6632_ = _e3692;
-                                    } else {
-                                        phi_6632_ = _e3697;
-                                    }
-                                    let _e3712 = phi_6632_;
-                                    if (_e3709 < _e3712) {
-                                        phi_6637_ = _e3709;
-                                    } else {
-                                        phi_6637_ = _e3712;
-                                    }
-                                    let _e3715 = phi_6637_;
-                                    if (_e3706 < _e3715) {
-                                        phi_6642_ = _e3706;
-                                    } else {
-                                        phi_6642_ = _e3715;
-                                    }
-                                    let _e3718 = phi_6642_;
-                                    if (_e3662 > _e3667) {
-                                        phi_6647_ = _e3662;
-                                    } else {
-                                        phi_6647_ = _e3667;
-                                    }
-                                    let _e3721 = phi_6647_;
-                                    if (_e3672 > _e3677) {
-                                        phi_6652_ = _e3672;
-                                    } else {
-                                        phi_6652_ = _e3677;
-                                    }
-                                    let _e3724 = phi_6652_;
-                                    if (_e3721 > _e3724) {
-                                        phi_6657_ = _e3721;
-                                    } else {
-                                        phi_6657_ = _e3724;
-                                    }
-                                    let _e3727 = phi_6657_;
-                                    if (_e3682 > _e3687) {
-                                        phi_6662_ = _e3682;
-                                    } else {
-                                        phi_6662_ = _e3687;
-                                    }
-                                    let _e3730 = phi_6662_;
-                                    if (_e3692 > _e3697) {
-                                        phi_6667_ = _e3692;
-                                    } else {
-                                        phi_6667_ = _e3697;
-                                    }
-                                    let _e3733 = phi_6667_;
-                                    if (_e3730 > _e3733) {
-                                        phi_6672_ = _e3730;
-                                    } else {
-                                        phi_6672_ = _e3733;
-                                    }
-                                    let _e3736 = phi_6672_;
-                                    if (_e3727 > _e3736) {
-                                        phi_6677_ = _e3727;
-                                    } else {
-                                        phi_6677_ = _e3736;
-                                    }
-                                    let _e3739 = phi_6677_;
-                                    if (_e3651 < 0f) {
-                                        phi_6683_ = -(_e3651);
-                                    } else {
-                                        phi_6683_ = _e3651;
-                                    }
-                                    let _e3743 = phi_6683_;
-                                    if (_e3654 < 0f) {
-                                        phi_6689_ = -(_e3654);
-                                    } else {
-                                        phi_6689_ = _e3654;
-                                    }
-                                    let _e3747 = phi_6689_;
-                                    if (_e3657 < 0f) {
-                                        phi_6696_ = -(_e3657);
-                                    } else {
-                                        phi_6696_ = _e3657;
-                                    }
-                                    let _e3752 = phi_6696_;
-                                    let _e3753 = ((_e3743 + _e3747) + _e3752);
-                                    let _e3758 = -(_e3739);
-                                    if (_e3718 > _e3758) {
-                                        phi_6707_ = _e3718;
-                                    } else {
-                                        phi_6707_ = _e3758;
-                                    }
-                                    let _e3761 = phi_6707_;
-                                    let _e3766 = (((_e3761 - ((_e3753 * _e3641) * (0.000000059604645f * (17f / 2f)))) - (_e3753 * _e3648)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3769 = ((_e3419 * _e3413) - (_e3422 * _e3412));
-                                    let _e3772 = ((_e3422 * _e3411) - (_e3416 * _e3413));
-                                    let _e3775 = ((_e3416 * _e3412) - (_e3419 * _e3411));
-                                    let _e3780 = (((_e3769 * _e3425[0]) + (_e3772 * _e3425[1])) + (_e3775 * _e3425[2]));
-                                    let _e3785 = (((_e3769 * _e3441) + (_e3772 * _e3442)) + (_e3775 * _e3443));
-                                    let _e3790 = (((_e3769 * _e3447) + (_e3772 * _e3448)) + (_e3775 * _e3449));
-                                    let _e3795 = (((_e3769 * _e3444) + (_e3772 * _e3445)) + (_e3775 * _e3446));
-                                    let _e3800 = (((_e3769 * _e3452[0]) + (_e3772 * _e3452[1])) + (_e3775 * _e3452[2]));
-                                    let _e3805 = (((_e3769 * _e3468) + (_e3772 * _e3469)) + (_e3775 * _e3470));
-                                    let _e3810 = (((_e3769 * _e3474) + (_e3772 * _e3475)) + (_e3775 * _e3476));
-                                    let _e3815 = (((_e3769 * _e3471) + (_e3772 * _e3472)) + (_e3775 * _e3473));
-                                    if (_e3780 < _e3785) {
-                                        phi_6778_ = _e3780;
-                                    } else {
-                                        phi_6778_ = _e3785;
-                                    }
-                                    let _e3818 = phi_6778_;
-                                    if (_e3790 < _e3795) {
-                                        phi_6783_ = _e3790;
-                                    } else {
-                                        phi_6783_ = _e3795;
-                                    }
-                                    let _e3821 = phi_6783_;
-                                    if (_e3818 < _e3821) {
-                                        phi_6788_ = _e3818;
-                                    } else {
-                                        phi_6788_ = _e3821;
-                                    }
-                                    let _e3824 = phi_6788_;
-                                    if (_e3800 < _e3805) {
-                                        phi_6793_ = _e3800;
-                                    } else {
-                                        phi_6793_ = _e3805;
-                                    }
-                                    let _e3827 = phi_6793_;
-                                    if (_e3810 < _e3815) {
-                                        phi_6798_ = _e3810;
-                                    } else {
-                                        phi_6798_ = _e3815;
-                                    }
-                                    let _e3830 = phi_6798_;
-                                    if (_e3827 < _e3830) {
-                                        phi_6803_ = _e3827;
-                                    } else {
-                                        phi_6803_ = _e3830;
-                                    }
-                                    let _e3833 = phi_6803_;
-                                    if (_e3824 < _e3833) {
-                                        phi_6808_ = _e3824;
-                                    } else {
-                                        phi_6808_ = _e3833;
-                                    }
-                                    let _e3836 = phi_6808_;
-                                    if (_e3780 > _e3785) {
-                                        phi_6813_ = _e3780;
-                                    } else {
-                                        phi_6813_ = _e3785;
-                                    }
-                                    let _e3839 = phi_6813_;
-                                    if (_e3790 > _e3795) {
-                                        phi_6818_ = _e3790;
-                                    } else {
-                                        phi_6818_ = _e3795;
-                                    }
-                                    let _e3842 = phi_6818_;
-                                    if (_e3839 > _e3842) {
-                                        phi_6823_ = _e3839;
-                                    } else {
-                                        phi_6823_ = _e3842;
-                                    }
-                                    let _e3845 = phi_6823_;
-                                    if (_e3800 > _e3805) {
-                                        phi_6828_ = _e3800;
-                                    } else {
-                                        phi_6828_ = _e3805;
-                                    }
-                                    let _e3848 = phi_6828_;
-                                    if (_e3810 > _e3815) {
-                                        phi_6833_ = _e3810;
-                                    } else {
-                                        phi_6833_ = _e3815;
-                                    }
-                                    let _e3851 = phi_6833_;
-                                    if (_e3848 > _e3851) {
-                                        phi_6838_ = _e3848;
-                                    } else {
-                                        phi_6838_ = _e3851;
-                                    }
-                                    let _e3854 = phi_6838_;
-                                    if (_e3845 > _e3854) {
-                                        phi_6843_ = _e3845;
-                                    } else {
-                                        phi_6843_ = _e3854;
-                                    }
-                                    let _e3857 = phi_6843_;
-                                    if (_e3769 < 0f) {
-                                        phi_6849_ = -(_e3769);
-                                    } else {
-                                        phi_6849_ = _e3769;
-                                    }
-                                    let _e3861 = phi_6849_;
-                                    if (_e3772 < 0f) {
-                                        phi_6855_ = -(_e3772);
-                                    } else {
-                                        phi_6855_ = _e3772;
-                                    }
-                                    let _e3865 = phi_6855_;
-                                    if (_e3775 < 0f) {
-                                        phi_6862_ = -(_e3775);
-                                    } else {
-                                        phi_6862_ = _e3775;
-                                    }
-                                    let _e3870 = phi_6862_;
-                                    let _e3871 = ((_e3861 + _e3865) + _e3870);
-                                    let _e3876 = -(_e3857);
-                                    if (_e3836 > _e3876) {
-                                        phi_6873_ = _e3836;
-                                    } else {
-                                        phi_6873_ = _e3876;
-                                    }
-                                    let _e3879 = phi_6873_;
-                                    let _e3884 = (((_e3879 - ((_e3871 * _e3641) * (0.000000059604645f * (17f / 2f)))) - (_e3871 * _e3648)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3766 > _e3884) {
-                                        phi_6883_ = _e3766;
-                                    } else {
-                                        phi_6883_ = _e3884;
-                                    }
-                                    let _e3887 = phi_6883_;
-                                    phi_7065_ = (_e3383 || (_e3887 > 0f));
-                                }
-                                let _e3891 = phi_7065_;
-                                if _e3891 {
-                                    let _e3894 = local_1.member_1[0u];
-                                    let _e3900 = local_1.member_2[0u];
-                                    let _e3906 = ((_e3894[1] * _e3900[2]) - (_e3894[2] * _e3900[1]));
-                                    let _e3909 = ((_e3894[2] * _e3900[0]) - (_e3894[0] * _e3900[2]));
-                                    let _e3912 = ((_e3894[0] * _e3900[1]) - (_e3894[1] * _e3900[0]));
-                                    let _e3915 = local_1.member_1[1u];
-                                    let _e3921 = local_1.member_2[1u];
-                                    let _e3927 = ((_e3915[1] * _e3921[2]) - (_e3915[2] * _e3921[1]));
-                                    let _e3930 = ((_e3915[2] * _e3921[0]) - (_e3915[0] * _e3921[2]));
-                                    let _e3933 = ((_e3915[0] * _e3921[1]) - (_e3915[1] * _e3921[0]));
-                                    let _e3936 = local_1.member_1[0u];
-                                    let _e3942 = local_1.member_2[1u];
-                                    let _e3957 = local_1.member_1[1u];
-                                    let _e3963 = local_1.member_2[0u];
-                                    let _e3976 = (((_e3936[1] * _e3942[2]) - (_e3936[2] * _e3942[1])) + ((_e3957[1] * _e3963[2]) - (_e3957[2] * _e3963[1])));
-                                    let _e3977 = (((_e3936[2] * _e3942[0]) - (_e3936[0] * _e3942[2])) + ((_e3957[2] * _e3963[0]) - (_e3957[0] * _e3963[2])));
-                                    let _e3978 = (((_e3936[0] * _e3942[1]) - (_e3936[1] * _e3942[0])) + ((_e3957[0] * _e3963[1]) - (_e3957[1] * _e3963[0])));
-                                    let _e3981 = local_1.member[0u];
-                                    let _e3992 = local_1.member[1u];
-                                    let _e4003 = local_1.member[0u];
-                                    let _e4012 = ((((_e3992[0] * _e3906) + (_e3992[1] * _e3909)) + (_e3992[2] * _e3912)) + (((_e4003[0] * _e3976) + (_e4003[1] * _e3977)) + (_e4003[2] * _e3978)));
-                                    let _e4015 = local_1.member[0u];
-                                    let _e4026 = local_1.member[1u];
-                                    let _e4035 = ((((_e4015[0] * _e3927) + (_e4015[1] * _e3930)) + (_e4015[2] * _e3933)) + (((_e4026[0] * _e3976) + (_e4026[1] * _e3977)) + (_e4026[2] * _e3978)));
-                                    let _e4038 = local_1.member[1u];
-                                    let _e4049 = local_1.member[0u];
-                                    if (_e4049[0] < 0f) {
-                                        phi_7310_ = -(_e4049[0]);
-                                    } else {
-                                        phi_7310_ = _e4049[0];
-                                    }
-                                    let _e4056 = phi_7310_;
-                                    if (_e4049[1] < 0f) {
-                                        phi_7317_ = -(_e4049[1]);
-                                    } else {
-                                        phi_7317_ = _e4049[1];
-                                    }
-                                    let _e4060 = phi_7317_;
-                                    if (_e4056 > _e4060) {
-                                        phi_7322_ = _e4056;
-                                    } else {
-                                        phi_7322_ = _e4060;
-                                    }
-                                    let _e4063 = phi_7322_;
-                                    if (_e4049[2] < 0f) {
-                                        phi_7329_ = -(_e4049[2]);
-                                    } else {
-                                        phi_7329_ = _e4049[2];
-                                    }
-                                    let _e4067 = phi_7329_;
-                                    if (_e4063 > _e4067) {
-                                        phi_7334_ = _e4063;
-                                    } else {
-                                        phi_7334_ = _e4067;
-                                    }
-                                    let _e4070 = phi_7334_;
-                                    let _e4073 = local_1.member[1u];
-                                    if (_e4073[0] < 0f) {
-                                        phi_7347_ = -(_e4073[0]);
-                                    } else {
-                                        phi_7347_ = _e4073[0];
-                                    }
-                                    let _e4080 = phi_7347_;
-                                    if (_e4073[1] < 0f) {
-                                        phi_7354_ = -(_e4073[1]);
-                                    } else {
-                                        phi_7354_ = _e4073[1];
-                                    }
-                                    let _e4084 = phi_7354_;
-                                    if (_e4080 > _e4084) {
-                                        phi_7359_ = _e4080;
-                                    } else {
-                                        phi_7359_ = _e4084;
-                                    }
-                                    let _e4087 = phi_7359_;
-                                    if (_e4073[2] < 0f) {
-                                        phi_7366_ = -(_e4073[2]);
-                                    } else {
-                                        phi_7366_ = _e4073[2];
-                                    }
-                                    let _e4091 = phi_7366_;
-                                    if (_e4087 > _e4091) {
-                                        phi_7371_ = _e4087;
-                                    } else {
-                                        phi_7371_ = _e4091;
-                                    }
-                                    let _e4094 = phi_7371_;
-                                    if (_e4070 > _e4094) {
-                                        phi_7376_ = _e4070;
-                                    } else {
-                                        phi_7376_ = _e4094;
-                                    }
-                                    let _e4097 = phi_7376_;
-                                    let _e4099 = local_1.member_3;
-                                    let _e4100 = (_e4097 + _e4099);
-                                    let _e4103 = local_1.member_1[0u];
-                                    if (_e4103[0] < 0f) {
-                                        phi_7393_ = -(_e4103[0]);
-                                    } else {
-                                        phi_7393_ = _e4103[0];
-                                    }
-                                    let _e4110 = phi_7393_;
-                                    if (_e4103[1] < 0f) {
-                                        phi_7400_ = -(_e4103[1]);
-                                    } else {
-                                        phi_7400_ = _e4103[1];
-                                    }
-                                    let _e4114 = phi_7400_;
-                                    if (_e4110 > _e4114) {
-                                        phi_7405_ = _e4110;
-                                    } else {
-                                        phi_7405_ = _e4114;
-                                    }
-                                    let _e4117 = phi_7405_;
-                                    if (_e4103[2] < 0f) {
-                                        phi_7412_ = -(_e4103[2]);
-                                    } else {
-                                        phi_7412_ = _e4103[2];
-                                    }
-                                    let _e4121 = phi_7412_;
-                                    if (_e4117 > _e4121) {
-                                        phi_7417_ = _e4117;
-                                    } else {
-                                        phi_7417_ = _e4121;
-                                    }
-                                    let _e4124 = phi_7417_;
-                                    let _e4127 = local_1.member_1[1u];
-                                    if (_e4127[0] < 0f) {
-                                        phi_7431_ = -(_e4127[0]);
-                                    } else {
-                                        phi_7431_ = _e4127[0];
-                                    }
-                                    let _e4134 = phi_7431_;
-                                    if (_e4127[1] < 0f) {
-                                        phi_7438_ = -(_e4127[1]);
-                                    } else {
-                                        phi_7438_ = _e4127[1];
-                                    }
-                                    let _e4138 = phi_7438_;
-                                    if (_e4134 > _e4138) {
-                                        phi_7443_ = _e4134;
-                                    } else {
-                                        phi_7443_ = _e4138;
-                                    }
-                                    let _e4141 = phi_7443_;
-                                    if (_e4127[2] < 0f) {
-                                        phi_7450_ = -(_e4127[2]);
-                                    } else {
-                                        phi_7450_ = _e4127[2];
-                                    }
-                                    let _e4145 = phi_7450_;
-                                    if (_e4141 > _e4145) {
-                                        phi_7455_ = _e4141;
-                                    } else {
-                                        phi_7455_ = _e4145;
-                                    }
-                                    let _e4148 = phi_7455_;
-                                    if (_e4124 > _e4148) {
-                                        phi_7460_ = _e4124;
-                                    } else {
-                                        phi_7460_ = _e4148;
-                                    }
-                                    let _e4151 = phi_7460_;
-                                    let _e4153 = local_1.member_3;
-                                    let _e4154 = (_e4151 + _e4153);
-                                    let _e4157 = local_1.member_2[0u];
-                                    if (_e4157[0] < 0f) {
-                                        phi_7477_ = -(_e4157[0]);
-                                    } else {
-                                        phi_7477_ = _e4157[0];
-                                    }
-                                    let _e4164 = phi_7477_;
-                                    if (_e4157[1] < 0f) {
-                                        phi_7484_ = -(_e4157[1]);
-                                    } else {
-                                        phi_7484_ = _e4157[1];
-                                    }
-                                    let _e4168 = phi_7484_;
-                                    if (_e4164 > _e4168) {
-                                        phi_7489_ = _e4164;
-                                    } else {
-                                        phi_7489_ = _e4168;
-                                    }
-                                    let _e4171 = phi_7489_;
-                                    if (_e4157[2] < 0f) {
-                                        phi_7496_ = -(_e4157[2]);
-                                    } else {
-                                        phi_7496_ = _e4157[2];
-                                    }
-                                    let _e4175 = phi_7496_;
-                                    if (_e4171 > _e4175) {
-                                        phi_7501_ = _e4171;
-                                    } else {
-                                        phi_7501_ = _e4175;
-                                    }
-                                    let _e4178 = phi_7501_;
-                                    let _e4181 = local_1.member_2[1u];
-                                    if (_e4181[0] < 0f) {
-                                        phi_7515_ = -(_e4181[0]);
-                                    } else {
-                                        phi_7515_ = _e4181[0];
-                                    }
-                                    let _e4188 = phi_7515_;
-                                    if (_e4181[1] < 0f) {
-                                        phi_7522_ = -(_e4181[1]);
-                                    } else {
-                                        phi_7522_ = _e4181[1];
-                                    }
-                                    let _e4192 = phi_7522_;
-                                    if (_e4188 > _e4192) {
-                                        phi_7527_ = _e4188;
-                                    } else {
-                                        phi_7527_ = _e4192;
-                                    }
-                                    let _e4195 = phi_7527_;
-                                    if (_e4181[2] < 0f) {
-                                        phi_7534_ = -(_e4181[2]);
-                                    } else {
-                                        phi_7534_ = _e4181[2];
-                                    }
-                                    let _e4199 = phi_7534_;
-                                    if (_e4195 > _e4199) {
-                                        phi_7539_ = _e4195;
-                                    } else {
-                                        phi_7539_ = _e4199;
-                                    }
-                                    let _e4202 = phi_7539_;
-                                    if (_e4178 > _e4202) {
-                                        phi_7544_ = _e4178;
-                                    } else {
-                                        phi_7544_ = _e4202;
-                                    }
-                                    let _e4205 = phi_7544_;
-                                    let _e4207 = local_1.member_3;
-                                    let _e4208 = (_e4205 + _e4207);
-                                    let _e4210 = ((_e4154 * 8f) * _e4208);
-                                    let _e4217 = local_1.member_3;
-                                    if (_e3906 < 0f) {
-                                        phi_7575_ = -(_e3906);
-                                    } else {
-                                        phi_7575_ = _e3906;
-                                    }
-                                    let _e4234 = phi_7575_;
-                                    if (_e3909 < 0f) {
-                                        phi_7581_ = -(_e3909);
-                                    } else {
-                                        phi_7581_ = _e3909;
-                                    }
-                                    let _e4238 = phi_7581_;
-                                    if (_e3912 < 0f) {
-                                        phi_7588_ = -(_e3912);
-                                    } else {
-                                        phi_7588_ = _e3912;
-                                    }
-                                    let _e4243 = phi_7588_;
-                                    let _e4244 = ((_e4234 + _e4238) + _e4243);
-                                    if (_e3927 < 0f) {
-                                        phi_7595_ = -(_e3927);
-                                    } else {
-                                        phi_7595_ = _e3927;
-                                    }
-                                    let _e4248 = phi_7595_;
-                                    if (_e3930 < 0f) {
-                                        phi_7601_ = -(_e3930);
-                                    } else {
-                                        phi_7601_ = _e3930;
-                                    }
-                                    let _e4252 = phi_7601_;
-                                    if (_e3933 < 0f) {
-                                        phi_7608_ = -(_e3933);
-                                    } else {
-                                        phi_7608_ = _e3933;
-                                    }
-                                    let _e4257 = phi_7608_;
-                                    let _e4258 = ((_e4248 + _e4252) + _e4257);
-                                    if (_e4244 > _e4258) {
-                                        phi_7614_ = _e4244;
-                                    } else {
-                                        phi_7614_ = _e4258;
-                                    }
-                                    let _e4261 = phi_7614_;
-                                    if (_e3976 < 0f) {
-                                        phi_7620_ = -(_e3976);
-                                    } else {
-                                        phi_7620_ = _e3976;
-                                    }
-                                    let _e4265 = phi_7620_;
-                                    if (_e3977 < 0f) {
-                                        phi_7626_ = -(_e3977);
-                                    } else {
-                                        phi_7626_ = _e3977;
-                                    }
-                                    let _e4269 = phi_7626_;
-                                    if (_e3978 < 0f) {
-                                        phi_7633_ = -(_e3978);
-                                    } else {
-                                        phi_7633_ = _e3978;
-                                    }
-                                    let _e4274 = phi_7633_;
-                                    let _e4276 = (((_e4265 + _e4269) + _e4274) * 0.5f);
-                                    if (_e4261 > _e4276) {
-                                        phi_7640_ = _e4261;
-                                    } else {
-                                        phi_7640_ = _e4276;
-                                    }
-                                    let _e4279 = phi_7640_;
-                                    let _e4284 = local_1.member_3;
-                                    let _e4297 = ((((_e3981[0] * _e3906) + (_e3981[1] * _e3909)) + (_e3981[2] * _e3912)) * 3f);
-                                    let _e4298 = ((((_e4038[0] * _e3927) + (_e4038[1] * _e3930)) + (_e4038[2] * _e3933)) * 3f);
-                                    if (_e4297 < _e4298) {
-                                        phi_7664_ = _e4297;
-                                    } else {
-                                        phi_7664_ = _e4298;
-                                    }
-                                    let _e4301 = phi_7664_;
-                                    if (_e4012 < _e4035) {
-                                        phi_7669_ = _e4012;
-                                    } else {
-                                        phi_7669_ = _e4035;
-                                    }
-                                    let _e4304 = phi_7669_;
-                                    if (_e4301 < _e4304) {
-                                        phi_7674_ = _e4301;
-                                    } else {
-                                        phi_7674_ = _e4304;
-                                    }
-                                    let _e4307 = phi_7674_;
-                                    if (_e4297 > _e4298) {
-                                        phi_7679_ = _e4297;
-                                    } else {
-                                        phi_7679_ = _e4298;
-                                    }
-                                    let _e4310 = phi_7679_;
-                                    if (_e4012 > _e4035) {
-                                        phi_7684_ = _e4012;
-                                    } else {
-                                        phi_7684_ = _e4035;
-                                    }
-                                    let _e4313 = phi_7684_;
-                                    if (_e4310 > _e4313) {
-                                        phi_7689_ = _e4310;
-                                    } else {
-                                        phi_7689_ = _e4313;
-                                    }
-                                    let _e4316 = phi_7689_;
-                                    let _e4321 = -(_e4316);
-                                    if (_e4307 > _e4321) {
-                                        phi_7699_ = _e4307;
-                                    } else {
-                                        phi_7699_ = _e4321;
-                                    }
-                                    let _e4324 = phi_7699_;
-                                    let _e4326 = ((_e4324 - ((((((_e4100 * 8f) * _e4210) * (0.000000059604645f * (524f / 64f))) + ((_e4217 * 19f) * ((_e4100 * (_e4154 + _e4208)) + (_e4154 * _e4208)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4100) * ((1f + _e4154) * (1f + _e4208))))) + ((_e1846 * (((_e4279 + (_e4210 * (0.000000059604645f * 8f))) + ((_e4284 * 6f) * (_e4154 + _e4208))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4154) * (1f + _e4208))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4326 {
-                                        phi_8668_ = _e4326;
-                                    } else {
-                                        let _e4329 = local_1.member_1[0u];
-                                        let _e4335 = local_1.member_1[1u];
-                                        let _e4339 = (_e4329[0] + _e4335[0]);
-                                        let _e4340 = (_e4329[1] + _e4335[1]);
-                                        let _e4341 = (_e4329[2] + _e4335[2]);
-                                        let _e4344 = local_1.member_2[0u];
-                                        let _e4350 = local_1.member_2[1u];
-                                        let _e4354 = (_e4344[0] + _e4350[0]);
-                                        let _e4355 = (_e4344[1] + _e4350[1]);
-                                        let _e4356 = (_e4344[2] + _e4350[2]);
-                                        let _e4359 = ((_e4340 * _e4356) - (_e4341 * _e4355));
-                                        let _e4362 = ((_e4341 * _e4354) - (_e4339 * _e4356));
-                                        let _e4365 = ((_e4339 * _e4355) - (_e4340 * _e4354));
-                                        let _e4368 = local_1.member[0u];
-                                        let _e4374 = local_1.member_1[0u];
-                                        let _e4380 = local_1.member_2[0u];
-                                        let _e4384 = (_e4368[0] - _e4374[0]);
-                                        let _e4385 = (_e4368[1] - _e4374[1]);
-                                        let _e4386 = (_e4368[2] - _e4374[2]);
-                                        let _e4387 = (_e4384 - _e4380[0]);
-                                        let _e4388 = (_e4385 - _e4380[1]);
-                                        let _e4389 = (_e4386 - _e4380[2]);
-                                        let _e4390 = (_e4368[0] - _e4380[0]);
-                                        let _e4391 = (_e4368[1] - _e4380[1]);
-                                        let _e4392 = (_e4368[2] - _e4380[2]);
-                                        let _e4395 = local_1.member[1u];
-                                        let _e4401 = local_1.member_1[1u];
-                                        let _e4407 = local_1.member_2[1u];
-                                        let _e4411 = (_e4395[0] - _e4401[0]);
-                                        let _e4412 = (_e4395[1] - _e4401[1]);
-                                        let _e4413 = (_e4395[2] - _e4401[2]);
-                                        let _e4414 = (_e4411 - _e4407[0]);
-                                        let _e4415 = (_e4412 - _e4407[1]);
-                                        let _e4416 = (_e4413 - _e4407[2]);
-                                        let _e4417 = (_e4395[0] - _e4407[0]);
-                                        let _e4418 = (_e4395[1] - _e4407[1]);
-                                        let _e4419 = (_e4395[2] - _e4407[2]);
-                                        let _e4422 = local_1.member[0u];
-                                        if (_e4422[0] < 0f) {
-                                            phi_7902_ = -(_e4422[0]);
-                                        } else {
-                                            phi_7902_ = _e4422[0];
-                                        }
-                                        let _e4429 = phi_7902_;
-                                        if (_e4422[1] < 0f) {
-                                            phi_7909_ = -(_e4422[1]);
-                                        } else {
-                                            phi_7909_ = _e4422[1];
-                                        }
-                                        let _e4433 = phi_7909_;
-                                        if (_e4429 > _e4433) {
-                                            phi_7914_ = _e4429;
-                                        } else {
-                                            phi_7914_ = _e4433;
-                                        }
-                                        let _e4436 = phi_7914_;
-                                        if (_e4422[2] < 0f) {
-                                            phi_7921_ = -(_e4422[2]);
-                                        } else {
-                                            phi_7921_ = _e4422[2];
-                                        }
-                                        let _e4440 = phi_7921_;
-                                        if (_e4436 > _e4440) {
-                                            phi_7926_ = _e4436;
-                                        } else {
-                                            phi_7926_ = _e4440;
-                                        }
-                                        let _e4443 = phi_7926_;
-                                        let _e4446 = local_1.member[1u];
-                                        if (_e4446[0] < 0f) {
-                                            phi_7939_ = -(_e4446[0]);
-                                        } else {
-                                            phi_7939_ = _e4446[0];
-                                        }
-                                        let _e4453 = phi_7939_;
-                                        if (_e4446[1] < 0f) {
-                                            phi_7946_ = -(_e4446[1]);
-                                        } else {
-                                            phi_7946_ = _e4446[1];
-                                        }
-                                        let _e4457 = phi_7946_;
-                                        if (_e4453 > _e4457) {
-                                            phi_7951_ = _e4453;
-                                        } else {
-                                            phi_7951_ = _e4457;
-                                        }
-                                        let _e4460 = phi_7951_;
-                                        if (_e4446[2] < 0f) {
-                                            phi_7958_ = -(_e4446[2]);
-                                        } else {
-                                            phi_7958_ = _e4446[2];
-                                        }
-                                        let _e4464 = phi_7958_;
-                                        if (_e4460 > _e4464) {
-                                            phi_7963_ = _e4460;
-                                        } else {
-                                            phi_7963_ = _e4464;
-                                        }
-                                        let _e4467 = phi_7963_;
-                                        if (_e4443 > _e4467) {
-                                            phi_7968_ = _e4443;
-                                        } else {
-                                            phi_7968_ = _e4467;
-                                        }
-                                        let _e4470 = phi_7968_;
-                                        let _e4472 = local_1.member_3;
-                                        let _e4476 = local_1.member_1[0u];
-                                        if (_e4476[0] < 0f) {
-                                            phi_7985_ = -(_e4476[0]);
-                                        } else {
-                                            phi_7985_ = _e4476[0];
-                                        }
-                                        let _e4483 = phi_7985_;
-                                        if (_e4476[1] < 0f) {
-                                            phi_7992_ = -(_e4476[1]);
-                                        } else {
-                                            phi_7992_ = _e4476[1];
-                                        }
-                                        let _e4487 = phi_7992_;
-                                        if (_e4483 > _e4487) {
-                                            phi_7997_ = _e4483;
-                                        } else {
-                                            phi_7997_ = _e4487;
-                                        }
-                                        let _e4490 = phi_7997_;
-                                        if (_e4476[2] < 0f) {
-                                            phi_8004_ = -(_e4476[2]);
-                                        } else {
-                                            phi_8004_ = _e4476[2];
-                                        }
-                                        let _e4494 = phi_8004_;
-                                        if (_e4490 > _e4494) {
-                                            phi_8009_ = _e4490;
-                                        } else {
-                                            phi_8009_ = _e4494;
-                                        }
-                                        let _e4497 = phi_8009_;
-                                        let _e4500 = local_1.member_1[1u];
-                                        if (_e4500[0] < 0f) {
-                                            phi_8023_ = -(_e4500[0]);
-                                        } else {
-                                            phi_8023_ = _e4500[0];
-                                        }
-                                        let _e4507 = phi_8023_;
-                                        if (_e4500[1] < 0f) {
-                                            phi_8030_ = -(_e4500[1]);
-                                        } else {
-                                            phi_8030_ = _e4500[1];
-                                        }
-                                        let _e4511 = phi_8030_;
-                                        if (_e4507 > _e4511) {
-                                            phi_8035_ = _e4507;
-                                        } else {
-                                            phi_8035_ = _e4511;
-                                        }
-                                        let _e4514 = phi_8035_;
-                                        if (_e4500[2] < 0f) {
-                                            phi_8042_ = -(_e4500[2]);
-                                        } else {
-                                            phi_8042_ = _e4500[2];
-                                        }
-                                        let _e4518 = phi_8042_;
-                                        if (_e4514 > _e4518) {
-                                            phi_8047_ = _e4514;
-                                        } else {
-                                            phi_8047_ = _e4518;
-                                        }
-                                        let _e4521 = phi_8047_;
-                                        if (_e4497 > _e4521) {
-                                            phi_8052_ = _e4497;
-                                        } else {
-                                            phi_8052_ = _e4521;
-                                        }
-                                        let _e4524 = phi_8052_;
-                                        let _e4526 = local_1.member_3;
-                                        let _e4530 = local_1.member_2[0u];
-                                        if (_e4530[0] < 0f) {
-                                            phi_8069_ = -(_e4530[0]);
-                                        } else {
-                                            phi_8069_ = _e4530[0];
-                                        }
-                                        let _e4537 = phi_8069_;
-                                        if (_e4530[1] < 0f) {
-                                            phi_8076_ = -(_e4530[1]);
-                                        } else {
-                                            phi_8076_ = _e4530[1];
-                                        }
-                                        let _e4541 = phi_8076_;
-                                        if (_e4537 > _e4541) {
-                                            phi_8081_ = _e4537;
-                                        } else {
-                                            phi_8081_ = _e4541;
-                                        }
-                                        let _e4544 = phi_8081_;
-                                        if (_e4530[2] < 0f) {
-                                            phi_8088_ = -(_e4530[2]);
-                                        } else {
-                                            phi_8088_ = _e4530[2];
-                                        }
-                                        let _e4548 = phi_8088_;
-                                        if (_e4544 > _e4548) {
-                                            phi_8093_ = _e4544;
-                                        } else {
-                                            phi_8093_ = _e4548;
-                                        }
-                                        let _e4551 = phi_8093_;
-                                        let _e4554 = local_1.member_2[1u];
-                                        if (_e4554[0] < 0f) {
-                                            phi_8107_ = -(_e4554[0]);
-                                        } else {
-                                            phi_8107_ = _e4554[0];
-                                        }
-                                        let _e4561 = phi_8107_;
-                                        if (_e4554[1] < 0f) {
-                                            phi_8114_ = -(_e4554[1]);
-                                        } else {
-                                            phi_8114_ = _e4554[1];
-                                        }
-                                        let _e4565 = phi_8114_;
-                                        if (_e4561 > _e4565) {
-                                            phi_8119_ = _e4561;
-                                        } else {
-                                            phi_8119_ = _e4565;
-                                        }
-                                        let _e4568 = phi_8119_;
-                                        if (_e4554[2] < 0f) {
-                                            phi_8126_ = -(_e4554[2]);
-                                        } else {
-                                            phi_8126_ = _e4554[2];
-                                        }
-                                        let _e4572 = phi_8126_;
-                                        if (_e4568 > _e4572) {
-                                            phi_8131_ = _e4568;
-                                        } else {
-                                            phi_8131_ = _e4572;
-                                        }
-                                        let _e4575 = phi_8131_;
-                                        if (_e4551 > _e4575) {
-                                            phi_8136_ = _e4551;
-                                        } else {
-                                            phi_8136_ = _e4575;
-                                        }
-                                        let _e4578 = phi_8136_;
-                                        let _e4580 = local_1.member_3;
-                                        let _e4584 = ((((_e4470 + _e4472) + (_e4524 + _e4526)) + (_e4578 + _e4580)) * 2f);
-                                        let _e4587 = local_1.member_3;
-                                        let _e4591 = (((_e1846 * 1.0001f) + (_e4587 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4594 = ((_e4362 * _e4341) - (_e4365 * _e4340));
-                                        let _e4597 = ((_e4365 * _e4339) - (_e4359 * _e4341));
-                                        let _e4600 = ((_e4359 * _e4340) - (_e4362 * _e4339));
-                                        let _e4605 = (((_e4594 * _e4368[0]) + (_e4597 * _e4368[1])) + (_e4600 * _e4368[2]));
-                                        let _e4610 = (((_e4594 * _e4384) + (_e4597 * _e4385)) + (_e4600 * _e4386));
-                                        let _e4615 = (((_e4594 * _e4390) + (_e4597 * _e4391)) + (_e4600 * _e4392));
-                                        let _e4620 = (((_e4594 * _e4387) + (_e4597 * _e4388)) + (_e4600 * _e4389));
-                                        let _e4625 = (((_e4594 * _e4395[0]) + (_e4597 * _e4395[1])) + (_e4600 * _e4395[2]));
-                                        let _e4630 = (((_e4594 * _e4411) + (_e4597 * _e4412)) + (_e4600 * _e4413));
-                                        let _e4635 = (((_e4594 * _e4417) + (_e4597 * _e4418)) + (_e4600 * _e4419));
-                                        let _e4640 = (((_e4594 * _e4414) + (_e4597 * _e4415)) + (_e4600 * _e4416));
-                                        if (_e4605 < _e4610) {
-                                            phi_8215_ = _e4605;
-                                        } else {
-                                            phi_8215_ = _e4610;
-                                        }
-                                        let _e4643 = phi_8215_;
-                                        if (_e4615 < _e4620) {
-                                            phi_8220_ = _e4615;
-                                        } else {
-                                            phi_8220_ = _e4620;
-                                        }
-                                        let _e4646 = phi_8220_;
-                                        if (_e4643 < _e4646) {
-                                            phi_8225_ = _e4643;
-                                        } else {
-                                            phi_8225_ = _e4646;
-                                        }
-                                        let _e4649 = phi_8225_;
-                                        if (_e4625 < _e4630) {
-                                            phi_8230_ = _e4625;
-                                        } else {
-                                            phi_8230_ = _e4630;
-                                        }
-                                        let _e4652 = phi_8230_;
-                                        if (_e4635 < _e4640) {
-                                            phi_8235_ = _e4635;
-                                        } else {
-                                            phi_8235_ = _e4640;
-                                        }
-                                        let _e4655 = phi_8235_;
-                                        if (_e4652 < _e4655) {
-                                            phi_8240_ = _e4652;
-                                        } else {
-                                            phi_8240_ = _e4655;
-                                        }
-                                        let _e4658 = phi_8240_;
-                                        if (_e4649 < _e4658) {
-                                            phi_8245_ = _e4649;
-                                        } else {
-                                            phi_8245_ = _e4658;
-                                        }
-                                        let _e4661 = phi_8245_;
-                                        if (_e4605 > _e4610) {
-                                            phi_8250_ = _e4605;
-                                        } else {
-                                            phi_8250_ = _e4610;
-                                        }
-                                        let _e4664 = phi_8250_;
-                                        if (_e4615 > _e4620) {
-                                            phi_8255_ = _e4615;
-                                        } else {
-                                            phi_8255_ = _e4620;
-                                        }
-                                        let _e4667 = phi_8255_;
-                                        if (_e4664 > _e4667) {
-                                            phi_8260_ = _e4664;
-                                        } else {
-                                            phi_8260_ = _e4667;
-                                        }
-                                        let _e4670 = phi_8260_;
-                                        if (_e4625 > _e4630) {
-                                            phi_8265_ = _e4625;
-                                        } else {
-                                            phi_8265_ = _e4630;
-                                        }
-                                        let _e4673 = phi_8265_;
-                                        if (_e4635 > _e4640) {
-                                            phi_8270_ = _e4635;
-                                        } else {
-                                            phi_8270_ = _e4640;
-                                        }
-                                        let _e4676 = phi_8270_;
-                                        if (_e4673 > _e4676) {
-                                            phi_8275_ = _e4673;
-                                        } else {
-                                            phi_8275_ = _e4676;
-                                        }
-                                        let _e4679 = phi_8275_;
-                                        if (_e4670 > _e4679) {
-                                            phi_8280_ = _e4670;
-                                        } else {
-                                            phi_8280_ = _e4679;
-                                        }
-                                        let _e4682 = phi_8280_;
-                                        if (_e4594 < 0f) {
-                                            phi_8286_ = -(_e4594);
-                                        } else {
-                                            phi_8286_ = _e4594;
-                                        }
-                                        let _e4686 = phi_8286_;
-                                        if (_e4597 < 0f) {
-                                            phi_8292_ = -(_e4597);
-                                        } else {
-                                            phi_8292_ = _e4597;
-                                        }
-                                        let _e4690 = phi_8292_;
-                                        if (_e4600 < 0f) {
-                                            phi_8299_ = -(_e4600);
-                                        } else {
-                                            phi_8299_ = _e4600;
-                                        }
-                                        let _e4695 = phi_8299_;
-                                        let _e4696 = ((_e4686 + _e4690) + _e4695);
-                                        let _e4701 = -(_e4682);
-                                        if (_e4661 > _e4701) {
-                                            phi_8310_ = _e4661;
-                                        } else {
-                                            phi_8310_ = _e4701;
-                                        }
-                                        let _e4704 = phi_8310_;
-                                        let _e4709 = (((_e4704 - ((_e4696 * _e4584) * (0.000000059604645f * (17f / 2f)))) - (_e4696 * _e4591)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4712 = ((_e4362 * _e4356) - (_e4365 * _e4355));
-                                        let _e4715 = ((_e4365 * _e4354) - (_e4359 * _e4356));
-                                        let _e4718 = ((_e4359 * _e4355) - (_e4362 * _e4354));
-                                        let _e4723 = (((_e4712 * _e4368[0]) + (_e4715 * _e4368[1])) + (_e4718 * _e4368[2]));
-                                        let _e4728 = (((_e4712 * _e4384) + (_e4715 * _e4385)) + (_e4718 * _e4386));
-                                        let _e4733 = (((_e4712 * _e4390) + (_e4715 * _e4391)) + (_e4718 * _e4392));
-                                        let _e4738 = (((_e4712 * _e4387) + (_e4715 * _e4388)) + (_e4718 * _e4389));
-                                        let _e4743 = (((_e4712 * _e4395[0]) + (_e4715 * _e4395[1])) + (_e4718 * _e4395[2]));
-                                        let _e4748 = (((_e4712 * _e4411) + (_e4715 * _e4412)) + (_e4718 * _e4413));
-                                        let _e4753 = (((_e4712 * _e4417) + (_e4715 * _e4418)) + (_e4718 * _e4419));
-                                        let _e4758 = (((_e4712 * _e4414) + (_e4715 * _e4415)) + (_e4718 * _e4416));
-                                        if (_e4723 < _e4728) {
-                                            phi_8381_ = _e4723;
-                                        } else {
-                                            phi_8381_ = _e4728;
-                                        }
-                                        let _e4761 = phi_8381_;
-                                        if (_e4733 < _e4738) {
-                                            phi_8386_ = _e4733;
-                                        } else {
-                                            phi_8386_ = _e4738;
-                                        }
-                                        let _e4764 = phi_8386_;
-                                        if (_e4761 < _e4764) {
-                                            phi_8391_ = _e4761;
-                                        } else {
-                                            phi_8391_ = _e4764;
-                                        }
-                                        let _e4767 = phi_8391_;
-                                        if (_e4743 < _e4748) {
-                                            phi_8396_ = _e4743;
-                                        } else {
-                                            phi_8396_ = _e4748;
-                                        }
-                                        let _e4770 = phi_8396_;
-                                        if (_e4753 < _e4758) {
-                                            phi_8401_ = _e4753;
-                                        } else {
-                                            phi_8401_ = _e4758;
-                                        }
-                                        let _e4773 = phi_8401_;
-                                        if (_e4770 < _e4773) {
-                                            phi_8406_ = _e4770;
-                                        } else {
-                                            phi_8406_ = _e4773;
-                                        }
-                                        let _e4776 = phi_8406_;
-                                        if (_e4767 < _e4776) {
-                                            phi_8411_ = _e4767;
-                                        } else {
-                                            phi_8411_ = _e4776;
-                                        }
-                                        let _e4779 = phi_8411_;
-                                        if (_e4723 > _e4728) {
-                                            phi_8416_ = _e4723;
-                                        } else {
-                                            phi_8416_ = _e4728;
-                                        }
-                                        let _e4782 = phi_8416_;
-                                        if (_e4733 > _e4738) {
-                                            phi_8421_ = _e4733;
-                                        } else {
-                                            phi_8421_ = _e4738;
-                                        }
-                                        let _e4785 = phi_8421_;
-                                        if (_e4782 > _e4785) {
-                                            phi_8426_ = _e4782;
-                                        } else {
-                                            phi_8426_ = _e4785;
-                                        }
-                                        let _e4788 = phi_8426_;
-                                        if (_e4743 > _e4748) {
-                                            phi_8431_ = _e4743;
-                                        } else {
-                                            phi_8431_ = _e4748;
-                                        }
-                                        let _e4791 = phi_8431_;
-                                        if (_e4753 > _e4758) {
-                                            phi_8436_ = _e4753;
-                                        } else {
-                                            phi_8436_ = _e4758;
-                                        }
-                                        let _e4794 = phi_8436_;
-                                        if (_e4791 > _e4794) {
-                                            phi_8441_ = _e4791;
-                                        } else {
-                                            phi_8441_ = _e4794;
-                                        }
-                                        let _e4797 = phi_8441_;
-                                        if (_e4788 > _e4797) {
-                                            phi_8446_ = _e4788;
-                                        } else {
-                                            phi_8446_ = _e4797;
-                                        }
-                                        let _e4800 = phi_8446_;
-                                        if (_e4712 < 0f) {
-                                            phi_8452_ = -(_e4712);
-                                        } else {
-                                            phi_8452_ = _e4712;
-                                        }
-                                        let _e4804 = phi_8452_;
-                                        if (_e4715 < 0f) {
-                                            phi_8458_ = -(_e4715);
-                                        } else {
-                                            phi_8458_ = _e4715;
-                                        }
-                                        let _e4808 = phi_8458_;
-                                        if (_e4718 < 0f) {
-                                            phi_8465_ = -(_e4718);
-                                        } else {
-                                            phi_8465_ = _e4718;
-                                        }
-                                        let _e4813 = phi_8465_;
-                                        let _e4814 = ((_e4804 + _e4808) + _e4813);
-                                        let _e4819 = -(_e4800);
-                                        if (_e4779 > _e4819) {
-                                            phi_8476_ = _e4779;
-                                        } else {
-                                            phi_8476_ = _e4819;
-                                        }
-                                        let _e4822 = phi_8476_;
-                                        let _e4827 = (((_e4822 - ((_e4814 * _e4584) * (0.000000059604645f * (17f / 2f)))) - (_e4814 * _e4591)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4709 > _e4827) {
-                                            phi_8486_ = _e4709;
-                                        } else {
-                                            phi_8486_ = _e4827;
-                                        }
-                                        let _e4830 = phi_8486_;
-                                        phi_8668_ = (_e4326 || (_e4830 > 0f));
-                                    }
-                                    let _e4834 = phi_8668_;
-                                    phi_8670_ = (_e3891 && _e4834);
-                                } else {
-                                    phi_8670_ = _e3891;
-                                }
-                                let _e4837 = phi_8670_;
-                                phi_8672_ = (_e2858 || _e4837);
-                            }
-                            let _e4840 = phi_8672_;
-                            if !(_e4840) {
-                                let _e4843 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1189] = ((2147483648u | (_e4843 << bitcast<u32>(12i))) | _e1192);
-                            }
-                        }
-                        phi_8683_ = true;
                     }
-                    let _e4850 = phi_8683_;
-                    phi_8684_ = _e4850;
+                    workgroupBarrier();
+                    let _e1604 = atomicLoad((&counters[5u]));
+                    phi_2829_ = type_9(0u, 4u);
+                    loop {
+                        let _e1606 = phi_2829_;
+                        if (_e1606.member < _e1606.member_1) {
+                            phi_2830_ = type_9((_e1606.member + 1u), _e1606.member_1);
+                            phi_2853_ = type_9(1u, _e1606.member);
+                        } else {
+                            phi_2830_ = _e1606;
+                            phi_2853_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e1618 = phi_2830_;
+                        let _e1620 = phi_2853_;
+                        if (bitcast<i32>(_e1620.member) != 0i) {
+                            let _e1626 = (_e73 + (_e1620.member_1 * 128u));
+                            if (_e1626 >= _e1604) {
+                                phi_4704_ = false;
+                            } else {
+                                let _e1629 = left[_e1626];
+                                let _e1632 = ((_e1629 >> bitcast<u32>(10i)) & 3u);
+                                let _e1639 = firsts[(2u * _e1632)];
+                                let _e1644 = firsts[((2u * _e1632) + 1u)];
+                                let _e1647 = leaves.member[(_e1639 + ((_e1629 >> bitcast<u32>(5i)) & 31u))];
+                                let _e1652 = leaves.member[(_e1644 + (_e1629 & 31u))];
+                                if (_e1647.w < _e1652.w) {
+                                    phi_2924_ = type_43(1u, array<u32, 4>(_e1647.x, _e1647.y, _e1652.x, _e1652.y));
+                                } else {
+                                    phi_2924_ = type_43(1u, array<u32, 4>(_e1652.x, _e1652.y, _e1647.x, _e1647.y));
+                                }
+                                let _e1662 = phi_2924_;
+                                let _e1667 = paths.member[_e1662.member_1[0]];
+                                let _e1682 = paths.member[_e1662.member_1[1]];
+                                let _e1697 = paths.member[_e1662.member_1[2]];
+                                let _e1712 = paths.member[_e1662.member_1[3]];
+                                if (_e1662.member != 0u) {
+                                    phi_3058_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e1697.member.x - _e1667.member.x), (_e1697.member.y - _e1667.member.y), (_e1697.member.z - _e1667.member.z)), array<f32, 3>((_e1697.member_1.x - _e1667.member_1.x), (_e1697.member_1.y - _e1667.member_1.y), (_e1697.member_1.z - _e1667.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e1682.member.x - _e1667.member.x), (_e1682.member.y - _e1667.member.y), (_e1682.member.z - _e1667.member.z)), array<f32, 3>((_e1682.member_1.x - _e1667.member_1.x), (_e1682.member_1.y - _e1667.member_1.y), (_e1682.member_1.z - _e1667.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e1697.member.x - _e1712.member.x), (_e1697.member.y - _e1712.member.y), (_e1697.member.z - _e1712.member.z)), array<f32, 3>((_e1697.member_1.x - _e1712.member_1.x), (_e1697.member_1.y - _e1712.member_1.y), (_e1697.member_1.z - _e1712.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                } else {
+                                    phi_3058_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e1667.member.x - _e1682.member.x), (_e1667.member.y - _e1682.member.y), (_e1667.member.z - _e1682.member.z)), array<f32, 3>((_e1667.member_1.x - _e1682.member_1.x), (_e1667.member_1.y - _e1682.member_1.y), (_e1667.member_1.z - _e1682.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e1697.member.x - _e1682.member.x), (_e1697.member.y - _e1682.member.y), (_e1697.member.z - _e1682.member.z)), array<f32, 3>((_e1697.member_1.x - _e1682.member_1.x), (_e1697.member_1.y - _e1682.member_1.y), (_e1697.member_1.z - _e1682.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e1712.member.x - _e1682.member.x), (_e1712.member.y - _e1682.member.y), (_e1712.member.z - _e1682.member.z)), array<f32, 3>((_e1712.member_1.x - _e1682.member_1.x), (_e1712.member_1.y - _e1682.member_1.y), (_e1712.member_1.z - _e1682.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                }
+                                let _e1785 = phi_3058_;
+                                local_2 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e1785.member[0][0], _e1785.member[0][1], _e1785.member[0][2]), array<f32, 3>(_e1785.member[1][0], _e1785.member[1][1], _e1785.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e1785.member_1[0][0], _e1785.member_1[0][1], _e1785.member_1[0][2]), array<f32, 3>(_e1785.member_1[1][0], _e1785.member_1[1][1], _e1785.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e1785.member_2[0][0], _e1785.member_2[0][1], _e1785.member_2[0][2]), array<f32, 3>(_e1785.member_2[1][0], _e1785.member_2[1][1], _e1785.member_2[1][2])), _e1785.member_3);
+                                let _e1826 = local_2.member_1[0u];
+                                let _e1832 = local_2.member_2[0u];
+                                let _e1838 = ((_e1826[1] * _e1832[2]) - (_e1826[2] * _e1832[1]));
+                                let _e1841 = ((_e1826[2] * _e1832[0]) - (_e1826[0] * _e1832[2]));
+                                let _e1844 = ((_e1826[0] * _e1832[1]) - (_e1826[1] * _e1832[0]));
+                                let _e1847 = local_2.member_1[1u];
+                                let _e1853 = local_2.member_2[1u];
+                                let _e1859 = ((_e1847[1] * _e1853[2]) - (_e1847[2] * _e1853[1]));
+                                let _e1862 = ((_e1847[2] * _e1853[0]) - (_e1847[0] * _e1853[2]));
+                                let _e1865 = ((_e1847[0] * _e1853[1]) - (_e1847[1] * _e1853[0]));
+                                let _e1868 = local_2.member_1[0u];
+                                let _e1874 = local_2.member_2[1u];
+                                let _e1889 = local_2.member_1[1u];
+                                let _e1895 = local_2.member_2[0u];
+                                let _e1908 = (((_e1868[1] * _e1874[2]) - (_e1868[2] * _e1874[1])) + ((_e1889[1] * _e1895[2]) - (_e1889[2] * _e1895[1])));
+                                let _e1909 = (((_e1868[2] * _e1874[0]) - (_e1868[0] * _e1874[2])) + ((_e1889[2] * _e1895[0]) - (_e1889[0] * _e1895[2])));
+                                let _e1910 = (((_e1868[0] * _e1874[1]) - (_e1868[1] * _e1874[0])) + ((_e1889[0] * _e1895[1]) - (_e1889[1] * _e1895[0])));
+                                let _e1913 = local_2.member[0u];
+                                let _e1924 = local_2.member[1u];
+                                let _e1935 = local_2.member[0u];
+                                let _e1944 = ((((_e1924[0] * _e1838) + (_e1924[1] * _e1841)) + (_e1924[2] * _e1844)) + (((_e1935[0] * _e1908) + (_e1935[1] * _e1909)) + (_e1935[2] * _e1910)));
+                                let _e1947 = local_2.member[0u];
+                                let _e1958 = local_2.member[1u];
+                                let _e1967 = ((((_e1947[0] * _e1859) + (_e1947[1] * _e1862)) + (_e1947[2] * _e1865)) + (((_e1958[0] * _e1908) + (_e1958[1] * _e1909)) + (_e1958[2] * _e1910)));
+                                let _e1970 = local_2.member[1u];
+                                let _e1981 = local_2.member[0u];
+                                if (_e1981[0] < 0f) {
+                                    phi_3338_ = -(_e1981[0]);
+                                } else {
+                                    phi_3338_ = _e1981[0];
+                                }
+                                let _e1988 = phi_3338_;
+                                if (_e1981[1] < 0f) {
+                                    phi_3345_ = -(_e1981[1]);
+                                } else {
+                                    phi_3345_ = _e1981[1];
+                                }
+                                let _e1992 = phi_3345_;
+                                if (_e1988 > _e1992) {
+                                    phi_3350_ = _e1988;
+                                } else {
+                                    phi_3350_ = _e1992;
+                                }
+                                let _e1995 = phi_3350_;
+                                if (_e1981[2] < 0f) {
+                                    phi_3357_ = -(_e1981[2]);
+                                } else {
+                                    phi_3357_ = _e1981[2];
+                                }
+                                let _e1999 = phi_3357_;
+                                if (_e1995 > _e1999) {
+                                    phi_3362_ = _e1995;
+                                } else {
+                                    phi_3362_ = _e1999;
+                                }
+                                let _e2002 = phi_3362_;
+                                let _e2005 = local_2.member[1u];
+                                if (_e2005[0] < 0f) {
+                                    phi_3375_ = -(_e2005[0]);
+                                } else {
+                                    phi_3375_ = _e2005[0];
+                                }
+                                let _e2012 = phi_3375_;
+                                if (_e2005[1] < 0f) {
+                                    phi_3382_ = -(_e2005[1]);
+                                } else {
+                                    phi_3382_ = _e2005[1];
+                                }
+                                let _e2016 = phi_3382_;
+                                if (_e2012 > _e2016) {
+                                    phi_3387_ = _e2012;
+                                } else {
+                                    phi_3387_ = _e2016;
+                                }
+                                let _e2019 = phi_3387_;
+                                if (_e2005[2] < 0f) {
+                                    phi_3394_ = -(_e2005[2]);
+                                } else {
+                                    phi_3394_ = _e2005[2];
+                                }
+                                let _e2023 = phi_3394_;
+                                if (_e2019 > _e2023) {
+                                    phi_3399_ = _e2019;
+                                } else {
+                                    phi_3399_ = _e2023;
+                                }
+                                let _e2026 = phi_3399_;
+                                if (_e2002 > _e2026) {
+                                    phi_3404_ = _e2002;
+                                } else {
+                                    phi_3404_ = _e2026;
+                                }
+                                let _e2029 = phi_3404_;
+                                let _e2031 = local_2.member_3;
+                                let _e2032 = (_e2029 + _e2031);
+                                let _e2035 = local_2.member_1[0u];
+                                if (_e2035[0] < 0f) {
+                                    phi_3421_ = -(_e2035[0]);
+                                } else {
+                                    phi_3421_ = _e2035[0];
+                                }
+                                let _e2042 = phi_3421_;
+                                if (_e2035[1] < 0f) {
+                                    phi_3428_ = -(_e2035[1]);
+                                } else {
+                                    phi_3428_ = _e2035[1];
+                                }
+                                let _e2046 = phi_3428_;
+                                if (_e2042 > _e2046) {
+                                    phi_3433_ = _e2042;
+                                } else {
+                                    phi_3433_ = _e2046;
+                                }
+                                let _e2049 = phi_3433_;
+                                if (_e2035[2] < 0f) {
+                                    phi_3440_ = -(_e2035[2]);
+                                } else {
+                                    phi_3440_ = _e2035[2];
+                                }
+                                let _e2053 = phi_3440_;
+                                if (_e2049 > _e2053) {
+                                    phi_3445_ = _e2049;
+                                } else {
+                                    phi_3445_ = _e2053;
+                                }
+                                let _e2056 = phi_3445_;
+                                let _e2059 = local_2.member_1[1u];
+                                if (_e2059[0] < 0f) {
+                                    phi_3459_ = -(_e2059[0]);
+                                } else {
+                                    phi_3459_ = _e2059[0];
+                                }
+                                let _e2066 = phi_3459_;
+                                if (_e2059[1] < 0f) {
+                                    phi_3466_ = -(_e2059[1]);
+                                } else {
+                                    phi_3466_ = _e2059[1];
+                                }
+                                let _e2070 = phi_3466_;
+                                if (_e2066 > _e2070) {
+                                    phi_3471_ = _e2066;
+                                } else {
+                                    phi_3471_ = _e2070;
+                                }
+                                let _e2073 = phi_3471_;
+                                if (_e2059[2] < 0f) {
+                                    phi_3478_ = -(_e2059[2]);
+                                } else {
+                                    phi_3478_ = _e2059[2];
+                                }
+                                let _e2077 = phi_3478_;
+                                if (_e2073 > _e2077) {
+                                    phi_3483_ = _e2073;
+                                } else {
+                                    phi_3483_ = _e2077;
+                                }
+                                let _e2080 = phi_3483_;
+                                if (_e2056 > _e2080) {
+                                    phi_3488_ = _e2056;
+                                } else {
+                                    phi_3488_ = _e2080;
+                                }
+                                let _e2083 = phi_3488_;
+                                let _e2085 = local_2.member_3;
+                                let _e2086 = (_e2083 + _e2085);
+                                let _e2089 = local_2.member_2[0u];
+                                if (_e2089[0] < 0f) {
+                                    phi_3505_ = -(_e2089[0]);
+                                } else {
+                                    phi_3505_ = _e2089[0];
+                                }
+                                let _e2096 = phi_3505_;
+                                if (_e2089[1] < 0f) {
+                                    phi_3512_ = -(_e2089[1]);
+                                } else {
+                                    phi_3512_ = _e2089[1];
+                                }
+                                let _e2100 = phi_3512_;
+                                if (_e2096 > _e2100) {
+                                    phi_3517_ = _e2096;
+                                } else {
+                                    phi_3517_ = _e2100;
+                                }
+                                let _e2103 = phi_3517_;
+                                if (_e2089[2] < 0f) {
+                                    phi_3524_ = -(_e2089[2]);
+                                } else {
+                                    phi_3524_ = _e2089[2];
+                                }
+                                let _e2107 = phi_3524_;
+                                if (_e2103 > _e2107) {
+                                    phi_3529_ = _e2103;
+                                } else {
+                                    phi_3529_ = _e2107;
+                                }
+                                let _e2110 = phi_3529_;
+                                let _e2113 = local_2.member_2[1u];
+                                if (_e2113[0] < 0f) {
+                                    phi_3543_ = -(_e2113[0]);
+                                } else {
+                                    phi_3543_ = _e2113[0];
+                                }
+                                let _e2120 = phi_3543_;
+                                if (_e2113[1] < 0f) {
+                                    phi_3550_ = -(_e2113[1]);
+                                } else {
+                                    phi_3550_ = _e2113[1];
+                                }
+                                let _e2124 = phi_3550_;
+                                if (_e2120 > _e2124) {
+                                    phi_3555_ = _e2120;
+                                } else {
+                                    phi_3555_ = _e2124;
+                                }
+                                let _e2127 = phi_3555_;
+                                if (_e2113[2] < 0f) {
+                                    phi_3562_ = -(_e2113[2]);
+                                } else {
+                                    phi_3562_ = _e2113[2];
+                                }
+                                let _e2131 = phi_3562_;
+                                if (_e2127 > _e2131) {
+                                    phi_3567_ = _e2127;
+                                } else {
+                                    phi_3567_ = _e2131;
+                                }
+                                let _e2134 = phi_3567_;
+                                if (_e2110 > _e2134) {
+                                    phi_3572_ = _e2110;
+                                } else {
+                                    phi_3572_ = _e2134;
+                                }
+                                let _e2137 = phi_3572_;
+                                let _e2139 = local_2.member_3;
+                                let _e2140 = (_e2137 + _e2139);
+                                let _e2142 = ((_e2086 * 8f) * _e2140);
+                                let _e2149 = local_2.member_3;
+                                if (_e1838 < 0f) {
+                                    phi_3603_ = -(_e1838);
+                                } else {
+                                    phi_3603_ = _e1838;
+                                }
+                                let _e2166 = phi_3603_;
+                                if (_e1841 < 0f) {
+                                    phi_3609_ = -(_e1841);
+                                } else {
+                                    phi_3609_ = _e1841;
+                                }
+                                let _e2170 = phi_3609_;
+                                if (_e1844 < 0f) {
+                                    phi_3616_ = -(_e1844);
+                                } else {
+                                    phi_3616_ = _e1844;
+                                }
+                                let _e2175 = phi_3616_;
+                                let _e2176 = ((_e2166 + _e2170) + _e2175);
+                                if (_e1859 < 0f) {
+                                    phi_3623_ = -(_e1859);
+                                } else {
+                                    phi_3623_ = _e1859;
+                                }
+                                let _e2180 = phi_3623_;
+                                if (_e1862 < 0f) {
+                                    phi_3629_ = -(_e1862);
+                                } else {
+                                    phi_3629_ = _e1862;
+                                }
+                                let _e2184 = phi_3629_;
+                                if (_e1865 < 0f) {
+                                    phi_3636_ = -(_e1865);
+                                } else {
+                                    phi_3636_ = _e1865;
+                                }
+                                let _e2189 = phi_3636_;
+                                let _e2190 = ((_e2180 + _e2184) + _e2189);
+                                if (_e2176 > _e2190) {
+                                    phi_3642_ = _e2176;
+                                } else {
+                                    phi_3642_ = _e2190;
+                                }
+                                let _e2193 = phi_3642_;
+                                if (_e1908 < 0f) {
+                                    phi_3648_ = -(_e1908);
+                                } else {
+                                    phi_3648_ = _e1908;
+                                }
+                                let _e2197 = phi_3648_;
+                                if (_e1909 < 0f) {
+                                    phi_3654_ = -(_e1909);
+                                } else {
+                                    phi_3654_ = _e1909;
+                                }
+                                let _e2201 = phi_3654_;
+                                if (_e1910 < 0f) {
+                                    phi_3661_ = -(_e1910);
+                                } else {
+                                    phi_3661_ = _e1910;
+                                }
+                                let _e2206 = phi_3661_;
+                                let _e2208 = (((_e2197 + _e2201) + _e2206) * 0.5f);
+                                if (_e2193 > _e2208) {
+                                    phi_3668_ = _e2193;
+                                } else {
+                                    phi_3668_ = _e2208;
+                                }
+                                let _e2211 = phi_3668_;
+                                let _e2216 = local_2.member_3;
+                                let _e2229 = ((((_e1913[0] * _e1838) + (_e1913[1] * _e1841)) + (_e1913[2] * _e1844)) * 3f);
+                                let _e2230 = ((((_e1970[0] * _e1859) + (_e1970[1] * _e1862)) + (_e1970[2] * _e1865)) * 3f);
+                                if (_e2229 < _e2230) {
+                                    phi_3692_ = _e2229;
+                                } else {
+                                    phi_3692_ = _e2230;
+                                }
+                                let _e2233 = phi_3692_;
+                                if (_e1944 < _e1967) {
+                                    phi_3697_ = _e1944;
+                                } else {
+                                    phi_3697_ = _e1967;
+                                }
+                                let _e2236 = phi_3697_;
+                                if (_e2233 < _e2236) {
+                                    phi_3702_ = _e2233;
+                                } else {
+                                    phi_3702_ = _e2236;
+                                }
+                                let _e2239 = phi_3702_;
+                                if (_e2229 > _e2230) {
+                                    phi_3707_ = _e2229;
+                                } else {
+                                    phi_3707_ = _e2230;
+                                }
+                                let _e2242 = phi_3707_;
+                                if (_e1944 > _e1967) {
+                                    phi_3712_ = _e1944;
+                                } else {
+                                    phi_3712_ = _e1967;
+                                }
+                                let _e2245 = phi_3712_;
+                                if (_e2242 > _e2245) {
+                                    phi_3717_ = _e2242;
+                                } else {
+                                    phi_3717_ = _e2245;
+                                }
+                                let _e2248 = phi_3717_;
+                                let _e2253 = -(_e2248);
+                                if (_e2239 > _e2253) {
+                                    phi_3727_ = _e2239;
+                                } else {
+                                    phi_3727_ = _e2253;
+                                }
+                                let _e2256 = phi_3727_;
+                                let _e2258 = ((_e2256 - ((((((_e2032 * 8f) * _e2142) * (0.000000059604645f * (524f / 64f))) + ((_e2149 * 19f) * ((_e2032 * (_e2086 + _e2140)) + (_e2086 * _e2140)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2032) * ((1f + _e2086) * (1f + _e2140))))) + ((_e91.member_5 * (((_e2211 + (_e2142 * (0.000000059604645f * 8f))) + ((_e2216 * 6f) * (_e2086 + _e2140))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2086) * (1f + _e2140))))) * (3f * 1.0001f)))) > 0f);
+                                if _e2258 {
+                                    phi_4696_ = _e2258;
+                                } else {
+                                    let _e2261 = local_2.member_1[0u];
+                                    let _e2267 = local_2.member_1[1u];
+                                    let _e2271 = (_e2261[0] + _e2267[0]);
+                                    let _e2272 = (_e2261[1] + _e2267[1]);
+                                    let _e2273 = (_e2261[2] + _e2267[2]);
+                                    let _e2276 = local_2.member_2[0u];
+                                    let _e2282 = local_2.member_2[1u];
+                                    let _e2286 = (_e2276[0] + _e2282[0]);
+                                    let _e2287 = (_e2276[1] + _e2282[1]);
+                                    let _e2288 = (_e2276[2] + _e2282[2]);
+                                    let _e2291 = ((_e2272 * _e2288) - (_e2273 * _e2287));
+                                    let _e2294 = ((_e2273 * _e2286) - (_e2271 * _e2288));
+                                    let _e2297 = ((_e2271 * _e2287) - (_e2272 * _e2286));
+                                    let _e2300 = local_2.member[0u];
+                                    let _e2307 = local_2.member_1[0u];
+                                    let _e2313 = local_2.member_2[0u];
+                                    let _e2317 = (_e2300[0] - _e2307[0]);
+                                    let _e2318 = (_e2300[1] - _e2307[1]);
+                                    let _e2319 = (_e2300[2] - _e2307[2]);
+                                    if (_e1662.member == 0u) {
+                                        phi_3843_ = array<f32, 3>(_e2300[0], _e2300[1], _e2300[2]);
+                                    } else {
+                                        phi_3843_ = array<f32, 3>((_e2317 - _e2313[0]), (_e2318 - _e2313[1]), (_e2319 - _e2313[2]));
+                                    }
+                                    let _e2326 = phi_3843_;
+                                    let _e2327 = (_e2300[0] - _e2313[0]);
+                                    let _e2328 = (_e2300[1] - _e2313[1]);
+                                    let _e2329 = (_e2300[2] - _e2313[2]);
+                                    let _e2332 = local_2.member[1u];
+                                    let _e2339 = local_2.member_1[1u];
+                                    let _e2345 = local_2.member_2[1u];
+                                    let _e2349 = (_e2332[0] - _e2339[0]);
+                                    let _e2350 = (_e2332[1] - _e2339[1]);
+                                    let _e2351 = (_e2332[2] - _e2339[2]);
+                                    if (_e1662.member == 0u) {
+                                        phi_3908_ = array<f32, 3>(_e2332[0], _e2332[1], _e2332[2]);
+                                    } else {
+                                        phi_3908_ = array<f32, 3>((_e2349 - _e2345[0]), (_e2350 - _e2345[1]), (_e2351 - _e2345[2]));
+                                    }
+                                    let _e2358 = phi_3908_;
+                                    let _e2359 = (_e2332[0] - _e2345[0]);
+                                    let _e2360 = (_e2332[1] - _e2345[1]);
+                                    let _e2361 = (_e2332[2] - _e2345[2]);
+                                    let _e2364 = local_2.member[0u];
+                                    if (_e2364[0] < 0f) {
+                                        phi_3930_ = -(_e2364[0]);
+                                    } else {
+                                        phi_3930_ = _e2364[0];
+                                    }
+                                    let _e2371 = phi_3930_;
+                                    if (_e2364[1] < 0f) {
+                                        phi_3937_ = -(_e2364[1]);
+                                    } else {
+                                        phi_3937_ = _e2364[1];
+                                    }
+                                    let _e2375 = phi_3937_;
+                                    if (_e2371 > _e2375) {
+                                        phi_3942_ = _e2371;
+                                    } else {
+                                        phi_3942_ = _e2375;
+                                    }
+                                    let _e2378 = phi_3942_;
+                                    if (_e2364[2] < 0f) {
+                                        phi_3949_ = -(_e2364[2]);
+                                    } else {
+                                        phi_3949_ = _e2364[2];
+                                    }
+                                    let _e2382 = phi_3949_;
+                                    if (_e2378 > _e2382) {
+                                        phi_3954_ = _e2378;
+                                    } else {
+                                        phi_3954_ = _e2382;
+                                    }
+                                    let _e2385 = phi_3954_;
+                                    let _e2388 = local_2.member[1u];
+                                    if (_e2388[0] < 0f) {
+                                        phi_3967_ = -(_e2388[0]);
+                                    } else {
+                                        phi_3967_ = _e2388[0];
+                                    }
+                                    let _e2395 = phi_3967_;
+                                    if (_e2388[1] < 0f) {
+                                        phi_3974_ = -(_e2388[1]);
+                                    } else {
+                                        phi_3974_ = _e2388[1];
+                                    }
+                                    let _e2399 = phi_3974_;
+                                    if (_e2395 > _e2399) {
+                                        phi_3979_ = _e2395;
+                                    } else {
+                                        phi_3979_ = _e2399;
+                                    }
+                                    let _e2402 = phi_3979_;
+                                    if (_e2388[2] < 0f) {
+                                        phi_3986_ = -(_e2388[2]);
+                                    } else {
+                                        phi_3986_ = _e2388[2];
+                                    }
+                                    let _e2406 = phi_3986_;
+                                    if (_e2402 > _e2406) {
+                                        phi_3991_ = _e2402;
+                                    } else {
+                                        phi_3991_ = _e2406;
+                                    }
+                                    let _e2409 = phi_3991_;
+                                    if (_e2385 > _e2409) {
+                                        phi_3996_ = _e2385;
+                                    } else {
+                                        phi_3996_ = _e2409;
+                                    }
+                                    let _e2412 = phi_3996_;
+                                    let _e2414 = local_2.member_3;
+                                    let _e2418 = local_2.member_1[0u];
+                                    if (_e2418[0] < 0f) {
+                                        phi_4013_ = -(_e2418[0]);
+                                    } else {
+                                        phi_4013_ = _e2418[0];
+                                    }
+                                    let _e2425 = phi_4013_;
+                                    if (_e2418[1] < 0f) {
+                                        phi_4020_ = -(_e2418[1]);
+                                    } else {
+                                        phi_4020_ = _e2418[1];
+                                    }
+                                    let _e2429 = phi_4020_;
+                                    if (_e2425 > _e2429) {
+                                        phi_4025_ = _e2425;
+                                    } else {
+                                        phi_4025_ = _e2429;
+                                    }
+                                    let _e2432 = phi_4025_;
+                                    if (_e2418[2] < 0f) {
+                                        phi_4032_ = -(_e2418[2]);
+                                    } else {
+                                        phi_4032_ = _e2418[2];
+                                    }
+                                    let _e2436 = phi_4032_;
+                                    if (_e2432 > _e2436) {
+                                        phi_4037_ = _e2432;
+                                    } else {
+                                        phi_4037_ = _e2436;
+                                    }
+                                    let _e2439 = phi_4037_;
+                                    let _e2442 = local_2.member_1[1u];
+                                    if (_e2442[0] < 0f) {
+                                        phi_4051_ = -(_e2442[0]);
+                                    } else {
+                                        phi_4051_ = _e2442[0];
+                                    }
+                                    let _e2449 = phi_4051_;
+                                    if (_e2442[1] < 0f) {
+                                        phi_4058_ = -(_e2442[1]);
+                                    } else {
+                                        phi_4058_ = _e2442[1];
+                                    }
+                                    let _e2453 = phi_4058_;
+                                    if (_e2449 > _e2453) {
+                                        phi_4063_ = _e2449;
+                                    } else {
+                                        phi_4063_ = _e2453;
+                                    }
+                                    let _e2456 = phi_4063_;
+                                    if (_e2442[2] < 0f) {
+                                        phi_4070_ = -(_e2442[2]);
+                                    } else {
+                                        phi_4070_ = _e2442[2];
+                                    }
+                                    let _e2460 = phi_4070_;
+                                    if (_e2456 > _e2460) {
+                                        phi_4075_ = _e2456;
+                                    } else {
+                                        phi_4075_ = _e2460;
+                                    }
+                                    let _e2463 = phi_4075_;
+                                    if (_e2439 > _e2463) {
+                                        phi_4080_ = _e2439;
+                                    } else {
+                                        phi_4080_ = _e2463;
+                                    }
+                                    let _e2466 = phi_4080_;
+                                    let _e2468 = local_2.member_3;
+                                    let _e2472 = local_2.member_2[0u];
+                                    if (_e2472[0] < 0f) {
+                                        phi_4097_ = -(_e2472[0]);
+                                    } else {
+                                        phi_4097_ = _e2472[0];
+                                    }
+                                    let _e2479 = phi_4097_;
+                                    if (_e2472[1] < 0f) {
+                                        phi_4104_ = -(_e2472[1]);
+                                    } else {
+                                        phi_4104_ = _e2472[1];
+                                    }
+                                    let _e2483 = phi_4104_;
+                                    if (_e2479 > _e2483) {
+                                        phi_4109_ = _e2479;
+                                    } else {
+                                        phi_4109_ = _e2483;
+                                    }
+                                    let _e2486 = phi_4109_;
+                                    if (_e2472[2] < 0f) {
+                                        phi_4116_ = -(_e2472[2]);
+                                    } else {
+                                        phi_4116_ = _e2472[2];
+                                    }
+                                    let _e2490 = phi_4116_;
+                                    if (_e2486 > _e2490) {
+                                        phi_4121_ = _e2486;
+                                    } else {
+                                        phi_4121_ = _e2490;
+                                    }
+                                    let _e2493 = phi_4121_;
+                                    let _e2496 = local_2.member_2[1u];
+                                    if (_e2496[0] < 0f) {
+                                        phi_4135_ = -(_e2496[0]);
+                                    } else {
+                                        phi_4135_ = _e2496[0];
+                                    }
+                                    let _e2503 = phi_4135_;
+                                    if (_e2496[1] < 0f) {
+                                        phi_4142_ = -(_e2496[1]);
+                                    } else {
+                                        phi_4142_ = _e2496[1];
+                                    }
+                                    let _e2507 = phi_4142_;
+                                    if (_e2503 > _e2507) {
+                                        phi_4147_ = _e2503;
+                                    } else {
+                                        phi_4147_ = _e2507;
+                                    }
+                                    let _e2510 = phi_4147_;
+                                    if (_e2496[2] < 0f) {
+                                        phi_4154_ = -(_e2496[2]);
+                                    } else {
+                                        phi_4154_ = _e2496[2];
+                                    }
+                                    let _e2514 = phi_4154_;
+                                    if (_e2510 > _e2514) {
+                                        phi_4159_ = _e2510;
+                                    } else {
+                                        phi_4159_ = _e2514;
+                                    }
+                                    let _e2517 = phi_4159_;
+                                    if (_e2493 > _e2517) {
+                                        phi_4164_ = _e2493;
+                                    } else {
+                                        phi_4164_ = _e2517;
+                                    }
+                                    let _e2520 = phi_4164_;
+                                    let _e2522 = local_2.member_3;
+                                    let _e2526 = ((((_e2412 + _e2414) + (_e2466 + _e2468)) + (_e2520 + _e2522)) * 2f);
+                                    let _e2529 = local_2.member_3;
+                                    let _e2533 = (((_e91.member_5 * 1.0001f) + (_e2529 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e2536 = ((_e2294 * _e2273) - (_e2297 * _e2272));
+                                    let _e2539 = ((_e2297 * _e2271) - (_e2291 * _e2273));
+                                    let _e2542 = ((_e2291 * _e2272) - (_e2294 * _e2271));
+                                    let _e2547 = (((_e2536 * _e2300[0]) + (_e2539 * _e2300[1])) + (_e2542 * _e2300[2]));
+                                    let _e2552 = (((_e2536 * _e2317) + (_e2539 * _e2318)) + (_e2542 * _e2319));
+                                    let _e2557 = (((_e2536 * _e2327) + (_e2539 * _e2328)) + (_e2542 * _e2329));
+                                    let _e2565 = (((_e2536 * _e2326[0]) + (_e2539 * _e2326[1])) + (_e2542 * _e2326[2]));
+                                    let _e2570 = (((_e2536 * _e2332[0]) + (_e2539 * _e2332[1])) + (_e2542 * _e2332[2]));
+                                    let _e2575 = (((_e2536 * _e2349) + (_e2539 * _e2350)) + (_e2542 * _e2351));
+                                    let _e2580 = (((_e2536 * _e2359) + (_e2539 * _e2360)) + (_e2542 * _e2361));
+                                    let _e2588 = (((_e2536 * _e2358[0]) + (_e2539 * _e2358[1])) + (_e2542 * _e2358[2]));
+                                    if (_e2547 < _e2552) {
+                                        phi_4243_ = _e2547;
+                                    } else {
+                                        phi_4243_ = _e2552;
+                                    }
+                                    let _e2591 = phi_4243_;
+                                    if (_e2557 < _e2565) {
+                                        phi_4248_ = _e2557;
+                                    } else {
+                                        phi_4248_ = _e2565;
+                                    }
+                                    let _e2594 = phi_4248_;
+                                    if (_e2591 < _e2594) {
+                                        phi_4253_ = _e2591;
+                                    } else {
+                                        phi_4253_ = _e2594;
+                                    }
+                                    let _e2597 = phi_4253_;
+                                    if (_e2570 < _e2575) {
+                                        phi_4258_ = _e2570;
+                                    } else {
+                                        phi_4258_ = _e2575;
+                                    }
+                                    let _e2600 = phi_4258_;
+                                    if (_e2580 < _e2588) {
+                                        phi_4263_ = _e2580;
+                                    } else {
+                                        phi_4263_ = _e2588;
+                                    }
+                                    let _e2603 = phi_4263_;
+                                    if (_e2600 < _e2603) {
+                                        phi_4268_ = _e2600;
+                                    } else {
+                                        phi_4268_ = _e2603;
+                                    }
+                                    let _e2606 = phi_4268_;
+                                    if (_e2597 < _e2606) {
+                                        phi_4273_ = _e2597;
+                                    } else {
+                                        phi_4273_ = _e2606;
+                                    }
+                                    let _e2609 = phi_4273_;
+                                    if (_e2547 > _e2552) {
+                                        phi_4278_ = _e2547;
+                                    } else {
+                                        phi_4278_ = _e2552;
+                                    }
+                                    let _e2612 = phi_4278_;
+                                    if (_e2557 > _e2565) {
+                                        phi_4283_ = _e2557;
+                                    } else {
+                                        phi_4283_ = _e2565;
+                                    }
+                                    let _e2615 = phi_4283_;
+                                    if (_e2612 > _e2615) {
+                                        phi_4288_ = _e2612;
+                                    } else {
+                                        phi_4288_ = _e2615;
+                                    }
+                                    let _e2618 = phi_4288_;
+                                    if (_e2570 > _e2575) {
+                                        phi_4293_ = _e2570;
+                                    } else {
+                                        phi_4293_ = _e2575;
+                                    }
+                                    let _e2621 = phi_4293_;
+                                    if (_e2580 > _e2588) {
+                                        phi_4298_ = _e2580;
+                                    } else {
+                                        phi_4298_ = _e2588;
+                                    }
+                                    let _e2624 = phi_4298_;
+                                    if (_e2621 > _e2624) {
+                                        phi_4303_ = _e2621;
+                                    } else {
+                                        phi_4303_ = _e2624;
+                                    }
+                                    let _e2627 = phi_4303_;
+                                    if (_e2618 > _e2627) {
+                                        phi_4308_ = _e2618;
+                                    } else {
+                                        phi_4308_ = _e2627;
+                                    }
+                                    let _e2630 = phi_4308_;
+                                    if (_e2536 < 0f) {
+                                        phi_4314_ = -(_e2536);
+                                    } else {
+                                        phi_4314_ = _e2536;
+                                    }
+                                    let _e2634 = phi_4314_;
+                                    if (_e2539 < 0f) {
+                                        phi_4320_ = -(_e2539);
+                                    } else {
+                                        phi_4320_ = _e2539;
+                                    }
+                                    let _e2638 = phi_4320_;
+                                    if (_e2542 < 0f) {
+                                        phi_4327_ = -(_e2542);
+                                    } else {
+                                        phi_4327_ = _e2542;
+                                    }
+                                    let _e2643 = phi_4327_;
+                                    let _e2644 = ((_e2634 + _e2638) + _e2643);
+                                    let _e2649 = -(_e2630);
+                                    if (_e2609 > _e2649) {
+                                        phi_4338_ = _e2609;
+                                    } else {
+                                        phi_4338_ = _e2649;
+                                    }
+                                    let _e2652 = phi_4338_;
+                                    let _e2657 = (((_e2652 - ((_e2644 * _e2526) * (0.000000059604645f * (17f / 2f)))) - (_e2644 * _e2533)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e2660 = ((_e2294 * _e2288) - (_e2297 * _e2287));
+                                    let _e2663 = ((_e2297 * _e2286) - (_e2291 * _e2288));
+                                    let _e2666 = ((_e2291 * _e2287) - (_e2294 * _e2286));
+                                    let _e2671 = (((_e2660 * _e2300[0]) + (_e2663 * _e2300[1])) + (_e2666 * _e2300[2]));
+                                    let _e2676 = (((_e2660 * _e2317) + (_e2663 * _e2318)) + (_e2666 * _e2319));
+                                    let _e2681 = (((_e2660 * _e2327) + (_e2663 * _e2328)) + (_e2666 * _e2329));
+                                    let _e2689 = (((_e2660 * _e2326[0]) + (_e2663 * _e2326[1])) + (_e2666 * _e2326[2]));
+                                    let _e2694 = (((_e2660 * _e2332[0]) + (_e2663 * _e2332[1])) + (_e2666 * _e2332[2]));
+                                    let _e2699 = (((_e2660 * _e2349) + (_e2663 * _e2350)) + (_e2666 * _e2351));
+                                    let _e2704 = (((_e2660 * _e2359) + (_e2663 * _e2360)) + (_e2666 * _e2361));
+                                    let _e2712 = (((_e2660 * _e2358[0]) + (_e2663 * _e2358[1])) + (_e2666 * _e2358[2]));
+                                    if (_e2671 < _e2676) {
+                                        phi_4409_ = _e2671;
+                                    } else {
+                                        phi_4409_ = _e2676;
+                                    }
+                                    let _e2715 = phi_4409_;
+                                    if (_e2681 < _e2689) {
+                                        phi_4414_ = _e2681;
+                                    } else {
+                                        phi_4414_ = _e2689;
+                                    }
+                                    let _e2718 = phi_4414_;
+                                    if (_e2715 < _e2718) {
+                                        phi_4419_ = _e2715;
+                                    } else {
+                                        phi_4419_ = _e2718;
+                                    }
+                                    let _e2721 = phi_4419_;
+                                    if (_e2694 < _e2699) {
+                                        phi_4424_ = _e2694;
+                                    } else {
+                                        phi_4424_ = _e2699;
+                                    }
+                                    let _e2724 = phi_4424_;
+                                    if (_e2704 < _e2712) {
+                                        phi_4429_ = _e2704;
+                                    } else {
+                                        phi_4429_ = _e2712;
+                                    }
+                                    let _e2727 = phi_4429_;
+                                    if (_e2724 < _e2727) {
+                                        phi_4434_ = _e2724;
+                                    } else {
+                                        phi_4434_ = _e2727;
+                                    }
+                                    let _e2730 = phi_4434_;
+                                    if (_e2721 < _e2730) {
+                                        phi_4439_ = _e2721;
+                                    } else {
+                                        phi_4439_ = _e2730;
+                                    }
+                                    let _e2733 = phi_4439_;
+                                    if (_e2671 > _e2676) {
+                                        phi_4444_ = _e2671;
+                                    } else {
+                                        phi_4444_ = _e2676;
+                                    }
+                                    let _e2736 = phi_4444_;
+                                    if (_e2681 > _e2689) {
+                                        phi_4449_ = _e2681;
+                                    } else {
+                                        phi_4449_ = _e2689;
+                                    }
+                                    let _e2739 = phi_4449_;
+                                    if (_e2736 > _e2739) {
+                                        phi_4454_ = _e2736;
+                                    } else {
+                                        phi_4454_ = _e2739;
+                                    }
+                                    let _e2742 = phi_4454_;
+                                    if (_e2694 > _e2699) {
+                                        phi_4459_ = _e2694;
+                                    } else {
+                                        phi_4459_ = _e2699;
+                                    }
+                                    let _e2745 = phi_4459_;
+                                    if (_e2704 > _e2712) {
+                                        phi_4464_ = _e2704;
+                                    } else {
+                                        phi_4464_ = _e2712;
+                                    }
+                                    let _e2748 = phi_4464_;
+                                    if (_e2745 > _e2748) {
+                                        phi_4469_ = _e2745;
+                                    } else {
+                                        phi_4469_ = _e2748;
+                                    }
+                                    let _e2751 = phi_4469_;
+                                    if (_e2742 > _e2751) {
+                                        phi_4474_ = _e2742;
+                                    } else {
+                                        phi_4474_ = _e2751;
+                                    }
+                                    let _e2754 = phi_4474_;
+                                    if (_e2660 < 0f) {
+                                        phi_4480_ = -(_e2660);
+                                    } else {
+                                        phi_4480_ = _e2660;
+                                    }
+                                    let _e2758 = phi_4480_;
+                                    if (_e2663 < 0f) {
+                                        phi_4486_ = -(_e2663);
+                                    } else {
+                                        phi_4486_ = _e2663;
+                                    }
+                                    let _e2762 = phi_4486_;
+                                    if (_e2666 < 0f) {
+                                        phi_4493_ = -(_e2666);
+                                    } else {
+                                        phi_4493_ = _e2666;
+                                    }
+                                    let _e2767 = phi_4493_;
+                                    let _e2768 = ((_e2758 + _e2762) + _e2767);
+                                    let _e2773 = -(_e2754);
+                                    if (_e2733 > _e2773) {
+                                        phi_4504_ = _e2733;
+                                    } else {
+                                        phi_4504_ = _e2773;
+                                    }
+                                    let _e2776 = phi_4504_;
+                                    let _e2781 = (((_e2776 - ((_e2768 * _e2526) * (0.000000059604645f * (17f / 2f)))) - (_e2768 * _e2533)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e2657 > _e2781) {
+                                        phi_4514_ = _e2657;
+                                    } else {
+                                        phi_4514_ = _e2781;
+                                    }
+                                    let _e2784 = phi_4514_;
+                                    if (_e1662.member == 0u) {
+                                        let _e2786 = (_e2286 - _e2271);
+                                        let _e2787 = (_e2287 - _e2272);
+                                        let _e2788 = (_e2288 - _e2273);
+                                        let _e2791 = ((_e2294 * _e2788) - (_e2297 * _e2787));
+                                        let _e2794 = ((_e2297 * _e2786) - (_e2291 * _e2788));
+                                        let _e2797 = ((_e2291 * _e2787) - (_e2294 * _e2786));
+                                        let _e2802 = (((_e2791 * _e2300[0]) + (_e2794 * _e2300[1])) + (_e2797 * _e2300[2]));
+                                        let _e2807 = (((_e2791 * _e2317) + (_e2794 * _e2318)) + (_e2797 * _e2319));
+                                        let _e2812 = (((_e2791 * _e2327) + (_e2794 * _e2328)) + (_e2797 * _e2329));
+                                        let _e2820 = (((_e2791 * _e2326[0]) + (_e2794 * _e2326[1])) + (_e2797 * _e2326[2]));
+                                        let _e2825 = (((_e2791 * _e2332[0]) + (_e2794 * _e2332[1])) + (_e2797 * _e2332[2]));
+                                        let _e2830 = (((_e2791 * _e2349) + (_e2794 * _e2350)) + (_e2797 * _e2351));
+                                        let _e2835 = (((_e2791 * _e2359) + (_e2794 * _e2360)) + (_e2797 * _e2361));
+                                        let _e2843 = (((_e2791 * _e2358[0]) + (_e2794 * _e2358[1])) + (_e2797 * _e2358[2]));
+                                        if (_e2802 < _e2807) {
+                                            phi_4587_ = _e2802;
+                                        } else {
+                                            phi_4587_ = _e2807;
+                                        }
+                                        let _e2846 = phi_4587_;
+                                        if (_e2812 < _e2820) {
+                                            phi_4592_ = _e2812;
+                                        } else {
+                                            phi_4592_ = _e2820;
+                                        }
+                                        let _e2849 = phi_4592_;
+                                        if (_e2846 < _e2849) {
+                                            phi_4597_ = _e2846;
+                                        } else {
+                                            phi_4597_ = _e2849;
+                                        }
+                                        let _e2852 = phi_4597_;
+                                        if (_e2825 < _e2830) {
+                                            phi_4602_ = _e2825;
+                                        } else {
+                                            phi_4602_ = _e2830;
+                                        }
+                                        let _e2855 = phi_4602_;
+                                        if (_e2835 < _e2843) {
+                                            phi_4607_ = _e2835;
+                                        } else {
+                                            phi_4607_ = _e2843;
+                                        }
+                                        let _e2858 = phi_4607_;
+                                        if (_e2855 < _e2858) {
+                                            phi_4612_ = _e2855;
+                                        } else {
+                                            phi_4612_ = _e2858;
+                                        }
+                                        let _e2861 = phi_4612_;
+                                        if (_e2852 < _e2861) {
+                                            phi_4617_ = _e2852;
+                                        } else {
+                                            phi_4617_ = _e2861;
+                                        }
+                                        let _e2864 = phi_4617_;
+                                        if (_e2802 > _e2807) {
+                                            phi_4622_ = _e2802;
+                                        } else {
+                                            phi_4622_ = _e2807;
+                                        }
+                                        let _e2867 = phi_4622_;
+                                        if (_e2812 > _e2820) {
+                                            phi_4627_ = _e2812;
+                                        } else {
+                                            phi_4627_ = _e2820;
+                                        }
+                                        let _e2870 = phi_4627_;
+                                        if (_e2867 > _e2870) {
+                                            phi_4632_ = _e2867;
+                                        } else {
+                                            phi_4632_ = _e2870;
+                                        }
+                                        let _e2873 = phi_4632_;
+                                        if (_e2825 > _e2830) {
+                                            phi_4637_ = _e2825;
+                                        } else {
+                                            phi_4637_ = _e2830;
+                                        }
+                                        let _e2876 = phi_4637_;
+                                        if (_e2835 > _e2843) {
+                                            phi_4642_ = _e2835;
+                                        } else {
+                                            phi_4642_ = _e2843;
+                                        }
+                                        let _e2879 = phi_4642_;
+                                        if (_e2876 > _e2879) {
+                                            phi_4647_ = _e2876;
+                                        } else {
+                                            phi_4647_ = _e2879;
+                                        }
+                                        let _e2882 = phi_4647_;
+                                        if (_e2873 > _e2882) {
+                                            phi_4652_ = _e2873;
+                                        } else {
+                                            phi_4652_ = _e2882;
+                                        }
+                                        let _e2885 = phi_4652_;
+                                        if (_e2791 < 0f) {
+                                            phi_4658_ = -(_e2791);
+                                        } else {
+                                            phi_4658_ = _e2791;
+                                        }
+                                        let _e2889 = phi_4658_;
+                                        if (_e2794 < 0f) {
+                                            phi_4664_ = -(_e2794);
+                                        } else {
+                                            phi_4664_ = _e2794;
+                                        }
+                                        let _e2893 = phi_4664_;
+                                        if (_e2797 < 0f) {
+                                            phi_4671_ = -(_e2797);
+                                        } else {
+                                            phi_4671_ = _e2797;
+                                        }
+                                        let _e2898 = phi_4671_;
+                                        let _e2899 = ((_e2889 + _e2893) + _e2898);
+                                        let _e2904 = -(_e2885);
+                                        if (_e2864 > _e2904) {
+                                            phi_4682_ = _e2864;
+                                        } else {
+                                            phi_4682_ = _e2904;
+                                        }
+                                        let _e2907 = phi_4682_;
+                                        let _e2912 = (((_e2907 - ((_e2899 * _e2526) * (0.000000059604645f * (17f / 2f)))) - (_e2899 * _e2533)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e2784 > _e2912) {
+                                            phi_4692_ = _e2784;
+                                        } else {
+                                            phi_4692_ = _e2912;
+                                        }
+                                        let _e2915 = phi_4692_;
+                                        phi_4693_ = _e2915;
+                                    } else {
+                                        phi_4693_ = _e2784;
+                                    }
+                                    let _e2917 = phi_4693_;
+                                    phi_4696_ = (_e2258 || (_e2917 > 0f));
+                                }
+                                let _e2921 = phi_4696_;
+                                if !(_e2921) {
+                                    let _e2924 = atomicAdd((&counters[6u]), 1u);
+                                    hits[_e2924] = _e1629;
+                                }
+                                phi_4704_ = true;
+                            }
+                            let _e2927 = phi_4704_;
+                            phi_4705_ = _e2927;
+                        } else {
+                            phi_4705_ = false;
+                        }
+                        let _e2929 = phi_4705_;
+                        continue;
+                        continuing {
+                            phi_2829_ = _e1618;
+                            break if !(_e2929);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e2932 = atomicLoad((&counters[6u]));
+                    phi_4710_ = type_9(0u, 4u);
+                    loop {
+                        let _e2934 = phi_4710_;
+                        if (_e2934.member < _e2934.member_1) {
+                            phi_4711_ = type_9((_e2934.member + 1u), _e2934.member_1);
+                            phi_4734_ = type_9(1u, _e2934.member);
+                        } else {
+                            phi_4711_ = _e2934;
+                            phi_4734_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e2946 = phi_4711_;
+                        let _e2948 = phi_4734_;
+                        if (bitcast<i32>(_e2948.member) != 0i) {
+                            let _e2954 = (_e73 + (_e2948.member_1 * 128u));
+                            if (_e2954 >= _e2932) {
+                                phi_8292_ = false;
+                            } else {
+                                let _e2957 = hits[_e2954];
+                                let _e2960 = ((_e2957 >> bitcast<u32>(10i)) & 3u);
+                                let _e2967 = firsts[(2u * _e2960)];
+                                let _e2972 = firsts[((2u * _e2960) + 1u)];
+                                let _e2975 = leaves.member[(_e2967 + ((_e2957 >> bitcast<u32>(5i)) & 31u))];
+                                let _e2980 = leaves.member[(_e2972 + (_e2957 & 31u))];
+                                if (_e2975.w < _e2980.w) {
+                                    phi_4805_ = type_43(1u, array<u32, 4>(_e2975.x, _e2975.y, _e2980.x, _e2980.y));
+                                } else {
+                                    phi_4805_ = type_43(1u, array<u32, 4>(_e2980.x, _e2980.y, _e2975.x, _e2975.y));
+                                }
+                                let _e2990 = phi_4805_;
+                                let _e2995 = paths.member[_e2990.member_1[0]];
+                                let _e3010 = paths.member[_e2990.member_1[1]];
+                                let _e3025 = paths.member[_e2990.member_1[2]];
+                                let _e3040 = paths.member[_e2990.member_1[3]];
+                                if (_e2990.member != 0u) {
+                                    phi_4939_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e2995.member.x), (_e3025.member.y - _e2995.member.y), (_e3025.member.z - _e2995.member.z)), array<f32, 3>((_e3025.member_1.x - _e2995.member_1.x), (_e3025.member_1.y - _e2995.member_1.y), (_e3025.member_1.z - _e2995.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3010.member.x - _e2995.member.x), (_e3010.member.y - _e2995.member.y), (_e3010.member.z - _e2995.member.z)), array<f32, 3>((_e3010.member_1.x - _e2995.member_1.x), (_e3010.member_1.y - _e2995.member_1.y), (_e3010.member_1.z - _e2995.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e3040.member.x), (_e3025.member.y - _e3040.member.y), (_e3025.member.z - _e3040.member.z)), array<f32, 3>((_e3025.member_1.x - _e3040.member_1.x), (_e3025.member_1.y - _e3040.member_1.y), (_e3025.member_1.z - _e3040.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                } else {
+                                    phi_4939_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2995.member.x - _e3010.member.x), (_e2995.member.y - _e3010.member.y), (_e2995.member.z - _e3010.member.z)), array<f32, 3>((_e2995.member_1.x - _e3010.member_1.x), (_e2995.member_1.y - _e3010.member_1.y), (_e2995.member_1.z - _e3010.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e3010.member.x), (_e3025.member.y - _e3010.member.y), (_e3025.member.z - _e3010.member.z)), array<f32, 3>((_e3025.member_1.x - _e3010.member_1.x), (_e3025.member_1.y - _e3010.member_1.y), (_e3025.member_1.z - _e3010.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3040.member.x - _e3010.member.x), (_e3040.member.y - _e3010.member.y), (_e3040.member.z - _e3010.member.z)), array<f32, 3>((_e3040.member_1.x - _e3010.member_1.x), (_e3040.member_1.y - _e3010.member_1.y), (_e3040.member_1.z - _e3010.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                }
+                                let _e3113 = phi_4939_;
+                                let _e3127 = ((_e3113.member[0][0] + _e3113.member[1][0]) * 0.5f);
+                                let _e3128 = ((_e3113.member[0][1] + _e3113.member[1][1]) * 0.5f);
+                                let _e3129 = ((_e3113.member[0][2] + _e3113.member[1][2]) * 0.5f);
+                                let _e3143 = ((_e3113.member_1[0][0] + _e3113.member_1[1][0]) * 0.5f);
+                                let _e3144 = ((_e3113.member_1[0][1] + _e3113.member_1[1][1]) * 0.5f);
+                                let _e3145 = ((_e3113.member_1[0][2] + _e3113.member_1[1][2]) * 0.5f);
+                                let _e3159 = ((_e3113.member_2[0][0] + _e3113.member_2[1][0]) * 0.5f);
+                                let _e3160 = ((_e3113.member_2[0][1] + _e3113.member_2[1][1]) * 0.5f);
+                                let _e3161 = ((_e3113.member_2[0][2] + _e3113.member_2[1][2]) * 0.5f);
+                                local = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member[0][0], _e3113.member[0][1], _e3113.member[0][2]), array<f32, 3>(_e3127, _e3128, _e3129)), array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member_1[0][0], _e3113.member_1[0][1], _e3113.member_1[0][2]), array<f32, 3>(_e3143, _e3144, _e3145)), array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member_2[0][0], _e3113.member_2[0][1], _e3113.member_2[0][2]), array<f32, 3>(_e3159, _e3160, _e3161)), _e3113.member_3);
+                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3127, _e3128, _e3129), array<f32, 3>(_e3113.member[1][0], _e3113.member[1][1], _e3113.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3143, _e3144, _e3145), array<f32, 3>(_e3113.member_1[1][0], _e3113.member_1[1][1], _e3113.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3159, _e3160, _e3161), array<f32, 3>(_e3113.member_2[1][0], _e3113.member_2[1][1], _e3113.member_2[1][2])), _e3113.member_3);
+                                let _e3216 = local.member_1[0u];
+                                let _e3222 = local.member_2[0u];
+                                let _e3228 = ((_e3216[1] * _e3222[2]) - (_e3216[2] * _e3222[1]));
+                                let _e3231 = ((_e3216[2] * _e3222[0]) - (_e3216[0] * _e3222[2]));
+                                let _e3234 = ((_e3216[0] * _e3222[1]) - (_e3216[1] * _e3222[0]));
+                                let _e3237 = local.member_1[1u];
+                                let _e3243 = local.member_2[1u];
+                                let _e3249 = ((_e3237[1] * _e3243[2]) - (_e3237[2] * _e3243[1]));
+                                let _e3252 = ((_e3237[2] * _e3243[0]) - (_e3237[0] * _e3243[2]));
+                                let _e3255 = ((_e3237[0] * _e3243[1]) - (_e3237[1] * _e3243[0]));
+                                let _e3258 = local.member_1[0u];
+                                let _e3264 = local.member_2[1u];
+                                let _e3279 = local.member_1[1u];
+                                let _e3285 = local.member_2[0u];
+                                let _e3298 = (((_e3258[1] * _e3264[2]) - (_e3258[2] * _e3264[1])) + ((_e3279[1] * _e3285[2]) - (_e3279[2] * _e3285[1])));
+                                let _e3299 = (((_e3258[2] * _e3264[0]) - (_e3258[0] * _e3264[2])) + ((_e3279[2] * _e3285[0]) - (_e3279[0] * _e3285[2])));
+                                let _e3300 = (((_e3258[0] * _e3264[1]) - (_e3258[1] * _e3264[0])) + ((_e3279[0] * _e3285[1]) - (_e3279[1] * _e3285[0])));
+                                let _e3303 = local.member[0u];
+                                let _e3314 = local.member[1u];
+                                let _e3325 = local.member[0u];
+                                let _e3334 = ((((_e3314[0] * _e3228) + (_e3314[1] * _e3231)) + (_e3314[2] * _e3234)) + (((_e3325[0] * _e3298) + (_e3325[1] * _e3299)) + (_e3325[2] * _e3300)));
+                                let _e3337 = local.member[0u];
+                                let _e3348 = local.member[1u];
+                                let _e3357 = ((((_e3337[0] * _e3249) + (_e3337[1] * _e3252)) + (_e3337[2] * _e3255)) + (((_e3348[0] * _e3298) + (_e3348[1] * _e3299)) + (_e3348[2] * _e3300)));
+                                let _e3360 = local.member[1u];
+                                let _e3371 = local.member[0u];
+                                if (_e3371[0] < 0f) {
+                                    phi_5318_ = -(_e3371[0]);
+                                } else {
+                                    phi_5318_ = _e3371[0];
+                                }
+                                let _e3378 = phi_5318_;
+                                if (_e3371[1] < 0f) {
+                                    phi_5325_ = -(_e3371[1]);
+                                } else {
+                                    phi_5325_ = _e3371[1];
+                                }
+                                let _e3382 = phi_5325_;
+                                if (_e3378 > _e3382) {
+                                    phi_5330_ = _e3378;
+                                } else {
+                                    phi_5330_ = _e3382;
+                                }
+                                let _e3385 = phi_5330_;
+                                if (_e3371[2] < 0f) {
+                                    phi_5337_ = -(_e3371[2]);
+                                } else {
+                                    phi_5337_ = _e3371[2];
+                                }
+                                let _e3389 = phi_5337_;
+                                if (_e3385 > _e3389) {
+                                    phi_5342_ = _e3385;
+                                } else {
+                                    phi_5342_ = _e3389;
+                                }
+                                let _e3392 = phi_5342_;
+                                let _e3395 = local.member[1u];
+                                if (_e3395[0] < 0f) {
+                                    phi_5355_ = -(_e3395[0]);
+                                } else {
+                                    phi_5355_ = _e3395[0];
+                                }
+                                let _e3402 = phi_5355_;
+                                if (_e3395[1] < 0f) {
+                                    phi_5362_ = -(_e3395[1]);
+                                } else {
+                                    phi_5362_ = _e3395[1];
+                                }
+                                let _e3406 = phi_5362_;
+                                if (_e3402 > _e3406) {
+                                    phi_5367_ = _e3402;
+                                } else {
+                                    phi_5367_ = _e3406;
+                                }
+                                let _e3409 = phi_5367_;
+                                if (_e3395[2] < 0f) {
+                                    phi_5374_ = -(_e3395[2]);
+                                } else {
+                                    phi_5374_ = _e3395[2];
+                                }
+                                let _e3413 = phi_5374_;
+                                if (_e3409 > _e3413) {
+                                    phi_5379_ = _e3409;
+                                } else {
+                                    phi_5379_ = _e3413;
+                                }
+                                let _e3416 = phi_5379_;
+                                if (_e3392 > _e3416) {
+                                    phi_5384_ = _e3392;
+                                } else {
+                                    phi_5384_ = _e3416;
+                                }
+                                let _e3419 = phi_5384_;
+                                let _e3421 = local.member_3;
+                                let _e3422 = (_e3419 + _e3421);
+                                let _e3425 = local.member_1[0u];
+                                if (_e3425[0] < 0f) {
+                                    phi_5401_ = -(_e3425[0]);
+                                } else {
+                                    phi_5401_ = _e3425[0];
+                                }
+                                let _e3432 = phi_5401_;
+                                if (_e3425[1] < 0f) {
+                                    phi_5408_ = -(_e3425[1]);
+                                } else {
+                                    phi_5408_ = _e3425[1];
+                                }
+                                let _e3436 = phi_5408_;
+                                if (_e3432 > _e3436) {
+                                    phi_5413_ = _e3432;
+                                } else {
+                                    phi_5413_ = _e3436;
+                                }
+                                let _e3439 = phi_5413_;
+                                if (_e3425[2] < 0f) {
+                                    phi_5420_ = -(_e3425[2]);
+                                } else {
+                                    phi_5420_ = _e3425[2];
+                                }
+                                let _e3443 = phi_5420_;
+                                if (_e3439 > _e3443) {
+                                    phi_5425_ = _e3439;
+                                } else {
+                                    phi_5425_ = _e3443;
+                                }
+                                let _e3446 = phi_5425_;
+                                let _e3449 = local.member_1[1u];
+                                if (_e3449[0] < 0f) {
+                                    phi_5439_ = -(_e3449[0]);
+                                } else {
+                                    phi_5439_ = _e3449[0];
+                                }
+                                let _e3456 = phi_5439_;
+                                if (_e3449[1] < 0f) {
+                                    phi_5446_ = -(_e3449[1]);
+                                } else {
+                                    phi_5446_ = _e3449[1];
+                                }
+                                let _e3460 = phi_5446_;
+                                if (_e3456 > _e3460) {
+                                    phi_5451_ = _e3456;
+                                } else {
+                                    phi_5451_ = _e3460;
+                                }
+                                let _e3463 = phi_5451_;
+                                if (_e3449[2] < 0f) {
+                                    phi_5458_ = -(_e3449[2]);
+                                } else {
+                                    phi_5458_ = _e3449[2];
+                                }
+                                let _e3467 = phi_5458_;
+                                if (_e3463 > _e3467) {
+                                    phi_5463_ = _e3463;
+                                } else {
+                                    phi_5463_ = _e3467;
+                                }
+                                let _e3470 = phi_5463_;
+                                if (_e3446 > _e3470) {
+                                    phi_5468_ = _e3446;
+                                } else {
+                                    phi_5468_ = _e3470;
+                                }
+                                let _e3473 = phi_5468_;
+                                let _e3475 = local.member_3;
+                                let _e3476 = (_e3473 + _e3475);
+                                let _e3479 = local.member_2[0u];
+                                if (_e3479[0] < 0f) {
+                                    phi_5485_ = -(_e3479[0]);
+                                } else {
+                                    phi_5485_ = _e3479[0];
+                                }
+                                let _e3486 = phi_5485_;
+                                if (_e3479[1] < 0f) {
+                                    phi_5492_ = -(_e3479[1]);
+                                } else {
+                                    phi_5492_ = _e3479[1];
+                                }
+                                let _e3490 = phi_5492_;
+                                if (_e3486 > _e3490) {
+                                    phi_5497_ = _e3486;
+                                } else {
+                                    phi_5497_ = _e3490;
+                                }
+                                let _e3493 = phi_5497_;
+                                if (_e3479[2] < 0f) {
+                                    phi_5504_ = -(_e3479[2]);
+                                } else {
+                                    phi_5504_ = _e3479[2];
+                                }
+                                let _e3497 = phi_5504_;
+                                if (_e3493 > _e3497) {
+                                    phi_5509_ = _e3493;
+                                } else {
+                                    phi_5509_ = _e3497;
+                                }
+                                let _e3500 = phi_5509_;
+                                let _e3503 = local.member_2[1u];
+                                if (_e3503[0] < 0f) {
+                                    phi_5523_ = -(_e3503[0]);
+                                } else {
+                                    phi_5523_ = _e3503[0];
+                                }
+                                let _e3510 = phi_5523_;
+                                if (_e3503[1] < 0f) {
+                                    phi_5530_ = -(_e3503[1]);
+                                } else {
+                                    phi_5530_ = _e3503[1];
+                                }
+                                let _e3514 = phi_5530_;
+                                if (_e3510 > _e3514) {
+                                    phi_5535_ = _e3510;
+                                } else {
+                                    phi_5535_ = _e3514;
+                                }
+                                let _e3517 = phi_5535_;
+                                if (_e3503[2] < 0f) {
+                                    phi_5542_ = -(_e3503[2]);
+                                } else {
+                                    phi_5542_ = _e3503[2];
+                                }
+                                let _e3521 = phi_5542_;
+                                if (_e3517 > _e3521) {
+                                    phi_5547_ = _e3517;
+                                } else {
+                                    phi_5547_ = _e3521;
+                                }
+                                let _e3524 = phi_5547_;
+                                if (_e3500 > _e3524) {
+                                    phi_5552_ = _e3500;
+                                } else {
+                                    phi_5552_ = _e3524;
+                                }
+                                let _e3527 = phi_5552_;
+                                let _e3529 = local.member_3;
+                                let _e3530 = (_e3527 + _e3529);
+                                let _e3532 = ((_e3476 * 8f) * _e3530);
+                                let _e3539 = local.member_3;
+                                if (_e3228 < 0f) {
+                                    phi_5583_ = -(_e3228);
+                                } else {
+                                    phi_5583_ = _e3228;
+                                }
+                                let _e3556 = phi_5583_;
+                                if (_e3231 < 0f) {
+                                    phi_5589_ = -(_e3231);
+                                } else {
+                                    phi_5589_ = _e3231;
+                                }
+                                let _e3560 = phi_5589_;
+                                if (_e3234 < 0f) {
+                                    phi_5596_ = -(_e3234);
+                                } else {
+                                    phi_5596_ = _e3234;
+                                }
+                                let _e3565 = phi_5596_;
+                                let _e3566 = ((_e3556 + _e3560) + _e3565);
+                                if (_e3249 < 0f) {
+                                    phi_5603_ = -(_e3249);
+                                } else {
+                                    phi_5603_ = _e3249;
+                                }
+                                let _e3570 = phi_5603_;
+                                if (_e3252 < 0f) {
+                                    phi_5609_ = -(_e3252);
+                                } else {
+                                    phi_5609_ = _e3252;
+                                }
+                                let _e3574 = phi_5609_;
+                                if (_e3255 < 0f) {
+                                    phi_5616_ = -(_e3255);
+                                } else {
+                                    phi_5616_ = _e3255;
+                                }
+                                let _e3579 = phi_5616_;
+                                let _e3580 = ((_e3570 + _e3574) + _e3579);
+                                if (_e3566 > _e3580) {
+                                    phi_5622_ = _e3566;
+                                } else {
+                                    phi_5622_ = _e3580;
+                                }
+                                let _e3583 = phi_5622_;
+                                if (_e3298 < 0f) {
+                                    phi_5628_ = -(_e3298);
+                                } else {
+                                    phi_5628_ = _e3298;
+                                }
+                                let _e3587 = phi_5628_;
+                                if (_e3299 < 0f) {
+                                    phi_5634_ = -(_e3299);
+                                } else {
+                                    phi_5634_ = _e3299;
+                                }
+                                let _e3591 = phi_5634_;
+                                if (_e3300 < 0f) {
+                                    phi_5641_ = -(_e3300);
+                                } else {
+                                    phi_5641_ = _e3300;
+                                }
+                                let _e3596 = phi_5641_;
+                                let _e3598 = (((_e3587 + _e3591) + _e3596) * 0.5f);
+                                if (_e3583 > _e3598) {
+                                    phi_5648_ = _e3583;
+                                } else {
+                                    phi_5648_ = _e3598;
+                                }
+                                let _e3601 = phi_5648_;
+                                let _e3606 = local.member_3;
+                                let _e3619 = ((((_e3303[0] * _e3228) + (_e3303[1] * _e3231)) + (_e3303[2] * _e3234)) * 3f);
+                                let _e3620 = ((((_e3360[0] * _e3249) + (_e3360[1] * _e3252)) + (_e3360[2] * _e3255)) * 3f);
+                                if (_e3619 < _e3620) {
+                                    phi_5672_ = _e3619;
+                                } else {
+                                    phi_5672_ = _e3620;
+                                }
+                                let _e3623 = phi_5672_;
+                                if (_e3334 < _e3357) {
+                                    phi_5677_ = _e3334;
+                                } else {
+                                    phi_5677_ = _e3357;
+                                }
+                                let _e3626 = phi_5677_;
+                                if (_e3623 < _e3626) {
+                                    phi_5682_ = _e3623;
+                                } else {
+                                    phi_5682_ = _e3626;
+                                }
+                                let _e3629 = phi_5682_;
+                                if (_e3619 > _e3620) {
+                                    phi_5687_ = _e3619;
+                                } else {
+                                    phi_5687_ = _e3620;
+                                }
+                                let _e3632 = phi_5687_;
+                                if (_e3334 > _e3357) {
+                                    phi_5692_ = _e3334;
+                                } else {
+                                    phi_5692_ = _e3357;
+                                }
+                                let _e3635 = phi_5692_;
+                                if (_e3632 > _e3635) {
+                                    phi_5697_ = _e3632;
+                                } else {
+                                    phi_5697_ = _e3635;
+                                }
+                                let _e3638 = phi_5697_;
+                                let _e3643 = -(_e3638);
+                                if (_e3629 > _e3643) {
+                                    phi_5707_ = _e3629;
+                                } else {
+                                    phi_5707_ = _e3643;
+                                }
+                                let _e3646 = phi_5707_;
+                                let _e3648 = ((_e3646 - ((((((_e3422 * 8f) * _e3532) * (0.000000059604645f * (524f / 64f))) + ((_e3539 * 19f) * ((_e3422 * (_e3476 + _e3530)) + (_e3476 * _e3530)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3422) * ((1f + _e3476) * (1f + _e3530))))) + ((_e91.member_5 * (((_e3601 + (_e3532 * (0.000000059604645f * 8f))) + ((_e3606 * 6f) * (_e3476 + _e3530))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3476) * (1f + _e3530))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3648 {
+                                    phi_6676_ = _e3648;
+                                } else {
+                                    let _e3651 = local.member_1[0u];
+                                    let _e3657 = local.member_1[1u];
+                                    let _e3661 = (_e3651[0] + _e3657[0]);
+                                    let _e3662 = (_e3651[1] + _e3657[1]);
+                                    let _e3663 = (_e3651[2] + _e3657[2]);
+                                    let _e3666 = local.member_2[0u];
+                                    let _e3672 = local.member_2[1u];
+                                    let _e3676 = (_e3666[0] + _e3672[0]);
+                                    let _e3677 = (_e3666[1] + _e3672[1]);
+                                    let _e3678 = (_e3666[2] + _e3672[2]);
+                                    let _e3681 = ((_e3662 * _e3678) - (_e3663 * _e3677));
+                                    let _e3684 = ((_e3663 * _e3676) - (_e3661 * _e3678));
+                                    let _e3687 = ((_e3661 * _e3677) - (_e3662 * _e3676));
+                                    let _e3690 = local.member[0u];
+                                    let _e3697 = local.member_1[0u];
+                                    let _e3703 = local.member_2[0u];
+                                    let _e3707 = (_e3690[0] - _e3697[0]);
+                                    let _e3708 = (_e3690[1] - _e3697[1]);
+                                    let _e3709 = (_e3690[2] - _e3697[2]);
+                                    if (_e2990.member == 0u) {
+                                        phi_5823_ = array<f32, 3>(_e3690[0], _e3690[1], _e3690[2]);
+                                    } else {
+                                        phi_5823_ = array<f32, 3>((_e3707 - _e3703[0]), (_e3708 - _e3703[1]), (_e3709 - _e3703[2]));
+                                    }
+                                    let _e3716 = phi_5823_;
+                                    let _e3717 = (_e3690[0] - _e3703[0]);
+                                    let _e3718 = (_e3690[1] - _e3703[1]);
+                                    let _e3719 = (_e3690[2] - _e3703[2]);
+                                    let _e3722 = local.member[1u];
+                                    let _e3729 = local.member_1[1u];
+                                    let _e3735 = local.member_2[1u];
+                                    let _e3739 = (_e3722[0] - _e3729[0]);
+                                    let _e3740 = (_e3722[1] - _e3729[1]);
+                                    let _e3741 = (_e3722[2] - _e3729[2]);
+                                    if (_e2990.member == 0u) {
+                                        phi_5888_ = array<f32, 3>(_e3722[0], _e3722[1], _e3722[2]);
+                                    } else {
+                                        phi_5888_ = array<f32, 3>((_e3739 - _e3735[0]), (_e3740 - _e3735[1]), (_e3741 - _e3735[2]));
+                                    }
+                                    let _e3748 = phi_5888_;
+                                    let _e3749 = (_e3722[0] - _e3735[0]);
+                                    let _e3750 = (_e3722[1] - _e3735[1]);
+                                    let _e3751 = (_e3722[2] - _e3735[2]);
+                                    let _e3754 = local.member[0u];
+                                    if (_e3754[0] < 0f) {
+                                        phi_5910_ = -(_e3754[0]);
+                                    } else {
+                                        phi_5910_ = _e3754[0];
+                                    }
+                                    let _e3761 = phi_5910_;
+                                    if (_e3754[1] < 0f) {
+                                        phi_5917_ = -(_e3754[1]);
+                                    } else {
+                                        phi_5917_ = _e3754[1];
+                                    }
+                                    let _e3765 = phi_5917_;
+                                    if (_e3761 > _e3765) {
+                                        phi_5922_ = _e3761;
+                                    } else {
+                                        phi_5922_ = _e3765;
+                                    }
+                                    let _e3768 = phi_5922_;
+                                    if (_e3754[2] < 0f) {
+                                        phi_5929_ = -(_e3754[2]);
+                                    } else {
+                                        phi_5929_ = _e3754[2];
+                                    }
+                                    let _e3772 = phi_5929_;
+                                    if (_e3768 > _e3772) {
+                                        phi_5934_ = _e3768;
+                                    } else {
+                                        phi_5934_ = _e3772;
+                                    }
+                                    let _e3775 = phi_5934_;
+                                    let _e3778 = local.member[1u];
+                                    if (_e3778[0] < 0f) {
+                                        phi_5947_ = -(_e3778[0]);
+                                    } else {
+                                        phi_5947_ = _e3778[0];
+                                    }
+                                    let _e3785 = phi_5947_;
+                                    if (_e3778[1] < 0f) {
+                                        phi_5954_ = -(_e3778[1]);
+                                    } else {
+                                        phi_5954_ = _e3778[1];
+                                    }
+                                    let _e3789 = phi_5954_;
+                                    if (_e3785 > _e3789) {
+                                        phi_5959_ = _e3785;
+                                    } else {
+                                        phi_5959_ = _e3789;
+                                    }
+                                    let _e3792 = phi_5959_;
+                                    if (_e3778[2] < 0f) {
+                                        phi_5966_ = -(_e3778[2]);
+                                    } else {
+                                        phi_5966_ = _e3778[2];
+                                    }
+                                    let _e3796 = phi_5966_;
+                                    if (_e3792 > _e3796) {
+                                        phi_5971_ = _e3792;
+                                    } else {
+                                        phi_5971_ = _e3796;
+                                    }
+                                    let _e3799 = phi_5971_;
+                                    if (_e3775 > _e3799) {
+                                        phi_5976_ = _e3775;
+                                    } else {
+                                        phi_5976_ = _e3799;
+                                    }
+                                    let _e3802 = phi_5976_;
+                                    let _e3804 = local.member_3;
+                                    let _e3808 = local.member_1[0u];
+                                    if (_e3808[0] < 0f) {
+                                        phi_5993_ = -(_e3808[0]);
+                                    } else {
+                                        phi_5993_ = _e3808[0];
+                                    }
+                                    let _e3815 = phi_5993_;
+                                    if (_e3808[1] < 0f) {
+                                        phi_6000_ = -(_e3808[1]);
+                                    } else {
+                                        phi_6000_ = _e3808[1];
+                                    }
+                                    let _e3819 = phi_6000_;
+                                    if (_e3815 > _e3819) {
+                                        phi_6005_ = _e3815;
+                                    } else {
+                                        phi_6005_ = _e3819;
+                                    }
+                                    let _e3822 = phi_6005_;
+                                    if (_e3808[2] < 0f) {
+                                        phi_6012_ = -(_e3808[2]);
+                                    } else {
+                                        phi_6012_ = _e3808[2];
+                                    }
+                                    let _e3826 = phi_6012_;
+                                    if (_e3822 > _e3826) {
+                                        phi_6017_ = _e3822;
+                                    } else {
+                                        phi_6017_ = _e3826;
+                                    }
+                                    let _e3829 = phi_6017_;
+                                    let _e3832 = local.member_1[1u];
+                                    if (_e3832[0] < 0f) {
+                                        phi_6031_ = -(_e3832[0]);
+                                    } else {
+                                        phi_6031_ = _e3832[0];
+                                    }
+                                    let _e3839 = phi_6031_;
+                                    if (_e3832[1] < 0f) {
+                                        phi_6038_ = -(_e3832[1]);
+                                    } else {
+                                        phi_6038_ = _e3832[1];
+                                    }
+                                    let _e3843 = phi_6038_;
+                                    if (_e3839 > _e3843) {
+                                        phi_6043_ = _e3839;
+                                    } else {
+                                        phi_6043_ = _e3843;
+                                    }
+                                    let _e3846 = phi_6043_;
+                                    if (_e3832[2] < 0f) {
+                                        phi_6050_ = -(_e3832[2]);
+                                    } else {
+                                        phi_6050_ = _e3832[2];
+                                    }
+                                    let _e3850 = phi_6050_;
+                                    if (_e3846 > _e3850) {
+                                        phi_6055_ = _e3846;
+                                    } else {
+                                        phi_6055_ = _e3850;
+                                    }
+                                    let _e3853 = phi_6055_;
+                                    if (_e3829 > _e3853) {
+                                        phi_6060_ = _e3829;
+                                    } else {
+                                        phi_6060_ = _e3853;
+                                    }
+                                    let _e3856 = phi_6060_;
+                                    let _e3858 = local.member_3;
+                                    let _e3862 = local.member_2[0u];
+                                    if (_e3862[0] < 0f) {
+                                        phi_6077_ = -(_e3862[0]);
+                                    } else {
+                                        phi_6077_ = _e3862[0];
+                                    }
+                                    let _e3869 = phi_6077_;
+                                    if (_e3862[1] < 0f) {
+                                        phi_6084_ = -(_e3862[1]);
+                                    } else {
+                                        phi_6084_ = _e3862[1];
+                                    }
+                                    let _e3873 = phi_6084_;
+                                    if (_e3869 > _e3873) {
+                                        phi_6089_ = _e3869;
+                                    } else {
+                                        phi_6089_ = _e3873;
+                                    }
+                                    let _e3876 = phi_6089_;
+                                    if (_e3862[2] < 0f) {
+                                        phi_6096_ = -(_e3862[2]);
+                                    } else {
+                                        phi_6096_ = _e3862[2];
+                                    }
+                                    let _e3880 = phi_6096_;
+                                    if (_e3876 > _e3880) {
+                                        phi_6101_ = _e3876;
+                                    } else {
+                                        phi_6101_ = _e3880;
+                                    }
+                                    let _e3883 = phi_6101_;
+                                    let _e3886 = local.member_2[1u];
+                                    if (_e3886[0] < 0f) {
+                                        phi_6115_ = -(_e3886[0]);
+                                    } else {
+                                        phi_6115_ = _e3886[0];
+                                    }
+                                    let _e3893 = phi_6115_;
+                                    if (_e3886[1] < 0f) {
+                                        phi_6122_ = -(_e3886[1]);
+                                    } else {
+                                        phi_6122_ = _e3886[1];
+                                    }
+                                    let _e3897 = phi_6122_;
+                                    if (_e3893 > _e3897) {
+                                        phi_6127_ = _e3893;
+                                    } else {
+                                        phi_6127_ = _e3897;
+                                    }
+                                    let _e3900 = phi_6127_;
+                                    if (_e3886[2] < 0f) {
+                                        phi_6134_ = -(_e3886[2]);
+                                    } else {
+                                        phi_6134_ = _e3886[2];
+                                    }
+                                    let _e3904 = phi_6134_;
+                                    if (_e3900 > _e3904) {
+                                        phi_6139_ = _e3900;
+                                    } else {
+                                        phi_6139_ = _e3904;
+                                    }
+                                    let _e3907 = phi_6139_;
+                                    if (_e3883 > _e3907) {
+                                        phi_6144_ = _e3883;
+                                    } else {
+                                        phi_6144_ = _e3907;
+                                    }
+                                    let _e3910 = phi_6144_;
+                                    let _e3912 = local.member_3;
+                                    let _e3916 = ((((_e3802 + _e3804) + (_e3856 + _e3858)) + (_e3910 + _e3912)) * 2f);
+                                    let _e3919 = local.member_3;
+                                    let _e3923 = (((_e91.member_5 * 1.0001f) + (_e3919 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3926 = ((_e3684 * _e3663) - (_e3687 * _e3662));
+                                    let _e3929 = ((_e3687 * _e3661) - (_e3681 * _e3663));
+                                    let _e3932 = ((_e3681 * _e3662) - (_e3684 * _e3661));
+                                    let _e3937 = (((_e3926 * _e3690[0]) + (_e3929 * _e3690[1])) + (_e3932 * _e3690[2]));
+                                    let _e3942 = (((_e3926 * _e3707) + (_e3929 * _e3708)) + (_e3932 * _e3709));
+                                    let _e3947 = (((_e3926 * _e3717) + (_e3929 * _e3718)) + (_e3932 * _e3719));
+                                    let _e3955 = (((_e3926 * _e3716[0]) + (_e3929 * _e3716[1])) + (_e3932 * _e3716[2]));
+                                    let _e3960 = (((_e3926 * _e3722[0]) + (_e3929 * _e3722[1])) + (_e3932 * _e3722[2]));
+                                    let _e3965 = (((_e3926 * _e3739) + (_e3929 * _e3740)) + (_e3932 * _e3741));
+                                    let _e3970 = (((_e3926 * _e3749) + (_e3929 * _e3750)) + (_e3932 * _e3751));
+                                    let _e3978 = (((_e3926 * _e3748[0]) + (_e3929 * _e3748[1])) + (_e3932 * _e3748[2]));
+                                    if (_e3937 < _e3942) {
+                                        phi_6223_ = _e3937;
+                                    } else {
+                                        phi_6223_ = _e3942;
+                                    }
+                                    let _e3981 = phi_6223_;
+                                    if (_e3947 < _e3955) {
+                                        phi_6228_ = _e3947;
+                                    } else {
+                                        phi_6228_ = _e3955;
+                                    }
+                                    let _e3984 = phi_6228_;
+                                    if (_e3981 < _e3984) {
+                                        phi_6233_ = _e3981;
+                                    } else {
+                                        phi_6233_ = _e3984;
+                                    }
+                                    let _e3987 = phi_6233_;
+                                    if (_e3960 < _e3965) {
+                                        phi_6238_ = _e3960;
+                                    } else {
+                                        phi_6238_ = _e3965;
+                                    }
+                                    let _e3990 = phi_6238_;
+                                    if (_e3970 < _e3978) {
+                                        phi_6243_ = _e3970;
+                                    } else {
+                                        phi_6243_ = _e3978;
+                                    }
+                                    let _e3993 = phi_6243_;
+                                    if (_e3990 < _e3993) {
+                                        phi_6248_ = _e3990;
+                                    } else {
+                                        phi_6248_ = _e3993;
+                                    }
+                                    let _e3996 = phi_6248_;
+                                    if (_e3987 < _e3996) {
+                                        phi_6253_ = _e3987;
+                                    } else {
+                                        phi_6253_ = _e3996;
+                                    }
+                                    let _e3999 = phi_6253_;
+                                    if (_e3937 > _e3942) {
+                                        phi_6258_ = _e3937;
+                                    } else {
+                                        phi_6258_ = _e3942;
+                                    }
+                                    let _e4002 = phi_6258_;
+                                    if (_e3947 > _e3955) {
+                                        phi_6263_ = _e3947;
+                                    } else {
+                                        phi_6263_ = _e3955;
+                                    }
+                                    let _e4005 = phi_6263_;
+                                    if (_e4002 > _e4005) {
+                                        phi_6268_ = _e4002;
+                                    } else {
+                                        phi_6268_ = _e4005;
+                                    }
+                                    let _e4008 = phi_6268_;
+                                    if (_e3960 > _e3965) {
+                                        phi_6273_ = _e3960;
+                                    } else {
+                                        phi_6273_ = _e3965;
+                                    }
+                                    let _e4011 = phi_6273_;
+                                    if (_e3970 > _e3978) {
+                                        phi_6278_ = _e3970;
+                                    } else {
+                                        phi_6278_ = _e3978;
+                                    }
+                                    let _e4014 = phi_6278_;
+                                    if (_e4011 > _e4014) {
+                                        phi_6283_ = _e4011;
+                                    } else {
+                                        phi_6283_ = _e4014;
+                                    }
+                                    let _e4017 = phi_6283_;
+                                    if (_e4008 > _e4017) {
+                                        phi_6288_ = _e4008;
+                                    } else {
+                                        phi_6288_ = _e4017;
+                                    }
+                                    let _e4020 = phi_6288_;
+                                    if (_e3926 < 0f) {
+                                        phi_6294_ = -(_e3926);
+                                    } else {
+                                        phi_6294_ = _e3926;
+                                    }
+                                    let _e4024 = phi_6294_;
+                                    if (_e3929 < 0f) {
+                                        phi_6300_ = -(_e3929);
+                                    } else {
+                                        phi_6300_ = _e3929;
+                                    }
+                                    let _e4028 = phi_6300_;
+                                    if (_e3932 < 0f) {
+                                        phi_6307_ = -(_e3932);
+                                    } else {
+                                        phi_6307_ = _e3932;
+                                    }
+                                    let _e4033 = phi_6307_;
+                                    let _e4034 = ((_e4024 + _e4028) + _e4033);
+                                    let _e4039 = -(_e4020);
+                                    if (_e3999 > _e4039) {
+                                        phi_6318_ = _e3999;
+                                    } else {
+                                        phi_6318_ = _e4039;
+                                    }
+                                    let _e4042 = phi_6318_;
+                                    let _e4047 = (((_e4042 - ((_e4034 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4034 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4050 = ((_e3684 * _e3678) - (_e3687 * _e3677));
+                                    let _e4053 = ((_e3687 * _e3676) - (_e3681 * _e3678));
+                                    let _e4056 = ((_e3681 * _e3677) - (_e3684 * _e3676));
+                                    let _e4061 = (((_e4050 * _e3690[0]) + (_e4053 * _e3690[1])) + (_e4056 * _e3690[2]));
+                                    let _e4066 = (((_e4050 * _e3707) + (_e4053 * _e3708)) + (_e4056 * _e3709));
+                                    let _e4071 = (((_e4050 * _e3717) + (_e4053 * _e3718)) + (_e4056 * _e3719));
+                                    let _e4079 = (((_e4050 * _e3716[0]) + (_e4053 * _e3716[1])) + (_e4056 * _e3716[2]));
+                                    let _e4084 = (((_e4050 * _e3722[0]) + (_e4053 * _e3722[1])) + (_e4056 * _e3722[2]));
+                                    let _e4089 = (((_e4050 * _e3739) + (_e4053 * _e3740)) + (_e4056 * _e3741));
+                                    let _e4094 = (((_e4050 * _e3749) + (_e4053 * _e3750)) + (_e4056 * _e3751));
+                                    let _e4102 = (((_e4050 * _e3748[0]) + (_e4053 * _e3748[1])) + (_e4056 * _e3748[2]));
+                                    if (_e4061 < _e4066) {
+                                        phi_6389_ = _e4061;
+                                    } else {
+                                        phi_6389_ = _e4066;
+                                    }
+                                    let _e4105 = phi_6389_;
+                                    if (_e4071 < _e4079) {
+                                        phi_6394_ = _e4071;
+                                    } else {
+                                        phi_6394_ = _e4079;
+                                    }
+                                    let _e4108 = phi_6394_;
+                                    if (_e4105 < _e4108) {
+                                        phi_6399_ = _e4105;
+                                    } else {
+                                        phi_6399_ = _e4108;
+                                    }
+                                    let _e4111 = phi_6399_;
+                                    if (_e4084 < _e4089) {
+                                        phi_6404_ = _e4084;
+                                    } else {
+                                        phi_6404_ = _e4089;
+                                    }
+                                    let _e4114 = phi_6404_;
+                                    if (_e4094 < _e4102) {
+                                        phi_6409_ = _e4094;
+                                    } else {
+                                        phi_6409_ = _e4102;
+                                    }
+                                    let _e4117 = phi_6409_;
+                                    if (_e4114 < _e4117) {
+                                        phi_6414_ = _e4114;
+                                    } else {
+                                        phi_6414_ = _e4117;
+                                    }
+                                    let _e4120 = phi_6414_;
+                                    if (_e4111 < _e4120) {
+                                        phi_6419_ = _e4111;
+                                    } else {
+                                        phi_6419_ = _e4120;
+                                    }
+                                    let _e4123 = phi_6419_;
+                                    if (_e4061 > _e4066) {
+                                        phi_6424_ = _e4061;
+                                    } else {
+                                        phi_6424_ = _e4066;
+                                    }
+                                    let _e4126 = phi_6424_;
+                                    if (_e4071 > _e4079) {
+                                        phi_6429_ = _e4071;
+                                    } else {
+                                        phi_6429_ = _e4079;
+                                    }
+                                    let _e4129 = phi_6429_;
+                                    if (_e4126 > _e4129) {
+                                        phi_6434_ = _e4126;
+                                    } else {
+                                        phi_6434_ = _e4129;
+                                    }
+                                    let _e4132 = phi_6434_;
+                                    if (_e4084 > _e4089) {
+                                        phi_6439_ = _e4084;
+                                    } else {
+                                        phi_6439_ = _e4089;
+                                    }
+                                    let _e4135 = phi_6439_;
+                                    if (_e4094 > _e4102) {
+                                        phi_6444_ = _e4094;
+                                    } else {
+                                        phi_6444_ = _e4102;
+                                    }
+                                    let _e4138 = phi_6444_;
+                                    if (_e4135 > _e4138) {
+                                        phi_6449_ = _e4135;
+                                    } else {
+                                        phi_6449_ = _e4138;
+                                    }
+                                    let _e4141 = phi_6449_;
+                                    if (_e4132 > _e4141) {
+                                        phi_6454_ = _e4132;
+                                    } else {
+                                        phi_6454_ = _e4141;
+                                    }
+                                    let _e4144 = phi_6454_;
+                                    if (_e4050 < 0f) {
+                                        phi_6460_ = -(_e4050);
+                                    } else {
+                                        phi_6460_ = _e4050;
+                                    }
+                                    let _e4148 = phi_6460_;
+                                    if (_e4053 < 0f) {
+                                        phi_6466_ = -(_e4053);
+                                    } else {
+                                        phi_6466_ = _e4053;
+                                    }
+                                    let _e4152 = phi_6466_;
+                                    if (_e4056 < 0f) {
+                                        phi_6473_ = -(_e4056);
+                                    } else {
+                                        phi_6473_ = _e4056;
+                                    }
+                                    let _e4157 = phi_6473_;
+                                    let _e4158 = ((_e4148 + _e4152) + _e4157);
+                                    let _e4163 = -(_e4144);
+                                    if (_e4123 > _e4163) {
+                                        phi_6484_ = _e4123;
+                                    } else {
+                                        phi_6484_ = _e4163;
+                                    }
+                                    let _e4166 = phi_6484_;
+                                    let _e4171 = (((_e4166 - ((_e4158 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4158 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4047 > _e4171) {
+                                        phi_6494_ = _e4047;
+                                    } else {
+                                        phi_6494_ = _e4171;
+                                    }
+                                    let _e4174 = phi_6494_;
+                                    if (_e2990.member == 0u) {
+                                        let _e4176 = (_e3676 - _e3661);
+                                        let _e4177 = (_e3677 - _e3662);
+                                        let _e4178 = (_e3678 - _e3663);
+                                        let _e4181 = ((_e3684 * _e4178) - (_e3687 * _e4177));
+                                        let _e4184 = ((_e3687 * _e4176) - (_e3681 * _e4178));
+                                        let _e4187 = ((_e3681 * _e4177) - (_e3684 * _e4176));
+                                        let _e4192 = (((_e4181 * _e3690[0]) + (_e4184 * _e3690[1])) + (_e4187 * _e3690[2]));
+                                        let _e4197 = (((_e4181 * _e3707) + (_e4184 * _e3708)) + (_e4187 * _e3709));
+                                        let _e4202 = (((_e4181 * _e3717) + (_e4184 * _e3718)) + (_e4187 * _e3719));
+                                        let _e4210 = (((_e4181 * _e3716[0]) + (_e4184 * _e3716[1])) + (_e4187 * _e3716[2]));
+                                        let _e4215 = (((_e4181 * _e3722[0]) + (_e4184 * _e3722[1])) + (_e4187 * _e3722[2]));
+                                        let _e4220 = (((_e4181 * _e3739) + (_e4184 * _e3740)) + (_e4187 * _e3741));
+                                        let _e4225 = (((_e4181 * _e3749) + (_e4184 * _e3750)) + (_e4187 * _e3751));
+                                        let _e4233 = (((_e4181 * _e3748[0]) + (_e4184 * _e3748[1])) + (_e4187 * _e3748[2]));
+                                        if (_e4192 < _e4197) {
+                                            phi_6567_ = _e4192;
+                                        } else {
+                                            phi_6567_ = _e4197;
+                                        }
+                                        let _e4236 = phi_6567_;
+                                        if (_e4202 < _e4210) {
+                                            phi_6572_ = _e4202;
+                                        } else {
+                                            phi_6572_ = _e4210;
+                                        }
+                                        let _e4239 = phi_6572_;
+                                        if (_e4236 < _e4239) {
+                                            phi_6577_ = _e4236;
+                                        } else {
+                                            phi_6577_ = _e4239;
+                                        }
+                                        let _e4242 = phi_6577_;
+                                        if (_e4215 < _e4220) {
+                                            phi_6582_ = _e4215;
+                                        } else {
+                                            phi_6582_ = _e4220;
+                                        }
+                                        let _e4245 = phi_6582_;
+                                        if (_e4225 < _e4233) {
+                                            phi_6587_ = _e4225;
+                                        } else {
+                                            phi_6587_ = _e4233;
+                                        }
+                                        let _e4248 = phi_6587_;
+                                        if (_e4245 < _e4248) {
+                                            phi_6592_ = _e4245;
+                                        } else {
+                                            phi_6592_ = _e4248;
+                                        }
+                                        let _e4251 = phi_6592_;
+                                        if (_e4242 < _e4251) {
+                                            phi_6597_ = _e4242;
+                                        } else {
+                                            phi_6597_ = _e4251;
+                                        }
+                                        let _e4254 = phi_6597_;
+                                        if (_e4192 > _e4197) {
+                                            phi_6602_ = _e4192;
+                                        } else {
+                                            phi_6602_ = _e4197;
+                                        }
+                                        let _e4257 = phi_6602_;
+                                        if (_e4202 > _e4210) {
+                                            phi_6607_ = _e4202;
+                                        } else {
+                                            phi_6607_ = _e4210;
+                                        }
+                                        let _e4260 = phi_6607_;
+                                        if (_e4257 > _e4260) {
+                                            phi_6612_ = _e4257;
+                                        } else {
+                                            phi_6612_ = _e4260;
+                                        }
+                                        let _e4263 = phi_6612_;
+                                        if (_e4215 > _e4220) {
+                                            phi_6617_ = _e4215;
+                                        } else {
+                                            phi_6617_ = _e4220;
+                                        }
+                                        let _e4266 = phi_6617_;
+                                        if (_e4225 > _e4233) {
+                                            phi_6622_ = _e4225;
+                                        } else {
+                                            phi_6622_ = _e4233;
+                                        }
+                                        let _e4269 = phi_6622_;
+                                        if (_e4266 > _e4269) {
+                                            phi_6627_ = _e4266;
+                                        } else {
+                                            phi_6627_ = _e4269;
+                                        }
+                                        let _e4272 = phi_6627_;
+                                        if (_e4263 > _e4272) {
+                                            phi_6632_ = _e4263;
+                                        } else {
+                                            phi_6632_ = _e4272;
+                                        }
+                                        let _e4275 = phi_6632_;
+                                        if (_e4181 < 0f) {
+                                            phi_6638_ = -(_e4181);
+                                        } else {
+                                            phi_6638_ = _e4181;
+                                        }
+                                        let _e4279 = phi_6638_;
+                                        if (_e4184 < 0f) {
+                                            phi_6644_ = -(_e4184);
+                                        } else {
+                                            phi_6644_ = _e4184;
+                                        }
+                                        let _e4283 = phi_6644_;
+                                        if (_e4187 < 0f) {
+                                            phi_6651_ = -(_e4187);
+                                        } else {
+                                            phi_6651_ = _e4187;
+                                        }
+                                        let _e4288 = phi_6651_;
+                                        let _e4289 = ((_e4279 + _e4283) + _e4288);
+                                        let _e4294 = -(_e4275);
+                                        if (_e4254 > _e4294) {
+                                            phi_6662_ = _e4254;
+                                        } else {
+                                            phi_6662_ = _e4294;
+                                        }
+                                        let _e4297 = phi_6662_;
+                                        let _e4302 = (((_e4297 - ((_e4289 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4289 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4174 > _e4302) {
+                                            phi_6672_ = _e4174;
+                                        } else {
+                                            phi_6672_ = _e4302;
+                                        }
+                                        let _e4305 = phi_6672_;
+                                        phi_6673_ = _e4305;
+                                    } else {
+                                        phi_6673_ = _e4174;
+                                    }
+                                    let _e4307 = phi_6673_;
+                                    phi_6676_ = (_e3648 || (_e4307 > 0f));
+                                }
+                                let _e4311 = phi_6676_;
+                                if _e4311 {
+                                    let _e4314 = local_1.member_1[0u];
+                                    let _e4320 = local_1.member_2[0u];
+                                    let _e4326 = ((_e4314[1] * _e4320[2]) - (_e4314[2] * _e4320[1]));
+                                    let _e4329 = ((_e4314[2] * _e4320[0]) - (_e4314[0] * _e4320[2]));
+                                    let _e4332 = ((_e4314[0] * _e4320[1]) - (_e4314[1] * _e4320[0]));
+                                    let _e4335 = local_1.member_1[1u];
+                                    let _e4341 = local_1.member_2[1u];
+                                    let _e4347 = ((_e4335[1] * _e4341[2]) - (_e4335[2] * _e4341[1]));
+                                    let _e4350 = ((_e4335[2] * _e4341[0]) - (_e4335[0] * _e4341[2]));
+                                    let _e4353 = ((_e4335[0] * _e4341[1]) - (_e4335[1] * _e4341[0]));
+                                    let _e4356 = local_1.member_1[0u];
+                                    let _e4362 = local_1.member_2[1u];
+                                    let _e4377 = local_1.member_1[1u];
+                                    let _e4383 = local_1.member_2[0u];
+                                    let _e4396 = (((_e4356[1] * _e4362[2]) - (_e4356[2] * _e4362[1])) + ((_e4377[1] * _e4383[2]) - (_e4377[2] * _e4383[1])));
+                                    let _e4397 = (((_e4356[2] * _e4362[0]) - (_e4356[0] * _e4362[2])) + ((_e4377[2] * _e4383[0]) - (_e4377[0] * _e4383[2])));
+                                    let _e4398 = (((_e4356[0] * _e4362[1]) - (_e4356[1] * _e4362[0])) + ((_e4377[0] * _e4383[1]) - (_e4377[1] * _e4383[0])));
+                                    let _e4401 = local_1.member[0u];
+                                    let _e4412 = local_1.member[1u];
+                                    let _e4423 = local_1.member[0u];
+                                    let _e4432 = ((((_e4412[0] * _e4326) + (_e4412[1] * _e4329)) + (_e4412[2] * _e4332)) + (((_e4423[0] * _e4396) + (_e4423[1] * _e4397)) + (_e4423[2] * _e4398)));
+                                    let _e4435 = local_1.member[0u];
+                                    let _e4446 = local_1.member[1u];
+                                    let _e4455 = ((((_e4435[0] * _e4347) + (_e4435[1] * _e4350)) + (_e4435[2] * _e4353)) + (((_e4446[0] * _e4396) + (_e4446[1] * _e4397)) + (_e4446[2] * _e4398)));
+                                    let _e4458 = local_1.member[1u];
+                                    let _e4469 = local_1.member[0u];
+                                    if (_e4469[0] < 0f) {
+                                        phi_6921_ = -(_e4469[0]);
+                                    } else {
+                                        phi_6921_ = _e4469[0];
+                                    }
+                                    let _e4476 = phi_6921_;
+                                    if (_e4469[1] < 0f) {
+                                        phi_6928_ = -(_e4469[1]);
+                                    } else {
+                                        phi_6928_ = _e4469[1];
+                                    }
+                                    let _e4480 = phi_6928_;
+                                    if (_e4476 > _e4480) {
+                                        phi_6933_ = _e4476;
+                                    } else {
+                                        phi_6933_ = _e4480;
+                                    }
+                                    let _e4483 = phi_6933_;
+                                    if (_e4469[2] < 0f) {
+                                        phi_6940_ = -(_e4469[2]);
+                                    } else {
+                                        phi_6940_ = _e4469[2];
+                                    }
+                                    let _e4487 = phi_6940_;
+                                    if (_e4483 > _e4487) {
+                                        phi_6945_ = _e4483;
+                                    } else {
+                                        phi_6945_ = _e4487;
+                                    }
+                                    let _e4490 = phi_6945_;
+                                    let _e4493 = local_1.member[1u];
+                                    if (_e4493[0] < 0f) {
+                                        phi_6958_ = -(_e4493[0]);
+                                    } else {
+                                        phi_6958_ = _e4493[0];
+                                    }
+                                    let _e4500 = phi_6958_;
+                                    if (_e4493[1] < 0f) {
+                                        phi_6965_ = -(_e4493[1]);
+                                    } else {
+                                        phi_6965_ = _e4493[1];
+                                    }
+                                    let _e4504 = phi_6965_;
+                                    if (_e4500 > _e4504) {
+                                        phi_6970_ = _e4500;
+                                    } else {
+                                        phi_6970_ = _e4504;
+                                    }
+                                    let _e4507 = phi_6970_;
+                                    if (_e4493[2] < 0f) {
+                                        phi_6977_ = -(_e4493[2]);
+                                    } else {
+                                        phi_6977_ = _e4493[2];
+                                    }
+                                    let _e4511 = phi_6977_;
+                                    if (_e4507 > _e4511) {
+                                        phi_6982_ = _e4507;
+                                    } else {
+                                        phi_6982_ = _e4511;
+                                    }
+                                    let _e4514 = phi_6982_;
+                                    if (_e4490 > _e4514) {
+                                        phi_6987_ = _e4490;
+                                    } else {
+                                        phi_6987_ = _e4514;
+                                    }
+                                    let _e4517 = phi_6987_;
+                                    let _e4519 = local_1.member_3;
+                                    let _e4520 = (_e4517 + _e4519);
+                                    let _e4523 = local_1.member_1[0u];
+                                    if (_e4523[0] < 0f) {
+                                        phi_7004_ = -(_e4523[0]);
+                                    } else {
+                                        phi_7004_ = _e4523[0];
+                                    }
+                                    let _e4530 = phi_7004_;
+                                    if (_e4523[1] < 0f) {
+                                        phi_7011_ = -(_e4523[1]);
+                                    } else {
+                                        phi_7011_ = _e4523[1];
+                                    }
+                                    let _e4534 = phi_7011_;
+                                    if (_e4530 > _e4534) {
+                                        phi_7016_ = _e4530;
+                                    } else {
+                                        phi_7016_ = _e4534;
+                                    }
+                                    let _e4537 = phi_7016_;
+                                    if (_e4523[2] < 0f) {
+                                        phi_7023_ = -(_e4523[2]);
+                                    } else {
+                                        phi_7023_ = _e4523[2];
+                                    }
+                                    let _e4541 = phi_7023_;
+                                    if (_e4537 > _e4541) {
+                                        phi_7028_ = _e4537;
+                                    } else {
+                                        phi_7028_ = _e4541;
+                                    }
+                                    let _e4544 = phi_7028_;
+                                    let _e4547 = local_1.member_1[1u];
+                                    if (_e4547[0] < 0f) {
+                                        phi_7042_ = -(_e4547[0]);
+                                    } else {
+                                        phi_7042_ = _e4547[0];
+                                    }
+                                    let _e4554 = phi_7042_;
+                                    if (_e4547[1] < 0f) {
+                                        phi_7049_ = -(_e4547[1]);
+                                    } else {
+                                        phi_7049_ = _e4547[1];
+                                    }
+                                    let _e4558 = phi_7049_;
+                                    if (_e4554 > _e4558) {
+                                        phi_7054_ = _e4554;
+                                    } else {
+                                        phi_7054_ = _e4558;
+                                    }
+                                    let _e4561 = phi_7054_;
+                                    if (_e4547[2] < 0f) {
+                                        phi_7061_ = -(_e4547[2]);
+                                    } else {
+                                        phi_7061_ = _e4547[2];
+                                    }
+                                    let _e4565 = phi_7061_;
+                                    if (_e4561 > _e4565) {
+                                        phi_7066_ = _e4561;
+                                    } else {
+                                        phi_7066_ = _e4565;
+                                    }
+                                    let _e4568 = phi_7066_;
+                                    if (_e4544 > _e4568) {
+                                        phi_7071_ = _e4544;
+                                    } else {
+                                        phi_7071_ = _e4568;
+                                    }
+                                    let _e4571 = phi_7071_;
+                                    let _e4573 = local_1.member_3;
+                                    let _e4574 = (_e4571 + _e4573);
+                                    let _e4577 = local_1.member_2[0u];
+                                    if (_e4577[0] < 0f) {
+                                        phi_7088_ = -(_e4577[0]);
+                                    } else {
+                                        phi_7088_ = _e4577[0];
+                                    }
+                                    let _e4584 = phi_7088_;
+                                    if (_e4577[1] < 0f) {
+                                        phi_7095_ = -(_e4577[1]);
+                                    } else {
+                                        phi_7095_ = _e4577[1];
+                                    }
+                                    let _e4588 = phi_7095_;
+                                    if (_e4584 > _e4588) {
+                                        phi_7100_ = _e4584;
+                                    } else {
+                                        phi_7100_ = _e4588;
+                                    }
+                                    let _e4591 = phi_7100_;
+                                    if (_e4577[2] < 0f) {
+                                        phi_7107_ = -(_e4577[2]);
+                                    } else {
+                                        phi_7107_ = _e4577[2];
+                                    }
+                                    let _e4595 = phi_7107_;
+                                    if (_e4591 > _e4595) {
+                                        phi_7112_ = _e4591;
+                                    } else {
+                                        phi_7112_ = _e4595;
+                                    }
+                                    let _e4598 = phi_7112_;
+                                    let _e4601 = local_1.member_2[1u];
+                                    if (_e4601[0] < 0f) {
+                                        phi_7126_ = -(_e4601[0]);
+                                    } else {
+                                        phi_7126_ = _e4601[0];
+                                    }
+                                    let _e4608 = phi_7126_;
+                                    if (_e4601[1] < 0f) {
+                                        phi_7133_ = -(_e4601[1]);
+                                    } else {
+                                        phi_7133_ = _e4601[1];
+                                    }
+                                    let _e4612 = phi_7133_;
+                                    if (_e4608 > _e4612) {
+                                        phi_7138_ = _e4608;
+                                    } else {
+                                        phi_7138_ = _e4612;
+                                    }
+                                    let _e4615 = phi_7138_;
+                                    if (_e4601[2] < 0f) {
+                                        phi_7145_ = -(_e4601[2]);
+                                    } else {
+                                        phi_7145_ = _e4601[2];
+                                    }
+                                    let _e4619 = phi_7145_;
+                                    if (_e4615 > _e4619) {
+                                        phi_7150_ = _e4615;
+                                    } else {
+                                        phi_7150_ = _e4619;
+                                    }
+                                    let _e4622 = phi_7150_;
+                                    if (_e4598 > _e4622) {
+                                        phi_7155_ = _e4598;
+                                    } else {
+                                        phi_7155_ = _e4622;
+                                    }
+                                    let _e4625 = phi_7155_;
+                                    let _e4627 = local_1.member_3;
+                                    let _e4628 = (_e4625 + _e4627);
+                                    let _e4630 = ((_e4574 * 8f) * _e4628);
+                                    let _e4637 = local_1.member_3;
+                                    if (_e4326 < 0f) {
+                                        phi_7186_ = -(_e4326);
+                                    } else {
+                                        phi_7186_ = _e4326;
+                                    }
+                                    let _e4654 = phi_7186_;
+                                    if (_e4329 < 0f) {
+                                        phi_7192_ = -(_e4329);
+                                    } else {
+                                        phi_7192_ = _e4329;
+                                    }
+                                    let _e4658 = phi_7192_;
+                                    if (_e4332 < 0f) {
+                                        phi_7199_ = -(_e4332);
+                                    } else {
+                                        phi_7199_ = _e4332;
+                                    }
+                                    let _e4663 = phi_7199_;
+                                    let _e4664 = ((_e4654 + _e4658) + _e4663);
+                                    if (_e4347 < 0f) {
+                                        phi_7206_ = -(_e4347);
+                                    } else {
+                                        phi_7206_ = _e4347;
+                                    }
+                                    let _e4668 = phi_7206_;
+                                    if (_e4350 < 0f) {
+                                        phi_7212_ = -(_e4350);
+                                    } else {
+                                        phi_7212_ = _e4350;
+                                    }
+                                    let _e4672 = phi_7212_;
+                                    if (_e4353 < 0f) {
+                                        phi_7219_ = -(_e4353);
+                                    } else {
+                                        phi_7219_ = _e4353;
+                                    }
+                                    let _e4677 = phi_7219_;
+                                    let _e4678 = ((_e4668 + _e4672) + _e4677);
+                                    if (_e4664 > _e4678) {
+                                        phi_7225_ = _e4664;
+                                    } else {
+                                        phi_7225_ = _e4678;
+                                    }
+                                    let _e4681 = phi_7225_;
+                                    if (_e4396 < 0f) {
+                                        phi_7231_ = -(_e4396);
+                                    } else {
+                                        phi_7231_ = _e4396;
+                                    }
+                                    let _e4685 = phi_7231_;
+                                    if (_e4397 < 0f) {
+                                        phi_7237_ = -(_e4397);
+                                    } else {
+                                        phi_7237_ = _e4397;
+                                    }
+                                    let _e4689 = phi_7237_;
+                                    if (_e4398 < 0f) {
+                                        phi_7244_ = -(_e4398);
+                                    } else {
+                                        phi_7244_ = _e4398;
+                                    }
+                                    let _e4694 = phi_7244_;
+                                    let _e4696 = (((_e4685 + _e4689) + _e4694) * 0.5f);
+                                    if (_e4681 > _e4696) {
+                                        phi_7251_ = _e4681;
+                                    } else {
+                                        phi_7251_ = _e4696;
+                                    }
+                                    let _e4699 = phi_7251_;
+                                    let _e4704 = local_1.member_3;
+                                    let _e4717 = ((((_e4401[0] * _e4326) + (_e4401[1] * _e4329)) + (_e4401[2] * _e4332)) * 3f);
+                                    let _e4718 = ((((_e4458[0] * _e4347) + (_e4458[1] * _e4350)) + (_e4458[2] * _e4353)) * 3f);
+                                    if (_e4717 < _e4718) {
+                                        phi_7275_ = _e4717;
+                                    } else {
+                                        phi_7275_ = _e4718;
+                                    }
+                                    let _e4721 = phi_7275_;
+                                    if (_e4432 < _e4455) {
+                                        phi_7280_ = _e4432;
+                                    } else {
+                                        phi_7280_ = _e4455;
+                                    }
+                                    let _e4724 = phi_7280_;
+                                    if (_e4721 < _e4724) {
+                                        phi_7285_ = _e4721;
+                                    } else {
+                                        phi_7285_ = _e4724;
+                                    }
+                                    let _e4727 = phi_7285_;
+                                    if (_e4717 > _e4718) {
+                                        phi_7290_ = _e4717;
+                                    } else {
+                                        phi_7290_ = _e4718;
+                                    }
+                                    let _e4730 = phi_7290_;
+                                    if (_e4432 > _e4455) {
+                                        phi_7295_ = _e4432;
+                                    } else {
+                                        phi_7295_ = _e4455;
+                                    }
+                                    let _e4733 = phi_7295_;
+                                    if (_e4730 > _e4733) {
+                                        phi_7300_ = _e4730;
+                                    } else {
+                                        phi_7300_ = _e4733;
+                                    }
+                                    let _e4736 = phi_7300_;
+                                    let _e4741 = -(_e4736);
+                                    if (_e4727 > _e4741) {
+                                        phi_7310_ = _e4727;
+                                    } else {
+                                        phi_7310_ = _e4741;
+                                    }
+                                    let _e4744 = phi_7310_;
+                                    let _e4746 = ((_e4744 - ((((((_e4520 * 8f) * _e4630) * (0.000000059604645f * (524f / 64f))) + ((_e4637 * 19f) * ((_e4520 * (_e4574 + _e4628)) + (_e4574 * _e4628)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4520) * ((1f + _e4574) * (1f + _e4628))))) + ((_e91.member_5 * (((_e4699 + (_e4630 * (0.000000059604645f * 8f))) + ((_e4704 * 6f) * (_e4574 + _e4628))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4574) * (1f + _e4628))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4746 {
+                                        phi_8279_ = _e4746;
+                                    } else {
+                                        let _e4749 = local_1.member_1[0u];
+                                        let _e4755 = local_1.member_1[1u];
+                                        let _e4759 = (_e4749[0] + _e4755[0]);
+                                        let _e4760 = (_e4749[1] + _e4755[1]);
+                                        let _e4761 = (_e4749[2] + _e4755[2]);
+                                        let _e4764 = local_1.member_2[0u];
+                                        let _e4770 = local_1.member_2[1u];
+                                        let _e4774 = (_e4764[0] + _e4770[0]);
+                                        let _e4775 = (_e4764[1] + _e4770[1]);
+                                        let _e4776 = (_e4764[2] + _e4770[2]);
+                                        let _e4779 = ((_e4760 * _e4776) - (_e4761 * _e4775));
+                                        let _e4782 = ((_e4761 * _e4774) - (_e4759 * _e4776));
+                                        let _e4785 = ((_e4759 * _e4775) - (_e4760 * _e4774));
+                                        let _e4788 = local_1.member[0u];
+                                        let _e4795 = local_1.member_1[0u];
+                                        let _e4801 = local_1.member_2[0u];
+                                        let _e4805 = (_e4788[0] - _e4795[0]);
+                                        let _e4806 = (_e4788[1] - _e4795[1]);
+                                        let _e4807 = (_e4788[2] - _e4795[2]);
+                                        if (_e2990.member == 0u) {
+                                            phi_7426_ = array<f32, 3>(_e4788[0], _e4788[1], _e4788[2]);
+                                        } else {
+                                            phi_7426_ = array<f32, 3>((_e4805 - _e4801[0]), (_e4806 - _e4801[1]), (_e4807 - _e4801[2]));
+                                        }
+                                        let _e4814 = phi_7426_;
+                                        let _e4815 = (_e4788[0] - _e4801[0]);
+                                        let _e4816 = (_e4788[1] - _e4801[1]);
+                                        let _e4817 = (_e4788[2] - _e4801[2]);
+                                        let _e4820 = local_1.member[1u];
+                                        let _e4827 = local_1.member_1[1u];
+                                        let _e4833 = local_1.member_2[1u];
+                                        let _e4837 = (_e4820[0] - _e4827[0]);
+                                        let _e4838 = (_e4820[1] - _e4827[1]);
+                                        let _e4839 = (_e4820[2] - _e4827[2]);
+                                        if (_e2990.member == 0u) {
+                                            phi_7491_ = array<f32, 3>(_e4820[0], _e4820[1], _e4820[2]);
+                                        } else {
+                                            phi_7491_ = array<f32, 3>((_e4837 - _e4833[0]), (_e4838 - _e4833[1]), (_e4839 - _e4833[2]));
+                                        }
+                                        let _e4846 = phi_7491_;
+                                        let _e4847 = (_e4820[0] - _e4833[0]);
+                                        let _e4848 = (_e4820[1] - _e4833[1]);
+                                        let _e4849 = (_e4820[2] - _e4833[2]);
+                                        let _e4852 = local_1.member[0u];
+                                        if (_e4852[0] < 0f) {
+                                            phi_7513_ = -(_e4852[0]);
+                                        } else {
+                                            phi_7513_ = _e4852[0];
+                                        }
+                                        let _e4859 = phi_7513_;
+                                        if (_e4852[1] < 0f) {
+                                            phi_7520_ = -(_e4852[1]);
+                                        } else {
+                                            phi_7520_ = _e4852[1];
+                                        }
+                                        let _e4863 = phi_7520_;
+                                        if (_e4859 > _e4863) {
+                                            phi_7525_ = _e4859;
+                                        } else {
+                                            phi_7525_ = _e4863;
+                                        }
+                                        let _e4866 = phi_7525_;
+                                        if (_e4852[2] < 0f) {
+                                            phi_7532_ = -(_e4852[2]);
+                                        } else {
+                                            phi_7532_ = _e4852[2];
+                                        }
+                                        let _e4870 = phi_7532_;
+                                        if (_e4866 > _e4870) {
+                                            phi_7537_ = _e4866;
+                                        } else {
+                                            phi_7537_ = _e4870;
+                                        }
+                                        let _e4873 = phi_7537_;
+                                        let _e4876 = local_1.member[1u];
+                                        if (_e4876[0] < 0f) {
+                                            phi_7550_ = -(_e4876[0]);
+                                        } else {
+                                            phi_7550_ = _e4876[0];
+                                        }
+                                        let _e4883 = phi_7550_;
+                                        if (_e4876[1] < 0f) {
+                                            phi_7557_ = -(_e4876[1]);
+                                        } else {
+                                            phi_7557_ = _e4876[1];
+                                        }
+                                        let _e4887 = phi_7557_;
+                                        if (_e4883 > _e4887) {
+                                            phi_7562_ = _e4883;
+                                        } else {
+                                            phi_7562_ = _e4887;
+                                        }
+                                        let _e4890 = phi_7562_;
+                                        if (_e4876[2] < 0f) {
+                                            phi_7569_ = -(_e4876[2]);
+                                        } else {
+                                            phi_7569_ = _e4876[2];
+                                        }
+                                        let _e4894 = phi_7569_;
+                                        if (_e4890 > _e4894) {
+                                            phi_7574_ = _e4890;
+                                        } else {
+                                            phi_7574_ = _e4894;
+                                        }
+                                        let _e4897 = phi_7574_;
+                                        if (_e4873 > _e4897) {
+                                            phi_7579_ = _e4873;
+                                        } else {
+                                            phi_7579_ = _e4897;
+                                        }
+                                        let _e4900 = phi_7579_;
+                                        let _e4902 = local_1.member_3;
+                                        let _e4906 = local_1.member_1[0u];
+                                        if (_e4906[0] < 0f) {
+                                            phi_7596_ = -(_e4906[0]);
+                                        } else {
+                                            phi_7596_ = _e4906[0];
+                                        }
+                                        let _e4913 = phi_7596_;
+                                        if (_e4906[1] < 0f) {
+                                            phi_7603_ = -(_e4906[1]);
+                                        } else {
+                                            phi_7603_ = _e4906[1];
+                                        }
+                                        let _e4917 = phi_7603_;
+                                        if (_e4913 > _e4917) {
+                                            phi_7608_ = _e4913;
+                                        } else {
+                                            phi_7608_ = _e4917;
+                                        }
+                                        let _e4920 = phi_7608_;
+                                        if (_e4906[2] < 0f) {
+                                            phi_7615_ = -(_e4906[2]);
+                                        } else {
+                                            phi_7615_ = _e4906[2];
+                                        }
+                                        let _e4924 = phi_7615_;
+                                        if (_e4920 > _e4924) {
+                                            phi_7620_ = _e4920;
+                                        } else {
+                                            phi_7620_ = _e4924;
+                                        }
+                                        let _e4927 = phi_7620_;
+                                        let _e4930 = local_1.member_1[1u];
+                                        if (_e4930[0] < 0f) {
+                                            phi_7634_ = -(_e4930[0]);
+                                        } else {
+                                            phi_7634_ = _e4930[0];
+                                        }
+                                        let _e4937 = phi_7634_;
+                                        if (_e4930[1] < 0f) {
+                                            phi_7641_ = -(_e4930[1]);
+                                        } else {
+                                            phi_7641_ = _e4930[1];
+                                        }
+                                        let _e4941 = phi_7641_;
+                                        if (_e4937 > _e4941) {
+                                            phi_7646_ = _e4937;
+                                        } else {
+                                            phi_7646_ = _e4941;
+                                        }
+                                        let _e4944 = phi_7646_;
+                                        if (_e4930[2] < 0f) {
+                                            phi_7653_ = -(_e4930[2]);
+                                        } else {
+                                            phi_7653_ = _e4930[2];
+                                        }
+                                        let _e4948 = phi_7653_;
+                                        if (_e4944 > _e4948) {
+                                            phi_7658_ = _e4944;
+                                        } else {
+                                            phi_7658_ = _e4948;
+                                        }
+                                        let _e4951 = phi_7658_;
+                                        if (_e4927 > _e4951) {
+                                            phi_7663_ = _e4927;
+                                        } else {
+                                            phi_7663_ = _e4951;
+                                        }
+                                        let _e4954 = phi_7663_;
+                                        let _e4956 = local_1.member_3;
+                                        let _e4960 = local_1.member_2[0u];
+                                        if (_e4960[0] < 0f) {
+                                            phi_7680_ = -(_e4960[0]);
+                                        } else {
+                                            phi_7680_ = _e4960[0];
+                                        }
+                                        let _e4967 = phi_7680_;
+                                        if (_e4960[1] < 0f) {
+                                            phi_7687_ = -(_e4960[1]);
+                                        } else {
+                                            phi_7687_ = _e4960[1];
+                                        }
+                                        let _e4971 = phi_7687_;
+                                        if (_e4967 > _e4971) {
+                                            phi_7692_ = _e4967;
+                                        } else {
+                                            phi_7692_ = _e4971;
+                                        }
+                                        let _e4974 = phi_7692_;
+                                        if (_e4960[2] < 0f) {
+                                            phi_7699_ = -(_e4960[2]);
+                                        } else {
+                                            phi_7699_ = _e4960[2];
+                                        }
+                                        let _e4978 = phi_7699_;
+                                        if (_e4974 > _e4978) {
+                                            phi_7704_ = _e4974;
+                                        } else {
+                                            phi_7704_ = _e4978;
+                                        }
+                                        let _e4981 = phi_7704_;
+                                        let _e4984 = local_1.member_2[1u];
+                                        if (_e4984[0] < 0f) {
+                                            phi_7718_ = -(_e4984[0]);
+                                        } else {
+                                            phi_7718_ = _e4984[0];
+                                        }
+                                        let _e4991 = phi_7718_;
+                                        if (_e4984[1] < 0f) {
+                                            phi_7725_ = -(_e4984[1]);
+                                        } else {
+                                            phi_7725_ = _e4984[1];
+                                        }
+                                        let _e4995 = phi_7725_;
+                                        if (_e4991 > _e4995) {
+                                            phi_7730_ = _e4991;
+                                        } else {
+                                            phi_7730_ = _e4995;
+                                        }
+                                        let _e4998 = phi_7730_;
+                                        if (_e4984[2] < 0f) {
+                                            phi_7737_ = -(_e4984[2]);
+                                        } else {
+                                            phi_7737_ = _e4984[2];
+                                        }
+                                        let _e5002 = phi_7737_;
+                                        if (_e4998 > _e5002) {
+                                            phi_7742_ = _e4998;
+                                        } else {
+                                            phi_7742_ = _e5002;
+                                        }
+                                        let _e5005 = phi_7742_;
+                                        if (_e4981 > _e5005) {
+                                            phi_7747_ = _e4981;
+                                        } else {
+                                            phi_7747_ = _e5005;
+                                        }
+                                        let _e5008 = phi_7747_;
+                                        let _e5010 = local_1.member_3;
+                                        let _e5014 = ((((_e4900 + _e4902) + (_e4954 + _e4956)) + (_e5008 + _e5010)) * 2f);
+                                        let _e5017 = local_1.member_3;
+                                        let _e5021 = (((_e91.member_5 * 1.0001f) + (_e5017 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e5024 = ((_e4782 * _e4761) - (_e4785 * _e4760));
+                                        let _e5027 = ((_e4785 * _e4759) - (_e4779 * _e4761));
+                                        let _e5030 = ((_e4779 * _e4760) - (_e4782 * _e4759));
+                                        let _e5035 = (((_e5024 * _e4788[0]) + (_e5027 * _e4788[1])) + (_e5030 * _e4788[2]));
+                                        let _e5040 = (((_e5024 * _e4805) + (_e5027 * _e4806)) + (_e5030 * _e4807));
+                                        let _e5045 = (((_e5024 * _e4815) + (_e5027 * _e4816)) + (_e5030 * _e4817));
+                                        let _e5053 = (((_e5024 * _e4814[0]) + (_e5027 * _e4814[1])) + (_e5030 * _e4814[2]));
+                                        let _e5058 = (((_e5024 * _e4820[0]) + (_e5027 * _e4820[1])) + (_e5030 * _e4820[2]));
+                                        let _e5063 = (((_e5024 * _e4837) + (_e5027 * _e4838)) + (_e5030 * _e4839));
+                                        let _e5068 = (((_e5024 * _e4847) + (_e5027 * _e4848)) + (_e5030 * _e4849));
+                                        let _e5076 = (((_e5024 * _e4846[0]) + (_e5027 * _e4846[1])) + (_e5030 * _e4846[2]));
+                                        if (_e5035 < _e5040) {
+                                            phi_7826_ = _e5035;
+                                        } else {
+                                            phi_7826_ = _e5040;
+                                        }
+                                        let _e5079 = phi_7826_;
+                                        if (_e5045 < _e5053) {
+                                            phi_7831_ = _e5045;
+                                        } else {
+                                            phi_7831_ = _e5053;
+                                        }
+                                        let _e5082 = phi_7831_;
+                                        if (_e5079 < _e5082) {
+                                            phi_7836_ = _e5079;
+                                        } else {
+                                            phi_7836_ = _e5082;
+                                        }
+                                        let _e5085 = phi_7836_;
+                                        if (_e5058 < _e5063) {
+                                            phi_7841_ = _e5058;
+                                        } else {
+                                            phi_7841_ = _e5063;
+                                        }
+                                        let _e5088 = phi_7841_;
+                                        if (_e5068 < _e5076) {
+                                            phi_7846_ = _e5068;
+                                        } else {
+                                            phi_7846_ = _e5076;
+                                        }
+                                        let _e5091 = phi_7846_;
+                                        if (_e5088 < _e5091) {
+                                            phi_7851_ = _e5088;
+                                        } else {
+                                            phi_7851_ = _e5091;
+                                        }
+                                        let _e5094 = phi_7851_;
+                                        if (_e5085 < _e5094) {
+                                            phi_7856_ = _e5085;
+                                        } else {
+                                            phi_7856_ = _e5094;
+                                        }
+                                        let _e5097 = phi_7856_;
+                                        if (_e5035 > _e5040) {
+                                            phi_7861_ = _e5035;
+                                        } else {
+                                            phi_7861_ = _e5040;
+                                        }
+                                        let _e5100 = phi_7861_;
+                                        if (_e5045 > _e5053) {
+                                            phi_7866_ = _e5045;
+                                        } else {
+                                            phi_7866_ = _e5053;
+                                        }
+                                        let _e5103 = phi_7866_;
+                                        if (_e5100 > _e5103) {
+                                            phi_7871_ = _e5100;
+                                        } else {
+                                            phi_7871_ = _e5103;
+                                        }
+                                        let _e5106 = phi_7871_;
+                                        if (_e5058 > _e5063) {
+                                            phi_7876_ = _e5058;
+                                        } else {
+                                            phi_7876_ = _e5063;
+                                        }
+                                        let _e5109 = phi_7876_;
+                                        if (_e5068 > _e5076) {
+                                            phi_7881_ = _e5068;
+                                        } else {
+                                            phi_7881_ = _e5076;
+                                        }
+                                        let _e5112 = phi_7881_;
+                                        if (_e5109 > _e5112) {
+                                            phi_7886_ = _e5109;
+                                        } else {
+                                            phi_7886_ = _e5112;
+                                        }
+                                        let _e5115 = phi_7886_;
+                                        if (_e5106 > _e5115) {
+                                            phi_7891_ = _e5106;
+                                        } else {
+                                            phi_7891_ = _e5115;
+                                        }
+                                        let _e5118 = phi_7891_;
+                                        if (_e5024 < 0f) {
+                                            phi_7897_ = -(_e5024);
+                                        } else {
+                                            phi_7897_ = _e5024;
+                                        }
+                                        let _e5122 = phi_7897_;
+                                        if (_e5027 < 0f) {
+                                            phi_7903_ = -(_e5027);
+                                        } else {
+                                            phi_7903_ = _e5027;
+                                        }
+                                        let _e5126 = phi_7903_;
+                                        if (_e5030 < 0f) {
+                                            phi_7910_ = -(_e5030);
+                                        } else {
+                                            phi_7910_ = _e5030;
+                                        }
+                                        let _e5131 = phi_7910_;
+                                        let _e5132 = ((_e5122 + _e5126) + _e5131);
+                                        let _e5137 = -(_e5118);
+                                        if (_e5097 > _e5137) {
+                                            phi_7921_ = _e5097;
+                                        } else {
+                                            phi_7921_ = _e5137;
+                                        }
+                                        let _e5140 = phi_7921_;
+                                        let _e5145 = (((_e5140 - ((_e5132 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5132 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e5148 = ((_e4782 * _e4776) - (_e4785 * _e4775));
+                                        let _e5151 = ((_e4785 * _e4774) - (_e4779 * _e4776));
+                                        let _e5154 = ((_e4779 * _e4775) - (_e4782 * _e4774));
+                                        let _e5159 = (((_e5148 * _e4788[0]) + (_e5151 * _e4788[1])) + (_e5154 * _e4788[2]));
+                                        let _e5164 = (((_e5148 * _e4805) + (_e5151 * _e4806)) + (_e5154 * _e4807));
+                                        let _e5169 = (((_e5148 * _e4815) + (_e5151 * _e4816)) + (_e5154 * _e4817));
+                                        let _e5177 = (((_e5148 * _e4814[0]) + (_e5151 * _e4814[1])) + (_e5154 * _e4814[2]));
+                                        let _e5182 = (((_e5148 * _e4820[0]) + (_e5151 * _e4820[1])) + (_e5154 * _e4820[2]));
+                                        let _e5187 = (((_e5148 * _e4837) + (_e5151 * _e4838)) + (_e5154 * _e4839));
+                                        let _e5192 = (((_e5148 * _e4847) + (_e5151 * _e4848)) + (_e5154 * _e4849));
+                                        let _e5200 = (((_e5148 * _e4846[0]) + (_e5151 * _e4846[1])) + (_e5154 * _e4846[2]));
+                                        if (_e5159 < _e5164) {
+                                            phi_7992_ = _e5159;
+                                        } else {
+                                            phi_7992_ = _e5164;
+                                        }
+                                        let _e5203 = phi_7992_;
+                                        if (_e5169 < _e5177) {
+                                            phi_7997_ = _e5169;
+                                        } else {
+                                            phi_7997_ = _e5177;
+                                        }
+                                        let _e5206 = phi_7997_;
+                                        if (_e5203 < _e5206) {
+                                            phi_8002_ = _e5203;
+                                        } else {
+                                            phi_8002_ = _e5206;
+                                        }
+                                        let _e5209 = phi_8002_;
+                                        if (_e5182 < _e5187) {
+                                            phi_8007_ = _e5182;
+                                        } else {
+                                            phi_8007_ = _e5187;
+                                        }
+                                        let _e5212 = phi_8007_;
+                                        if (_e5192 < _e5200) {
+                                            phi_8012_ = _e5192;
+                                        } else {
+                                            phi_8012_ = _e5200;
+                                        }
+                                        let _e5215 = phi_8012_;
+                                        if (_e5212 < _e5215) {
+                                            phi_8017_ = _e5212;
+                                        } else {
+                                            phi_8017_ = _e5215;
+                                        }
+                                        let _e5218 = phi_8017_;
+                                        if (_e5209 < _e5218) {
+                                            phi_8022_ = _e5209;
+                                        } else {
+                                            phi_8022_ = _e5218;
+                                        }
+                                        let _e5221 = phi_8022_;
+                                        if (_e5159 > _e5164) {
+                                            phi_8027_ = _e5159;
+                                        } else {
+                                            phi_8027_ = _e5164;
+                                        }
+                                        let _e5224 = phi_8027_;
+                                        if (_e5169 > _e5177) {
+                                            phi_8032_ = _e5169;
+                                        } else {
+                                            phi_8032_ = _e5177;
+                                        }
+                                        let _e5227 = phi_8032_;
+                                        if (_e5224 > _e5227) {
+                                            phi_8037_ = _e5224;
+                                        } else {
+                                            phi_8037_ = _e5227;
+                                        }
+                                        let _e5230 = phi_8037_;
+                                        if (_e5182 > _e5187) {
+                                            phi_8042_ = _e5182;
+                                        } else {
+                                            phi_8042_ = _e5187;
+                                        }
+                                        let _e5233 = phi_8042_;
+                                        if (_e5192 > _e5200) {
+                                            phi_8047_ = _e5192;
+                                        } else {
+                                            phi_8047_ = _e5200;
+                                        }
+                                        let _e5236 = phi_8047_;
+                                        if (_e5233 > _e5236) {
+                                            phi_8052_ = _e5233;
+                                        } else {
+                                            phi_8052_ = _e5236;
+                                        }
+                                        let _e5239 = phi_8052_;
+                                        if (_e5230 > _e5239) {
+                                            phi_8057_ = _e5230;
+                                        } else {
+                                            phi_8057_ = _e5239;
+                                        }
+                                        let _e5242 = phi_8057_;
+                                        if (_e5148 < 0f) {
+                                            phi_8063_ = -(_e5148);
+                                        } else {
+                                            phi_8063_ = _e5148;
+                                        }
+                                        let _e5246 = phi_8063_;
+                                        if (_e5151 < 0f) {
+                                            phi_8069_ = -(_e5151);
+                                        } else {
+                                            phi_8069_ = _e5151;
+                                        }
+                                        let _e5250 = phi_8069_;
+                                        if (_e5154 < 0f) {
+                                            phi_8076_ = -(_e5154);
+                                        } else {
+                                            phi_8076_ = _e5154;
+                                        }
+                                        let _e5255 = phi_8076_;
+                                        let _e5256 = ((_e5246 + _e5250) + _e5255);
+                                        let _e5261 = -(_e5242);
+                                        if (_e5221 > _e5261) {
+                                            phi_8087_ = _e5221;
+                                        } else {
+                                            phi_8087_ = _e5261;
+                                        }
+                                        let _e5264 = phi_8087_;
+                                        let _e5269 = (((_e5264 - ((_e5256 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5256 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5145 > _e5269) {
+                                            phi_8097_ = _e5145;
+                                        } else {
+                                            phi_8097_ = _e5269;
+                                        }
+                                        let _e5272 = phi_8097_;
+                                        if (_e2990.member == 0u) {
+                                            let _e5274 = (_e4774 - _e4759);
+                                            let _e5275 = (_e4775 - _e4760);
+                                            let _e5276 = (_e4776 - _e4761);
+                                            let _e5279 = ((_e4782 * _e5276) - (_e4785 * _e5275));
+                                            let _e5282 = ((_e4785 * _e5274) - (_e4779 * _e5276));
+                                            let _e5285 = ((_e4779 * _e5275) - (_e4782 * _e5274));
+                                            let _e5290 = (((_e5279 * _e4788[0]) + (_e5282 * _e4788[1])) + (_e5285 * _e4788[2]));
+                                            let _e5295 = (((_e5279 * _e4805) + (_e5282 * _e4806)) + (_e5285 * _e4807));
+                                            let _e5300 = (((_e5279 * _e4815) + (_e5282 * _e4816)) + (_e5285 * _e4817));
+                                            let _e5308 = (((_e5279 * _e4814[0]) + (_e5282 * _e4814[1])) + (_e5285 * _e4814[2]));
+                                            let _e5313 = (((_e5279 * _e4820[0]) + (_e5282 * _e4820[1])) + (_e5285 * _e4820[2]));
+                                            let _e5318 = (((_e5279 * _e4837) + (_e5282 * _e4838)) + (_e5285 * _e4839));
+                                            let _e5323 = (((_e5279 * _e4847) + (_e5282 * _e4848)) + (_e5285 * _e4849));
+                                            let _e5331 = (((_e5279 * _e4846[0]) + (_e5282 * _e4846[1])) + (_e5285 * _e4846[2]));
+                                            if (_e5290 < _e5295) {
+                                                phi_8170_ = _e5290;
+                                            } else {
+                                                phi_8170_ = _e5295;
+                                            }
+                                            let _e5334 = phi_8170_;
+                                            if (_e5300 < _e5308) {
+                                                phi_8175_ = _e5300;
+                                            } else {
+                                                phi_8175_ = _e5308;
+                                            }
+                                            let _e5337 = phi_8175_;
+                                            if (_e5334 < _e5337) {
+                                                phi_8180_ = _e5334;
+                                            } else {
+                                                phi_8180_ = _e5337;
+                                            }
+                                            let _e5340 = phi_8180_;
+                                            if (_e5313 < _e5318) {
+                                                phi_8185_ = _e5313;
+                                            } else {
+                                                phi_8185_ = _e5318;
+                                            }
+                                            let _e5343 = phi_8185_;
+                                            if (_e5323 < _e5331) {
+                                                phi_8190_ = _e5323;
+                                            } else {
+                                                phi_8190_ = _e5331;
+                                            }
+                                            let _e5346 = phi_8190_;
+                                            if (_e5343 < _e5346) {
+                                                phi_8195_ = _e5343;
+                                            } else {
+                                                phi_8195_ = _e5346;
+                                            }
+                                            let _e5349 = phi_8195_;
+                                            if (_e5340 < _e5349) {
+                                                phi_8200_ = _e5340;
+                                            } else {
+                                                phi_8200_ = _e5349;
+                                            }
+                                            let _e5352 = phi_8200_;
+                                            if (_e5290 > _e5295) {
+                                                phi_8205_ = _e5290;
+                                            } else {
+                                                phi_8205_ = _e5295;
+                                            }
+                                            let _e5355 = phi_8205_;
+                                            if (_e5300 > _e5308) {
+                                                phi_8210_ = _e5300;
+                                            } else {
+                                                phi_8210_ = _e5308;
+                                            }
+                                            let _e5358 = phi_8210_;
+                                            if (_e5355 > _e5358) {
+                                                phi_8215_ = _e5355;
+                                            } else {
+                                                phi_8215_ = _e5358;
+                                            }
+                                            let _e5361 = phi_8215_;
+                                            if (_e5313 > _e5318) {
+                                                phi_8220_ = _e5313;
+                                            } else {
+                                                phi_8220_ = _e5318;
+                                            }
+                                            let _e5364 = phi_8220_;
+                                            if (_e5323 > _e5331) {
+                                                phi_8225_ = _e5323;
+                                            } else {
+                                                phi_8225_ = _e5331;
+                                            }
+                                            let _e5367 = phi_8225_;
+                                            if (_e5364 > _e5367) {
+                                                phi_8230_ = _e5364;
+                                            } else {
+                                                phi_8230_ = _e5367;
+                                            }
+                                            let _e5370 = phi_8230_;
+                                            if (_e5361 > _e5370) {
+                                                phi_8235_ = _e5361;
+                                            } else {
+                                                phi_8235_ = _e5370;
+                                            }
+                                            let _e5373 = phi_8235_;
+                                            if (_e5279 < 0f) {
+                                                phi_8241_ = -(_e5279);
+                                            } else {
+                                                phi_8241_ = _e5279;
+                                            }
+                                            let _e5377 = phi_8241_;
+                                            if (_e5282 < 0f) {
+                                                phi_8247_ = -(_e5282);
+                                            } else {
+                                                phi_8247_ = _e5282;
+                                            }
+                                            let _e5381 = phi_8247_;
+                                            if (_e5285 < 0f) {
+                                                phi_8254_ = -(_e5285);
+                                            } else {
+                                                phi_8254_ = _e5285;
+                                            }
+                                            let _e5386 = phi_8254_;
+                                            let _e5387 = ((_e5377 + _e5381) + _e5386);
+                                            let _e5392 = -(_e5373);
+                                            if (_e5352 > _e5392) {
+                                                phi_8265_ = _e5352;
+                                            } else {
+                                                phi_8265_ = _e5392;
+                                            }
+                                            let _e5395 = phi_8265_;
+                                            let _e5400 = (((_e5395 - ((_e5387 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5387 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                            if (_e5272 > _e5400) {
+                                                phi_8275_ = _e5272;
+                                            } else {
+                                                phi_8275_ = _e5400;
+                                            }
+                                            let _e5403 = phi_8275_;
+                                            phi_8276_ = _e5403;
+                                        } else {
+                                            phi_8276_ = _e5272;
+                                        }
+                                        let _e5405 = phi_8276_;
+                                        phi_8279_ = (_e4746 || (_e5405 > 0f));
+                                    }
+                                    let _e5409 = phi_8279_;
+                                    phi_8281_ = (_e4311 && _e5409);
+                                } else {
+                                    phi_8281_ = _e4311;
+                                }
+                                let _e5412 = phi_8281_;
+                                if !(_e5412) {
+                                    let _e5415 = atomicAdd((&counters[7u]), 1u);
+                                    hits[_e2954] = ((2147483648u | (_e5415 << bitcast<u32>(12i))) | _e2957);
+                                }
+                                phi_8292_ = true;
+                            }
+                            let _e5422 = phi_8292_;
+                            phi_8293_ = _e5422;
+                        } else {
+                            phi_8293_ = false;
+                        }
+                        let _e5424 = phi_8293_;
+                        continue;
+                        continuing {
+                            phi_4710_ = _e2946;
+                            break if !(_e5424);
+                        }
+                    }
+                    let _e5428 = params.member.member_1.member_3;
+                    workgroupBarrier();
+                    if (_e73 == 0u) {
+                        let _e5431 = atomicLoad((&counters[7u]));
+                        if (_e5431 > 0u) {
+                            let _e5434 = atomicAdd((&output.member[0u]), _e5431);
+                            if ((_e5434 + _e5431) < _e5434) {
+                                let _e5438 = atomicAdd((&output.member[2u]), 1u);
+                            }
+                            atomicStore((&counters[8u]), _e5434);
+                        }
+                        atomicStore((&counters[5u]), 0u);
+                        atomicStore((&counters[6u]), 0u);
+                        atomicStore((&counters[7u]), 0u);
+                    }
+                    workgroupBarrier();
+                    let _e5444 = atomicLoad((&counters[8u]));
+                    phi_8329_ = type_9(0u, 4u);
+                    loop {
+                        let _e5446 = phi_8329_;
+                        if (_e5446.member < _e5446.member_1) {
+                            phi_8330_ = type_9((_e5446.member + 1u), _e5446.member_1);
+                            phi_8353_ = type_9(1u, _e5446.member);
+                        } else {
+                            phi_8330_ = _e5446;
+                            phi_8353_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e5458 = phi_8330_;
+                        let _e5460 = phi_8353_;
+                        if (bitcast<i32>(_e5460.member) != 0i) {
+                            let _e5466 = (_e73 + (_e5460.member_1 * 128u));
+                            if (_e5466 >= _e2932) {
+                                phi_8448_ = false;
+                            } else {
+                                let _e5469 = hits[_e5466];
+                                if ((_e5469 & 2147483648u) == 0u) {
+                                    phi_8377_ = 4294967295u;
+                                } else {
+                                    phi_8377_ = ((_e5469 & 2147483647u) >> bitcast<u32>(12i));
+                                }
+                                let _e5476 = phi_8377_;
+                                if (_e5476 != 4294967295u) {
+                                    let _e5480 = ((_e5469 >> bitcast<u32>(10i)) & 3u);
+                                    let _e5487 = firsts[(2u * _e5480)];
+                                    let _e5492 = firsts[((2u * _e5480) + 1u)];
+                                    let _e5495 = leaves.member[(_e5487 + ((_e5469 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e5498 = leaves.member[(_e5492 + (_e5469 & 31u))];
+                                    let _e5500 = (_e5444 + _e5476);
+                                    if (_e5495.w < _e5498.w) {
+                                        phi_8429_ = type_9(_e5495.w, _e5498.w);
+                                    } else {
+                                        phi_8429_ = type_9(_e5498.w, _e5495.w);
+                                    }
+                                    let _e5505 = phi_8429_;
+                                    if (_e5500 < _e5428) {
+                                        let _e5509 = (2u * _e5500);
+                                        atomicStore((&output.member[(4u + _e5509)]), _e5505.member);
+                                        atomicStore((&output.member[(_e5509 + 5u)]), _e5505.member_1);
+                                    }
+                                }
+                                phi_8448_ = true;
+                            }
+                            let _e5515 = phi_8448_;
+                            phi_8449_ = _e5515;
+                        } else {
+                            phi_8449_ = false;
+                        }
+                        let _e5517 = phi_8449_;
+                        continue;
+                        continuing {
+                            phi_8329_ = _e5458;
+                            break if !(_e5517);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e6121 = local_8;
+                    phi_1245_ = _e6121;
                 } else {
-                    phi_8684_ = false;
+                    phi_1245_ = type_9();
                 }
-                let _e4852 = phi_8684_;
+                let _e5520 = phi_1245_;
                 continue;
                 continuing {
-                    phi_2256_ = _e1181;
-                    break if !(_e4852);
+                    phi_1241_ = _e677;
+                    phi_1244_ = _e5520;
+                    break if !(_e683);
                 }
             }
-            workgroupBarrier();
-            if (_e71 == 0u) {
-                let _e4856 = atomicLoad((&counters[5u]));
-                if (_e4856 > 0u) {
-                    let _e4859 = atomicAdd((&output.member[0u]), _e4856);
-                    if ((_e4859 + _e4856) < _e4859) {
-                        let _e4863 = atomicAdd((&output.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[6u]), _e4859);
-                }
-            }
-            workgroupBarrier();
-            let _e4866 = atomicLoad((&counters[6u]));
-            if (_e71 == 0u) {
-                let _e4869 = atomicLoad((&counters[7u]));
-                if (_e4869 > 0u) {
-                    let _e4872 = atomicAdd((&output.member[1u]), _e4869);
-                    if ((_e4872 + _e4869) < _e4872) {
-                        let _e4876 = atomicAdd((&output.member[3u]), 1u);
-                    }
-                }
-            }
-            phi_8735_ = type_9(0u, 16u);
-            loop {
-                let _e4878 = phi_8735_;
-                if (_e4878.member < _e4878.member_1) {
-                    phi_8736_ = type_9((_e4878.member + 1u), _e4878.member_1);
-                    phi_8759_ = type_9(1u, _e4878.member);
-                } else {
-                    phi_8736_ = _e4878;
-                    phi_8759_ = type_9(0u, type_9().member_1);
-                }
-                let _e4890 = phi_8736_;
-                let _e4892 = phi_8759_;
-                if (bitcast<i32>(_e4892.member) != 0i) {
-                    let _e4898 = (_e71 + (_e4892.member_1 * 128u));
-                    if (_e4898 >= _e1167) {
-                        phi_8853_ = false;
-                    } else {
-                        let _e4901 = hits[_e4898];
-                        if ((_e4901 & 2147483648u) == 0u) {
-                            phi_8782_ = 4294967295u;
-                        } else {
-                            phi_8782_ = ((_e4901 & 2147483647u) >> bitcast<u32>(12i));
-                        }
-                        let _e4908 = phi_8782_;
-                        if (_e4908 != 4294967295u) {
-                            let _e4912 = ((_e4901 >> bitcast<u32>(10i)) & 3u);
-                            let _e4919 = firsts[(2u * _e4912)];
-                            let _e4924 = firsts[((2u * _e4912) + 1u)];
-                            let _e4927 = leaves.member[(_e4919 + ((_e4901 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4929 = leaves.member[(_e4924 + (_e4901 & 31u))];
-                            if (_e4927.member_1 < _e4929.member_1) {
-                                phi_8833_ = type_9(_e4927.member_1, _e4929.member_1);
-                            } else {
-                                phi_8833_ = type_9(_e4929.member_1, _e4927.member_1);
-                            }
-                            let _e4936 = phi_8833_;
-                            let _e4939 = (_e4866 + _e4908);
-                            if (_e4939 < _e90) {
-                                let _e4941 = (2u * _e4939);
-                                atomicStore((&output.member[(4u + _e4941)]), _e4936.member);
-                                atomicStore((&output.member[(_e4941 + 5u)]), _e4936.member_1);
-                            }
-                        }
-                        phi_8853_ = true;
-                    }
-                    let _e4947 = phi_8853_;
-                    phi_8854_ = _e4947;
-                } else {
-                    phi_8854_ = false;
-                }
-                let _e4949 = phi_8854_;
-                continue;
-                continuing {
-                    phi_8735_ = _e4890;
-                    break if !(_e4949);
-                }
-            }
-            workgroupBarrier();
         }
         continue;
         continuing {
-            phi_468_ = _e160;
-            break if !(_e166);
+            phi_478_ = _e163;
+            break if !(_e169);
+        }
+    }
+    if (_e73 == 0u) {
+        let _e5525 = atomicLoad((&counters[9u]));
+        if (_e5525 > 0u) {
+            let _e5528 = atomicAdd((&output.member[1u]), _e5525);
+            if ((_e5528 + _e5525) < _e5528) {
+                let _e5532 = atomicAdd((&output.member[3u]), 1u);
+            }
         }
     }
     return;
@@ -4866,5 +5155,5 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn filter_edge_edge(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_6(id, n, lane);
+    function_8(id, n, lane);
 }

@@ -56,32 +56,32 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: array<f32, 4>,
-    member_1: array<f32, 4>,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_21 {
     member: array<type_19>,
 }
 
-struct type_23 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
 struct type_25 {
-    member: array<type_23>,
-}
-
-struct type_28 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_30 {
+struct type_27 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
+}
+
+struct type_28 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+}
+
+struct type_30 {
+    member: array<type_28>,
 }
 
 struct type_31 {
@@ -97,13 +97,13 @@ struct type_35 {
 var<storage> params: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(1) 
-var<storage> boxes: type_25;
+var<storage> boxes: type_21;
 @group(0) @binding(3) 
 var<storage> bodies: type_13;
 @group(0) @binding(4) 
-var<storage> keys: type_28;
+var<storage> keys: type_25;
 @group(0) @binding(5) 
-var<storage> paths: type_21;
+var<storage> paths: type_30;
 @group(0) @binding(6) 
 var<storage> input: type_13;
 @group(0) @binding(7) 
@@ -268,9 +268,9 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_30;
-    var local_1: type_30;
-    var local_2: type_30;
+    var local: type_27;
+    var local_1: type_27;
+    var local_2: type_27;
     var phi_316_: u32;
     var phi_326_: u32;
     var phi_333_: u32;
@@ -358,447 +358,447 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1692_: bool;
     var phi_1693_: bool;
     var phi_1697_: bool;
-    var phi_1846_: type_30;
-    var phi_2126_: f32;
-    var phi_2133_: f32;
-    var phi_2138_: f32;
-    var phi_2145_: f32;
-    var phi_2150_: f32;
-    var phi_2163_: f32;
-    var phi_2170_: f32;
-    var phi_2175_: f32;
-    var phi_2182_: f32;
-    var phi_2187_: f32;
-    var phi_2192_: f32;
-    var phi_2209_: f32;
-    var phi_2216_: f32;
-    var phi_2221_: f32;
-    var phi_2228_: f32;
-    var phi_2233_: f32;
-    var phi_2247_: f32;
-    var phi_2254_: f32;
-    var phi_2259_: f32;
-    var phi_2266_: f32;
-    var phi_2271_: f32;
-    var phi_2276_: f32;
-    var phi_2293_: f32;
-    var phi_2300_: f32;
-    var phi_2305_: f32;
-    var phi_2312_: f32;
-    var phi_2317_: f32;
-    var phi_2331_: f32;
-    var phi_2338_: f32;
-    var phi_2343_: f32;
-    var phi_2350_: f32;
-    var phi_2355_: f32;
-    var phi_2360_: f32;
-    var phi_2391_: f32;
-    var phi_2397_: f32;
-    var phi_2404_: f32;
-    var phi_2411_: f32;
-    var phi_2417_: f32;
-    var phi_2424_: f32;
-    var phi_2430_: f32;
-    var phi_2436_: f32;
-    var phi_2442_: f32;
-    var phi_2449_: f32;
-    var phi_2456_: f32;
-    var phi_2480_: f32;
-    var phi_2485_: f32;
-    var phi_2490_: f32;
-    var phi_2495_: f32;
-    var phi_2500_: f32;
-    var phi_2505_: f32;
-    var phi_2515_: f32;
-    var phi_2631_: array<f32, 3>;
-    var phi_2696_: array<f32, 3>;
-    var phi_2718_: f32;
-    var phi_2725_: f32;
-    var phi_2730_: f32;
-    var phi_2737_: f32;
-    var phi_2742_: f32;
-    var phi_2755_: f32;
-    var phi_2762_: f32;
-    var phi_2767_: f32;
-    var phi_2774_: f32;
-    var phi_2779_: f32;
-    var phi_2784_: f32;
-    var phi_2801_: f32;
-    var phi_2808_: f32;
-    var phi_2813_: f32;
-    var phi_2820_: f32;
-    var phi_2825_: f32;
-    var phi_2839_: f32;
-    var phi_2846_: f32;
-    var phi_2851_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2885_: f32;
-    var phi_2892_: f32;
-    var phi_2897_: f32;
-    var phi_2904_: f32;
-    var phi_2909_: f32;
-    var phi_2923_: f32;
-    var phi_2930_: f32;
-    var phi_2935_: f32;
-    var phi_2942_: f32;
-    var phi_2947_: f32;
-    var phi_2952_: f32;
-    var phi_3031_: f32;
-    var phi_3036_: f32;
-    var phi_3041_: f32;
-    var phi_3046_: f32;
-    var phi_3051_: f32;
-    var phi_3056_: f32;
-    var phi_3061_: f32;
-    var phi_3066_: f32;
-    var phi_3071_: f32;
-    var phi_3076_: f32;
-    var phi_3081_: f32;
-    var phi_3086_: f32;
-    var phi_3091_: f32;
-    var phi_3096_: f32;
-    var phi_3102_: f32;
-    var phi_3108_: f32;
-    var phi_3115_: f32;
-    var phi_3126_: f32;
-    var phi_3197_: f32;
-    var phi_3202_: f32;
-    var phi_3207_: f32;
-    var phi_3212_: f32;
-    var phi_3217_: f32;
-    var phi_3222_: f32;
-    var phi_3227_: f32;
-    var phi_3232_: f32;
-    var phi_3237_: f32;
-    var phi_3242_: f32;
-    var phi_3247_: f32;
-    var phi_3252_: f32;
-    var phi_3257_: f32;
-    var phi_3262_: f32;
-    var phi_3268_: f32;
-    var phi_3274_: f32;
-    var phi_3281_: f32;
-    var phi_3292_: f32;
-    var phi_3302_: f32;
-    var phi_3375_: f32;
-    var phi_3380_: f32;
-    var phi_3385_: f32;
-    var phi_3390_: f32;
-    var phi_3395_: f32;
-    var phi_3400_: f32;
-    var phi_3405_: f32;
-    var phi_3410_: f32;
-    var phi_3415_: f32;
-    var phi_3420_: f32;
-    var phi_3425_: f32;
-    var phi_3430_: f32;
-    var phi_3435_: f32;
-    var phi_3440_: f32;
-    var phi_3446_: f32;
-    var phi_3452_: f32;
-    var phi_3459_: f32;
-    var phi_3470_: f32;
-    var phi_3480_: f32;
-    var phi_3481_: f32;
-    var phi_3484_: bool;
-    var phi_3936_: f32;
-    var phi_3943_: f32;
-    var phi_3948_: f32;
-    var phi_3955_: f32;
-    var phi_3960_: f32;
-    var phi_3973_: f32;
-    var phi_3980_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4019_: f32;
-    var phi_4026_: f32;
-    var phi_4031_: f32;
-    var phi_4038_: f32;
-    var phi_4043_: f32;
-    var phi_4057_: f32;
-    var phi_4064_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4081_: f32;
-    var phi_4086_: f32;
-    var phi_4103_: f32;
-    var phi_4110_: f32;
-    var phi_4115_: f32;
-    var phi_4122_: f32;
-    var phi_4127_: f32;
-    var phi_4141_: f32;
-    var phi_4148_: f32;
-    var phi_4153_: f32;
-    var phi_4160_: f32;
-    var phi_4165_: f32;
-    var phi_4170_: f32;
-    var phi_4201_: f32;
-    var phi_4207_: f32;
-    var phi_4214_: f32;
-    var phi_4221_: f32;
-    var phi_4227_: f32;
-    var phi_4234_: f32;
-    var phi_4240_: f32;
-    var phi_4246_: f32;
-    var phi_4252_: f32;
-    var phi_4259_: f32;
-    var phi_4266_: f32;
-    var phi_4290_: f32;
-    var phi_4295_: f32;
-    var phi_4300_: f32;
-    var phi_4305_: f32;
-    var phi_4310_: f32;
-    var phi_4315_: f32;
-    var phi_4325_: f32;
-    var phi_4441_: array<f32, 3>;
-    var phi_4506_: array<f32, 3>;
-    var phi_4528_: f32;
-    var phi_4535_: f32;
-    var phi_4540_: f32;
-    var phi_4547_: f32;
-    var phi_4552_: f32;
-    var phi_4565_: f32;
-    var phi_4572_: f32;
-    var phi_4577_: f32;
-    var phi_4584_: f32;
-    var phi_4589_: f32;
-    var phi_4594_: f32;
-    var phi_4611_: f32;
-    var phi_4618_: f32;
-    var phi_4623_: f32;
-    var phi_4630_: f32;
-    var phi_4635_: f32;
-    var phi_4649_: f32;
-    var phi_4656_: f32;
-    var phi_4661_: f32;
-    var phi_4668_: f32;
-    var phi_4673_: f32;
-    var phi_4678_: f32;
-    var phi_4695_: f32;
-    var phi_4702_: f32;
-    var phi_4707_: f32;
-    var phi_4714_: f32;
-    var phi_4719_: f32;
-    var phi_4733_: f32;
-    var phi_4740_: f32;
-    var phi_4745_: f32;
-    var phi_4752_: f32;
-    var phi_4757_: f32;
-    var phi_4762_: f32;
-    var phi_4841_: f32;
-    var phi_4846_: f32;
-    var phi_4851_: f32;
-    var phi_4856_: f32;
-    var phi_4861_: f32;
-    var phi_4866_: f32;
-    var phi_4871_: f32;
-    var phi_4876_: f32;
-    var phi_4881_: f32;
-    var phi_4886_: f32;
-    var phi_4891_: f32;
-    var phi_4896_: f32;
-    var phi_4901_: f32;
-    var phi_4906_: f32;
-    var phi_4912_: f32;
-    var phi_4918_: f32;
-    var phi_4925_: f32;
-    var phi_4936_: f32;
-    var phi_5007_: f32;
-    var phi_5012_: f32;
-    var phi_5017_: f32;
-    var phi_5022_: f32;
-    var phi_5027_: f32;
-    var phi_5032_: f32;
-    var phi_5037_: f32;
-    var phi_5042_: f32;
-    var phi_5047_: f32;
-    var phi_5052_: f32;
-    var phi_5057_: f32;
-    var phi_5062_: f32;
-    var phi_5067_: f32;
-    var phi_5072_: f32;
-    var phi_5078_: f32;
-    var phi_5084_: f32;
-    var phi_5091_: f32;
-    var phi_5102_: f32;
-    var phi_5112_: f32;
-    var phi_5185_: f32;
-    var phi_5190_: f32;
-    var phi_5195_: f32;
-    var phi_5200_: f32;
-    var phi_5205_: f32;
-    var phi_5210_: f32;
-    var phi_5215_: f32;
-    var phi_5220_: f32;
-    var phi_5225_: f32;
-    var phi_5230_: f32;
-    var phi_5235_: f32;
-    var phi_5240_: f32;
-    var phi_5245_: f32;
-    var phi_5250_: f32;
-    var phi_5256_: f32;
-    var phi_5262_: f32;
-    var phi_5269_: f32;
-    var phi_5280_: f32;
-    var phi_5290_: f32;
-    var phi_5291_: f32;
-    var phi_5294_: bool;
-    var phi_5539_: f32;
-    var phi_5546_: f32;
-    var phi_5551_: f32;
-    var phi_5558_: f32;
-    var phi_5563_: f32;
-    var phi_5576_: f32;
-    var phi_5583_: f32;
-    var phi_5588_: f32;
-    var phi_5595_: f32;
-    var phi_5600_: f32;
-    var phi_5605_: f32;
-    var phi_5622_: f32;
-    var phi_5629_: f32;
-    var phi_5634_: f32;
-    var phi_5641_: f32;
-    var phi_5646_: f32;
-    var phi_5660_: f32;
-    var phi_5667_: f32;
-    var phi_5672_: f32;
-    var phi_5679_: f32;
-    var phi_5684_: f32;
-    var phi_5689_: f32;
-    var phi_5706_: f32;
-    var phi_5713_: f32;
-    var phi_5718_: f32;
-    var phi_5725_: f32;
-    var phi_5730_: f32;
-    var phi_5744_: f32;
-    var phi_5751_: f32;
-    var phi_5756_: f32;
-    var phi_5763_: f32;
-    var phi_5768_: f32;
-    var phi_5773_: f32;
-    var phi_5804_: f32;
-    var phi_5810_: f32;
-    var phi_5817_: f32;
-    var phi_5824_: f32;
-    var phi_5830_: f32;
-    var phi_5837_: f32;
-    var phi_5843_: f32;
-    var phi_5849_: f32;
-    var phi_5855_: f32;
-    var phi_5862_: f32;
-    var phi_5869_: f32;
-    var phi_5893_: f32;
-    var phi_5898_: f32;
-    var phi_5903_: f32;
-    var phi_5908_: f32;
-    var phi_5913_: f32;
-    var phi_5918_: f32;
-    var phi_5928_: f32;
-    var phi_6044_: array<f32, 3>;
-    var phi_6109_: array<f32, 3>;
-    var phi_6131_: f32;
-    var phi_6138_: f32;
-    var phi_6143_: f32;
-    var phi_6150_: f32;
-    var phi_6155_: f32;
-    var phi_6168_: f32;
-    var phi_6175_: f32;
-    var phi_6180_: f32;
-    var phi_6187_: f32;
-    var phi_6192_: f32;
-    var phi_6197_: f32;
-    var phi_6214_: f32;
-    var phi_6221_: f32;
-    var phi_6226_: f32;
-    var phi_6233_: f32;
-    var phi_6238_: f32;
-    var phi_6252_: f32;
-    var phi_6259_: f32;
-    var phi_6264_: f32;
-    var phi_6271_: f32;
-    var phi_6276_: f32;
-    var phi_6281_: f32;
-    var phi_6298_: f32;
-    var phi_6305_: f32;
-    var phi_6310_: f32;
-    var phi_6317_: f32;
-    var phi_6322_: f32;
-    var phi_6336_: f32;
-    var phi_6343_: f32;
-    var phi_6348_: f32;
-    var phi_6355_: f32;
-    var phi_6360_: f32;
-    var phi_6365_: f32;
-    var phi_6444_: f32;
-    var phi_6449_: f32;
-    var phi_6454_: f32;
-    var phi_6459_: f32;
-    var phi_6464_: f32;
-    var phi_6469_: f32;
-    var phi_6474_: f32;
-    var phi_6479_: f32;
-    var phi_6484_: f32;
-    var phi_6489_: f32;
-    var phi_6494_: f32;
-    var phi_6499_: f32;
-    var phi_6504_: f32;
-    var phi_6509_: f32;
-    var phi_6515_: f32;
-    var phi_6521_: f32;
-    var phi_6528_: f32;
-    var phi_6539_: f32;
-    var phi_6610_: f32;
-    var phi_6615_: f32;
-    var phi_6620_: f32;
-    var phi_6625_: f32;
-    var phi_6630_: f32;
-    var phi_6635_: f32;
-    var phi_6640_: f32;
-    var phi_6645_: f32;
-    var phi_6650_: f32;
-    var phi_6655_: f32;
-    var phi_6660_: f32;
-    var phi_6665_: f32;
-    var phi_6670_: f32;
-    var phi_6675_: f32;
-    var phi_6681_: f32;
-    var phi_6687_: f32;
-    var phi_6694_: f32;
-    var phi_6705_: f32;
-    var phi_6715_: f32;
-    var phi_6788_: f32;
-    var phi_6793_: f32;
-    var phi_6798_: f32;
-    var phi_6803_: f32;
-    var phi_6808_: f32;
-    var phi_6813_: f32;
-    var phi_6818_: f32;
-    var phi_6823_: f32;
-    var phi_6828_: f32;
-    var phi_6833_: f32;
-    var phi_6838_: f32;
-    var phi_6843_: f32;
-    var phi_6848_: f32;
-    var phi_6853_: f32;
-    var phi_6859_: f32;
-    var phi_6865_: f32;
-    var phi_6872_: f32;
-    var phi_6883_: f32;
-    var phi_6893_: f32;
-    var phi_6894_: f32;
-    var phi_6897_: bool;
-    var phi_6899_: bool;
-    var phi_6901_: bool;
-    var phi_6908_: u32;
-    var phi_6909_: u32;
-    var phi_6910_: bool;
-    var phi_6911_: u32;
-    var phi_6912_: bool;
-    var phi_6913_: type_9;
+    var phi_1838_: type_27;
+    var phi_2118_: f32;
+    var phi_2125_: f32;
+    var phi_2130_: f32;
+    var phi_2137_: f32;
+    var phi_2142_: f32;
+    var phi_2155_: f32;
+    var phi_2162_: f32;
+    var phi_2167_: f32;
+    var phi_2174_: f32;
+    var phi_2179_: f32;
+    var phi_2184_: f32;
+    var phi_2201_: f32;
+    var phi_2208_: f32;
+    var phi_2213_: f32;
+    var phi_2220_: f32;
+    var phi_2225_: f32;
+    var phi_2239_: f32;
+    var phi_2246_: f32;
+    var phi_2251_: f32;
+    var phi_2258_: f32;
+    var phi_2263_: f32;
+    var phi_2268_: f32;
+    var phi_2285_: f32;
+    var phi_2292_: f32;
+    var phi_2297_: f32;
+    var phi_2304_: f32;
+    var phi_2309_: f32;
+    var phi_2323_: f32;
+    var phi_2330_: f32;
+    var phi_2335_: f32;
+    var phi_2342_: f32;
+    var phi_2347_: f32;
+    var phi_2352_: f32;
+    var phi_2383_: f32;
+    var phi_2389_: f32;
+    var phi_2396_: f32;
+    var phi_2403_: f32;
+    var phi_2409_: f32;
+    var phi_2416_: f32;
+    var phi_2422_: f32;
+    var phi_2428_: f32;
+    var phi_2434_: f32;
+    var phi_2441_: f32;
+    var phi_2448_: f32;
+    var phi_2472_: f32;
+    var phi_2477_: f32;
+    var phi_2482_: f32;
+    var phi_2487_: f32;
+    var phi_2492_: f32;
+    var phi_2497_: f32;
+    var phi_2507_: f32;
+    var phi_2623_: array<f32, 3>;
+    var phi_2688_: array<f32, 3>;
+    var phi_2710_: f32;
+    var phi_2717_: f32;
+    var phi_2722_: f32;
+    var phi_2729_: f32;
+    var phi_2734_: f32;
+    var phi_2747_: f32;
+    var phi_2754_: f32;
+    var phi_2759_: f32;
+    var phi_2766_: f32;
+    var phi_2771_: f32;
+    var phi_2776_: f32;
+    var phi_2793_: f32;
+    var phi_2800_: f32;
+    var phi_2805_: f32;
+    var phi_2812_: f32;
+    var phi_2817_: f32;
+    var phi_2831_: f32;
+    var phi_2838_: f32;
+    var phi_2843_: f32;
+    var phi_2850_: f32;
+    var phi_2855_: f32;
+    var phi_2860_: f32;
+    var phi_2877_: f32;
+    var phi_2884_: f32;
+    var phi_2889_: f32;
+    var phi_2896_: f32;
+    var phi_2901_: f32;
+    var phi_2915_: f32;
+    var phi_2922_: f32;
+    var phi_2927_: f32;
+    var phi_2934_: f32;
+    var phi_2939_: f32;
+    var phi_2944_: f32;
+    var phi_3023_: f32;
+    var phi_3028_: f32;
+    var phi_3033_: f32;
+    var phi_3038_: f32;
+    var phi_3043_: f32;
+    var phi_3048_: f32;
+    var phi_3053_: f32;
+    var phi_3058_: f32;
+    var phi_3063_: f32;
+    var phi_3068_: f32;
+    var phi_3073_: f32;
+    var phi_3078_: f32;
+    var phi_3083_: f32;
+    var phi_3088_: f32;
+    var phi_3094_: f32;
+    var phi_3100_: f32;
+    var phi_3107_: f32;
+    var phi_3118_: f32;
+    var phi_3189_: f32;
+    var phi_3194_: f32;
+    var phi_3199_: f32;
+    var phi_3204_: f32;
+    var phi_3209_: f32;
+    var phi_3214_: f32;
+    var phi_3219_: f32;
+    var phi_3224_: f32;
+    var phi_3229_: f32;
+    var phi_3234_: f32;
+    var phi_3239_: f32;
+    var phi_3244_: f32;
+    var phi_3249_: f32;
+    var phi_3254_: f32;
+    var phi_3260_: f32;
+    var phi_3266_: f32;
+    var phi_3273_: f32;
+    var phi_3284_: f32;
+    var phi_3294_: f32;
+    var phi_3367_: f32;
+    var phi_3372_: f32;
+    var phi_3377_: f32;
+    var phi_3382_: f32;
+    var phi_3387_: f32;
+    var phi_3392_: f32;
+    var phi_3397_: f32;
+    var phi_3402_: f32;
+    var phi_3407_: f32;
+    var phi_3412_: f32;
+    var phi_3417_: f32;
+    var phi_3422_: f32;
+    var phi_3427_: f32;
+    var phi_3432_: f32;
+    var phi_3438_: f32;
+    var phi_3444_: f32;
+    var phi_3451_: f32;
+    var phi_3462_: f32;
+    var phi_3472_: f32;
+    var phi_3473_: f32;
+    var phi_3476_: bool;
+    var phi_3928_: f32;
+    var phi_3935_: f32;
+    var phi_3940_: f32;
+    var phi_3947_: f32;
+    var phi_3952_: f32;
+    var phi_3965_: f32;
+    var phi_3972_: f32;
+    var phi_3977_: f32;
+    var phi_3984_: f32;
+    var phi_3989_: f32;
+    var phi_3994_: f32;
+    var phi_4011_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4030_: f32;
+    var phi_4035_: f32;
+    var phi_4049_: f32;
+    var phi_4056_: f32;
+    var phi_4061_: f32;
+    var phi_4068_: f32;
+    var phi_4073_: f32;
+    var phi_4078_: f32;
+    var phi_4095_: f32;
+    var phi_4102_: f32;
+    var phi_4107_: f32;
+    var phi_4114_: f32;
+    var phi_4119_: f32;
+    var phi_4133_: f32;
+    var phi_4140_: f32;
+    var phi_4145_: f32;
+    var phi_4152_: f32;
+    var phi_4157_: f32;
+    var phi_4162_: f32;
+    var phi_4193_: f32;
+    var phi_4199_: f32;
+    var phi_4206_: f32;
+    var phi_4213_: f32;
+    var phi_4219_: f32;
+    var phi_4226_: f32;
+    var phi_4232_: f32;
+    var phi_4238_: f32;
+    var phi_4244_: f32;
+    var phi_4251_: f32;
+    var phi_4258_: f32;
+    var phi_4282_: f32;
+    var phi_4287_: f32;
+    var phi_4292_: f32;
+    var phi_4297_: f32;
+    var phi_4302_: f32;
+    var phi_4307_: f32;
+    var phi_4317_: f32;
+    var phi_4433_: array<f32, 3>;
+    var phi_4498_: array<f32, 3>;
+    var phi_4520_: f32;
+    var phi_4527_: f32;
+    var phi_4532_: f32;
+    var phi_4539_: f32;
+    var phi_4544_: f32;
+    var phi_4557_: f32;
+    var phi_4564_: f32;
+    var phi_4569_: f32;
+    var phi_4576_: f32;
+    var phi_4581_: f32;
+    var phi_4586_: f32;
+    var phi_4603_: f32;
+    var phi_4610_: f32;
+    var phi_4615_: f32;
+    var phi_4622_: f32;
+    var phi_4627_: f32;
+    var phi_4641_: f32;
+    var phi_4648_: f32;
+    var phi_4653_: f32;
+    var phi_4660_: f32;
+    var phi_4665_: f32;
+    var phi_4670_: f32;
+    var phi_4687_: f32;
+    var phi_4694_: f32;
+    var phi_4699_: f32;
+    var phi_4706_: f32;
+    var phi_4711_: f32;
+    var phi_4725_: f32;
+    var phi_4732_: f32;
+    var phi_4737_: f32;
+    var phi_4744_: f32;
+    var phi_4749_: f32;
+    var phi_4754_: f32;
+    var phi_4833_: f32;
+    var phi_4838_: f32;
+    var phi_4843_: f32;
+    var phi_4848_: f32;
+    var phi_4853_: f32;
+    var phi_4858_: f32;
+    var phi_4863_: f32;
+    var phi_4868_: f32;
+    var phi_4873_: f32;
+    var phi_4878_: f32;
+    var phi_4883_: f32;
+    var phi_4888_: f32;
+    var phi_4893_: f32;
+    var phi_4898_: f32;
+    var phi_4904_: f32;
+    var phi_4910_: f32;
+    var phi_4917_: f32;
+    var phi_4928_: f32;
+    var phi_4999_: f32;
+    var phi_5004_: f32;
+    var phi_5009_: f32;
+    var phi_5014_: f32;
+    var phi_5019_: f32;
+    var phi_5024_: f32;
+    var phi_5029_: f32;
+    var phi_5034_: f32;
+    var phi_5039_: f32;
+    var phi_5044_: f32;
+    var phi_5049_: f32;
+    var phi_5054_: f32;
+    var phi_5059_: f32;
+    var phi_5064_: f32;
+    var phi_5070_: f32;
+    var phi_5076_: f32;
+    var phi_5083_: f32;
+    var phi_5094_: f32;
+    var phi_5104_: f32;
+    var phi_5177_: f32;
+    var phi_5182_: f32;
+    var phi_5187_: f32;
+    var phi_5192_: f32;
+    var phi_5197_: f32;
+    var phi_5202_: f32;
+    var phi_5207_: f32;
+    var phi_5212_: f32;
+    var phi_5217_: f32;
+    var phi_5222_: f32;
+    var phi_5227_: f32;
+    var phi_5232_: f32;
+    var phi_5237_: f32;
+    var phi_5242_: f32;
+    var phi_5248_: f32;
+    var phi_5254_: f32;
+    var phi_5261_: f32;
+    var phi_5272_: f32;
+    var phi_5282_: f32;
+    var phi_5283_: f32;
+    var phi_5286_: bool;
+    var phi_5531_: f32;
+    var phi_5538_: f32;
+    var phi_5543_: f32;
+    var phi_5550_: f32;
+    var phi_5555_: f32;
+    var phi_5568_: f32;
+    var phi_5575_: f32;
+    var phi_5580_: f32;
+    var phi_5587_: f32;
+    var phi_5592_: f32;
+    var phi_5597_: f32;
+    var phi_5614_: f32;
+    var phi_5621_: f32;
+    var phi_5626_: f32;
+    var phi_5633_: f32;
+    var phi_5638_: f32;
+    var phi_5652_: f32;
+    var phi_5659_: f32;
+    var phi_5664_: f32;
+    var phi_5671_: f32;
+    var phi_5676_: f32;
+    var phi_5681_: f32;
+    var phi_5698_: f32;
+    var phi_5705_: f32;
+    var phi_5710_: f32;
+    var phi_5717_: f32;
+    var phi_5722_: f32;
+    var phi_5736_: f32;
+    var phi_5743_: f32;
+    var phi_5748_: f32;
+    var phi_5755_: f32;
+    var phi_5760_: f32;
+    var phi_5765_: f32;
+    var phi_5796_: f32;
+    var phi_5802_: f32;
+    var phi_5809_: f32;
+    var phi_5816_: f32;
+    var phi_5822_: f32;
+    var phi_5829_: f32;
+    var phi_5835_: f32;
+    var phi_5841_: f32;
+    var phi_5847_: f32;
+    var phi_5854_: f32;
+    var phi_5861_: f32;
+    var phi_5885_: f32;
+    var phi_5890_: f32;
+    var phi_5895_: f32;
+    var phi_5900_: f32;
+    var phi_5905_: f32;
+    var phi_5910_: f32;
+    var phi_5920_: f32;
+    var phi_6036_: array<f32, 3>;
+    var phi_6101_: array<f32, 3>;
+    var phi_6123_: f32;
+    var phi_6130_: f32;
+    var phi_6135_: f32;
+    var phi_6142_: f32;
+    var phi_6147_: f32;
+    var phi_6160_: f32;
+    var phi_6167_: f32;
+    var phi_6172_: f32;
+    var phi_6179_: f32;
+    var phi_6184_: f32;
+    var phi_6189_: f32;
+    var phi_6206_: f32;
+    var phi_6213_: f32;
+    var phi_6218_: f32;
+    var phi_6225_: f32;
+    var phi_6230_: f32;
+    var phi_6244_: f32;
+    var phi_6251_: f32;
+    var phi_6256_: f32;
+    var phi_6263_: f32;
+    var phi_6268_: f32;
+    var phi_6273_: f32;
+    var phi_6290_: f32;
+    var phi_6297_: f32;
+    var phi_6302_: f32;
+    var phi_6309_: f32;
+    var phi_6314_: f32;
+    var phi_6328_: f32;
+    var phi_6335_: f32;
+    var phi_6340_: f32;
+    var phi_6347_: f32;
+    var phi_6352_: f32;
+    var phi_6357_: f32;
+    var phi_6436_: f32;
+    var phi_6441_: f32;
+    var phi_6446_: f32;
+    var phi_6451_: f32;
+    var phi_6456_: f32;
+    var phi_6461_: f32;
+    var phi_6466_: f32;
+    var phi_6471_: f32;
+    var phi_6476_: f32;
+    var phi_6481_: f32;
+    var phi_6486_: f32;
+    var phi_6491_: f32;
+    var phi_6496_: f32;
+    var phi_6501_: f32;
+    var phi_6507_: f32;
+    var phi_6513_: f32;
+    var phi_6520_: f32;
+    var phi_6531_: f32;
+    var phi_6602_: f32;
+    var phi_6607_: f32;
+    var phi_6612_: f32;
+    var phi_6617_: f32;
+    var phi_6622_: f32;
+    var phi_6627_: f32;
+    var phi_6632_: f32;
+    var phi_6637_: f32;
+    var phi_6642_: f32;
+    var phi_6647_: f32;
+    var phi_6652_: f32;
+    var phi_6657_: f32;
+    var phi_6662_: f32;
+    var phi_6667_: f32;
+    var phi_6673_: f32;
+    var phi_6679_: f32;
+    var phi_6686_: f32;
+    var phi_6697_: f32;
+    var phi_6707_: f32;
+    var phi_6780_: f32;
+    var phi_6785_: f32;
+    var phi_6790_: f32;
+    var phi_6795_: f32;
+    var phi_6800_: f32;
+    var phi_6805_: f32;
+    var phi_6810_: f32;
+    var phi_6815_: f32;
+    var phi_6820_: f32;
+    var phi_6825_: f32;
+    var phi_6830_: f32;
+    var phi_6835_: f32;
+    var phi_6840_: f32;
+    var phi_6845_: f32;
+    var phi_6851_: f32;
+    var phi_6857_: f32;
+    var phi_6864_: f32;
+    var phi_6875_: f32;
+    var phi_6885_: f32;
+    var phi_6886_: f32;
+    var phi_6889_: bool;
+    var phi_6891_: bool;
+    var phi_6893_: bool;
+    var phi_6900_: u32;
+    var phi_6901_: u32;
+    var phi_6902_: bool;
+    var phi_6903_: u32;
+    var phi_6904_: bool;
+    var phi_6905_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1413,3104 +1413,3104 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e813 = params.member.member.member_4;
                     let _e815 = params.member.member.member_5;
                     let _e818 = paths.member[_e179.member_1[0]];
-                    let _e821 = paths.member[_e179.member_1[1]];
-                    let _e828 = paths.member[_e179.member_1[2]];
-                    let _e831 = paths.member[_e179.member_1[3]];
+                    let _e833 = paths.member[_e179.member_1[1]];
+                    let _e848 = paths.member[_e179.member_1[2]];
+                    let _e863 = paths.member[_e179.member_1[3]];
                     if (_e179.member != 0u) {
-                        phi_1846_ = type_30(array<array<f32, 3>, 2>(array<f32, 3>((_e828.member[0] - _e818.member[0]), (_e828.member[1] - _e818.member[1]), (_e828.member[2] - _e818.member[2])), array<f32, 3>((_e828.member_1[0] - _e818.member_1[0]), (_e828.member_1[1] - _e818.member_1[1]), (_e828.member_1[2] - _e818.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e821.member[0] - _e818.member[0]), (_e821.member[1] - _e818.member[1]), (_e821.member[2] - _e818.member[2])), array<f32, 3>((_e821.member_1[0] - _e818.member_1[0]), (_e821.member_1[1] - _e818.member_1[1]), (_e821.member_1[2] - _e818.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e828.member[0] - _e831.member[0]), (_e828.member[1] - _e831.member[1]), (_e828.member[2] - _e831.member[2])), array<f32, 3>((_e828.member_1[0] - _e831.member_1[0]), (_e828.member_1[1] - _e831.member_1[1]), (_e828.member_1[2] - _e831.member_1[2]))), (_e813 + _e813));
+                        phi_1838_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e848.member.x - _e818.member.x), (_e848.member.y - _e818.member.y), (_e848.member.z - _e818.member.z)), array<f32, 3>((_e848.member_1.x - _e818.member_1.x), (_e848.member_1.y - _e818.member_1.y), (_e848.member_1.z - _e818.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e833.member.x - _e818.member.x), (_e833.member.y - _e818.member.y), (_e833.member.z - _e818.member.z)), array<f32, 3>((_e833.member_1.x - _e818.member_1.x), (_e833.member_1.y - _e818.member_1.y), (_e833.member_1.z - _e818.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e848.member.x - _e863.member.x), (_e848.member.y - _e863.member.y), (_e848.member.z - _e863.member.z)), array<f32, 3>((_e848.member_1.x - _e863.member_1.x), (_e848.member_1.y - _e863.member_1.y), (_e848.member_1.z - _e863.member_1.z))), (_e813 + _e813));
                     } else {
-                        phi_1846_ = type_30(array<array<f32, 3>, 2>(array<f32, 3>((_e818.member[0] - _e821.member[0]), (_e818.member[1] - _e821.member[1]), (_e818.member[2] - _e821.member[2])), array<f32, 3>((_e818.member_1[0] - _e821.member_1[0]), (_e818.member_1[1] - _e821.member_1[1]), (_e818.member_1[2] - _e821.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e828.member[0] - _e821.member[0]), (_e828.member[1] - _e821.member[1]), (_e828.member[2] - _e821.member[2])), array<f32, 3>((_e828.member_1[0] - _e821.member_1[0]), (_e828.member_1[1] - _e821.member_1[1]), (_e828.member_1[2] - _e821.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e831.member[0] - _e821.member[0]), (_e831.member[1] - _e821.member[1]), (_e831.member[2] - _e821.member[2])), array<f32, 3>((_e831.member_1[0] - _e821.member_1[0]), (_e831.member_1[1] - _e821.member_1[1]), (_e831.member_1[2] - _e821.member_1[2]))), (_e813 + _e813));
+                        phi_1838_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e818.member.x - _e833.member.x), (_e818.member.y - _e833.member.y), (_e818.member.z - _e833.member.z)), array<f32, 3>((_e818.member_1.x - _e833.member_1.x), (_e818.member_1.y - _e833.member_1.y), (_e818.member_1.z - _e833.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e848.member.x - _e833.member.x), (_e848.member.y - _e833.member.y), (_e848.member.z - _e833.member.z)), array<f32, 3>((_e848.member_1.x - _e833.member_1.x), (_e848.member_1.y - _e833.member_1.y), (_e848.member_1.z - _e833.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e863.member.x - _e833.member.x), (_e863.member.y - _e833.member.y), (_e863.member.z - _e833.member.z)), array<f32, 3>((_e863.member_1.x - _e833.member_1.x), (_e863.member_1.y - _e833.member_1.y), (_e863.member_1.z - _e833.member_1.z))), (_e813 + _e813));
                     }
-                    let _e920 = phi_1846_;
-                    local_2 = type_30(array<array<f32, 3>, 2>(array<f32, 3>(_e920.member[0][0], _e920.member[0][1], _e920.member[0][2]), array<f32, 3>(_e920.member[1][0], _e920.member[1][1], _e920.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e920.member_1[0][0], _e920.member_1[0][1], _e920.member_1[0][2]), array<f32, 3>(_e920.member_1[1][0], _e920.member_1[1][1], _e920.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e920.member_2[0][0], _e920.member_2[0][1], _e920.member_2[0][2]), array<f32, 3>(_e920.member_2[1][0], _e920.member_2[1][1], _e920.member_2[1][2])), _e920.member_3);
-                    let _e961 = local_2.member_1[0u];
-                    let _e967 = local_2.member_2[0u];
-                    let _e973 = ((_e961[1] * _e967[2]) - (_e961[2] * _e967[1]));
-                    let _e976 = ((_e961[2] * _e967[0]) - (_e961[0] * _e967[2]));
-                    let _e979 = ((_e961[0] * _e967[1]) - (_e961[1] * _e967[0]));
-                    let _e982 = local_2.member_1[1u];
-                    let _e988 = local_2.member_2[1u];
-                    let _e994 = ((_e982[1] * _e988[2]) - (_e982[2] * _e988[1]));
-                    let _e997 = ((_e982[2] * _e988[0]) - (_e982[0] * _e988[2]));
-                    let _e1000 = ((_e982[0] * _e988[1]) - (_e982[1] * _e988[0]));
-                    let _e1003 = local_2.member_1[0u];
-                    let _e1009 = local_2.member_2[1u];
-                    let _e1024 = local_2.member_1[1u];
-                    let _e1030 = local_2.member_2[0u];
-                    let _e1043 = (((_e1003[1] * _e1009[2]) - (_e1003[2] * _e1009[1])) + ((_e1024[1] * _e1030[2]) - (_e1024[2] * _e1030[1])));
-                    let _e1044 = (((_e1003[2] * _e1009[0]) - (_e1003[0] * _e1009[2])) + ((_e1024[2] * _e1030[0]) - (_e1024[0] * _e1030[2])));
-                    let _e1045 = (((_e1003[0] * _e1009[1]) - (_e1003[1] * _e1009[0])) + ((_e1024[0] * _e1030[1]) - (_e1024[1] * _e1030[0])));
-                    let _e1048 = local_2.member[0u];
-                    let _e1059 = local_2.member[1u];
-                    let _e1070 = local_2.member[0u];
-                    let _e1079 = ((((_e1059[0] * _e973) + (_e1059[1] * _e976)) + (_e1059[2] * _e979)) + (((_e1070[0] * _e1043) + (_e1070[1] * _e1044)) + (_e1070[2] * _e1045)));
-                    let _e1082 = local_2.member[0u];
-                    let _e1093 = local_2.member[1u];
-                    let _e1102 = ((((_e1082[0] * _e994) + (_e1082[1] * _e997)) + (_e1082[2] * _e1000)) + (((_e1093[0] * _e1043) + (_e1093[1] * _e1044)) + (_e1093[2] * _e1045)));
-                    let _e1105 = local_2.member[1u];
-                    let _e1116 = local_2.member[0u];
-                    if (_e1116[0] < 0f) {
-                        phi_2126_ = -(_e1116[0]);
+                    let _e936 = phi_1838_;
+                    local_2 = type_27(array<array<f32, 3>, 2>(array<f32, 3>(_e936.member[0][0], _e936.member[0][1], _e936.member[0][2]), array<f32, 3>(_e936.member[1][0], _e936.member[1][1], _e936.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e936.member_1[0][0], _e936.member_1[0][1], _e936.member_1[0][2]), array<f32, 3>(_e936.member_1[1][0], _e936.member_1[1][1], _e936.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e936.member_2[0][0], _e936.member_2[0][1], _e936.member_2[0][2]), array<f32, 3>(_e936.member_2[1][0], _e936.member_2[1][1], _e936.member_2[1][2])), _e936.member_3);
+                    let _e977 = local_2.member_1[0u];
+                    let _e983 = local_2.member_2[0u];
+                    let _e989 = ((_e977[1] * _e983[2]) - (_e977[2] * _e983[1]));
+                    let _e992 = ((_e977[2] * _e983[0]) - (_e977[0] * _e983[2]));
+                    let _e995 = ((_e977[0] * _e983[1]) - (_e977[1] * _e983[0]));
+                    let _e998 = local_2.member_1[1u];
+                    let _e1004 = local_2.member_2[1u];
+                    let _e1010 = ((_e998[1] * _e1004[2]) - (_e998[2] * _e1004[1]));
+                    let _e1013 = ((_e998[2] * _e1004[0]) - (_e998[0] * _e1004[2]));
+                    let _e1016 = ((_e998[0] * _e1004[1]) - (_e998[1] * _e1004[0]));
+                    let _e1019 = local_2.member_1[0u];
+                    let _e1025 = local_2.member_2[1u];
+                    let _e1040 = local_2.member_1[1u];
+                    let _e1046 = local_2.member_2[0u];
+                    let _e1059 = (((_e1019[1] * _e1025[2]) - (_e1019[2] * _e1025[1])) + ((_e1040[1] * _e1046[2]) - (_e1040[2] * _e1046[1])));
+                    let _e1060 = (((_e1019[2] * _e1025[0]) - (_e1019[0] * _e1025[2])) + ((_e1040[2] * _e1046[0]) - (_e1040[0] * _e1046[2])));
+                    let _e1061 = (((_e1019[0] * _e1025[1]) - (_e1019[1] * _e1025[0])) + ((_e1040[0] * _e1046[1]) - (_e1040[1] * _e1046[0])));
+                    let _e1064 = local_2.member[0u];
+                    let _e1075 = local_2.member[1u];
+                    let _e1086 = local_2.member[0u];
+                    let _e1095 = ((((_e1075[0] * _e989) + (_e1075[1] * _e992)) + (_e1075[2] * _e995)) + (((_e1086[0] * _e1059) + (_e1086[1] * _e1060)) + (_e1086[2] * _e1061)));
+                    let _e1098 = local_2.member[0u];
+                    let _e1109 = local_2.member[1u];
+                    let _e1118 = ((((_e1098[0] * _e1010) + (_e1098[1] * _e1013)) + (_e1098[2] * _e1016)) + (((_e1109[0] * _e1059) + (_e1109[1] * _e1060)) + (_e1109[2] * _e1061)));
+                    let _e1121 = local_2.member[1u];
+                    let _e1132 = local_2.member[0u];
+                    if (_e1132[0] < 0f) {
+                        phi_2118_ = -(_e1132[0]);
                     } else {
-                        phi_2126_ = _e1116[0];
+                        phi_2118_ = _e1132[0];
                     }
-                    let _e1123 = phi_2126_;
-                    if (_e1116[1] < 0f) {
-                        phi_2133_ = -(_e1116[1]);
+                    let _e1139 = phi_2118_;
+                    if (_e1132[1] < 0f) {
+                        phi_2125_ = -(_e1132[1]);
                     } else {
-                        phi_2133_ = _e1116[1];
+                        phi_2125_ = _e1132[1];
                     }
-                    let _e1127 = phi_2133_;
-                    if (_e1123 > _e1127) {
-                        phi_2138_ = _e1123;
+                    let _e1143 = phi_2125_;
+                    if (_e1139 > _e1143) {
+                        phi_2130_ = _e1139;
                     } else {
-                        phi_2138_ = _e1127;
+                        phi_2130_ = _e1143;
                     }
-                    let _e1130 = phi_2138_;
-                    if (_e1116[2] < 0f) {
-                        phi_2145_ = -(_e1116[2]);
+                    let _e1146 = phi_2130_;
+                    if (_e1132[2] < 0f) {
+                        phi_2137_ = -(_e1132[2]);
                     } else {
-                        phi_2145_ = _e1116[2];
+                        phi_2137_ = _e1132[2];
                     }
-                    let _e1134 = phi_2145_;
-                    if (_e1130 > _e1134) {
-                        phi_2150_ = _e1130;
+                    let _e1150 = phi_2137_;
+                    if (_e1146 > _e1150) {
+                        phi_2142_ = _e1146;
                     } else {
-                        phi_2150_ = _e1134;
+                        phi_2142_ = _e1150;
                     }
-                    let _e1137 = phi_2150_;
-                    let _e1140 = local_2.member[1u];
-                    if (_e1140[0] < 0f) {
-                        phi_2163_ = -(_e1140[0]);
+                    let _e1153 = phi_2142_;
+                    let _e1156 = local_2.member[1u];
+                    if (_e1156[0] < 0f) {
+                        phi_2155_ = -(_e1156[0]);
                     } else {
-                        phi_2163_ = _e1140[0];
+                        phi_2155_ = _e1156[0];
                     }
-                    let _e1147 = phi_2163_;
-                    if (_e1140[1] < 0f) {
-                        phi_2170_ = -(_e1140[1]);
+                    let _e1163 = phi_2155_;
+                    if (_e1156[1] < 0f) {
+                        phi_2162_ = -(_e1156[1]);
                     } else {
-                        phi_2170_ = _e1140[1];
+                        phi_2162_ = _e1156[1];
                     }
-                    let _e1151 = phi_2170_;
-                    if (_e1147 > _e1151) {
-                        phi_2175_ = _e1147;
+                    let _e1167 = phi_2162_;
+                    if (_e1163 > _e1167) {
+                        phi_2167_ = _e1163;
                     } else {
-                        phi_2175_ = _e1151;
+                        phi_2167_ = _e1167;
                     }
-                    let _e1154 = phi_2175_;
-                    if (_e1140[2] < 0f) {
-                        phi_2182_ = -(_e1140[2]);
+                    let _e1170 = phi_2167_;
+                    if (_e1156[2] < 0f) {
+                        phi_2174_ = -(_e1156[2]);
                     } else {
-                        phi_2182_ = _e1140[2];
+                        phi_2174_ = _e1156[2];
                     }
-                    let _e1158 = phi_2182_;
-                    if (_e1154 > _e1158) {
-                        phi_2187_ = _e1154;
+                    let _e1174 = phi_2174_;
+                    if (_e1170 > _e1174) {
+                        phi_2179_ = _e1170;
                     } else {
-                        phi_2187_ = _e1158;
+                        phi_2179_ = _e1174;
                     }
-                    let _e1161 = phi_2187_;
-                    if (_e1137 > _e1161) {
-                        phi_2192_ = _e1137;
+                    let _e1177 = phi_2179_;
+                    if (_e1153 > _e1177) {
+                        phi_2184_ = _e1153;
                     } else {
-                        phi_2192_ = _e1161;
+                        phi_2184_ = _e1177;
                     }
-                    let _e1164 = phi_2192_;
-                    let _e1166 = local_2.member_3;
-                    let _e1167 = (_e1164 + _e1166);
-                    let _e1170 = local_2.member_1[0u];
-                    if (_e1170[0] < 0f) {
-                        phi_2209_ = -(_e1170[0]);
+                    let _e1180 = phi_2184_;
+                    let _e1182 = local_2.member_3;
+                    let _e1183 = (_e1180 + _e1182);
+                    let _e1186 = local_2.member_1[0u];
+                    if (_e1186[0] < 0f) {
+                        phi_2201_ = -(_e1186[0]);
                     } else {
-                        phi_2209_ = _e1170[0];
+                        phi_2201_ = _e1186[0];
                     }
-                    let _e1177 = phi_2209_;
-                    if (_e1170[1] < 0f) {
-                        phi_2216_ = -(_e1170[1]);
+                    let _e1193 = phi_2201_;
+                    if (_e1186[1] < 0f) {
+                        phi_2208_ = -(_e1186[1]);
                     } else {
-                        phi_2216_ = _e1170[1];
+                        phi_2208_ = _e1186[1];
                     }
-                    let _e1181 = phi_2216_;
-                    if (_e1177 > _e1181) {
-                        phi_2221_ = _e1177;
+                    let _e1197 = phi_2208_;
+                    if (_e1193 > _e1197) {
+                        phi_2213_ = _e1193;
                     } else {
-                        phi_2221_ = _e1181;
+                        phi_2213_ = _e1197;
                     }
-                    let _e1184 = phi_2221_;
-                    if (_e1170[2] < 0f) {
-                        phi_2228_ = -(_e1170[2]);
+                    let _e1200 = phi_2213_;
+                    if (_e1186[2] < 0f) {
+                        phi_2220_ = -(_e1186[2]);
                     } else {
-                        phi_2228_ = _e1170[2];
+                        phi_2220_ = _e1186[2];
                     }
-                    let _e1188 = phi_2228_;
-                    if (_e1184 > _e1188) {
-                        phi_2233_ = _e1184;
+                    let _e1204 = phi_2220_;
+                    if (_e1200 > _e1204) {
+                        phi_2225_ = _e1200;
                     } else {
-                        phi_2233_ = _e1188;
+                        phi_2225_ = _e1204;
                     }
-                    let _e1191 = phi_2233_;
-                    let _e1194 = local_2.member_1[1u];
-                    if (_e1194[0] < 0f) {
-                        phi_2247_ = -(_e1194[0]);
+                    let _e1207 = phi_2225_;
+                    let _e1210 = local_2.member_1[1u];
+                    if (_e1210[0] < 0f) {
+                        phi_2239_ = -(_e1210[0]);
                     } else {
-                        phi_2247_ = _e1194[0];
+                        phi_2239_ = _e1210[0];
                     }
-                    let _e1201 = phi_2247_;
-                    if (_e1194[1] < 0f) {
-                        phi_2254_ = -(_e1194[1]);
+                    let _e1217 = phi_2239_;
+                    if (_e1210[1] < 0f) {
+                        phi_2246_ = -(_e1210[1]);
                     } else {
-                        phi_2254_ = _e1194[1];
+                        phi_2246_ = _e1210[1];
                     }
-                    let _e1205 = phi_2254_;
-                    if (_e1201 > _e1205) {
-                        phi_2259_ = _e1201;
+                    let _e1221 = phi_2246_;
+                    if (_e1217 > _e1221) {
+                        phi_2251_ = _e1217;
                     } else {
-                        phi_2259_ = _e1205;
+                        phi_2251_ = _e1221;
                     }
-                    let _e1208 = phi_2259_;
-                    if (_e1194[2] < 0f) {
-                        phi_2266_ = -(_e1194[2]);
+                    let _e1224 = phi_2251_;
+                    if (_e1210[2] < 0f) {
+                        phi_2258_ = -(_e1210[2]);
                     } else {
-                        phi_2266_ = _e1194[2];
+                        phi_2258_ = _e1210[2];
                     }
-                    let _e1212 = phi_2266_;
-                    if (_e1208 > _e1212) {
-                        phi_2271_ = _e1208;
+                    let _e1228 = phi_2258_;
+                    if (_e1224 > _e1228) {
+                        phi_2263_ = _e1224;
                     } else {
-                        phi_2271_ = _e1212;
+                        phi_2263_ = _e1228;
                     }
-                    let _e1215 = phi_2271_;
-                    if (_e1191 > _e1215) {
-                        phi_2276_ = _e1191;
+                    let _e1231 = phi_2263_;
+                    if (_e1207 > _e1231) {
+                        phi_2268_ = _e1207;
                     } else {
-                        phi_2276_ = _e1215;
+                        phi_2268_ = _e1231;
                     }
-                    let _e1218 = phi_2276_;
-                    let _e1220 = local_2.member_3;
-                    let _e1221 = (_e1218 + _e1220);
-                    let _e1224 = local_2.member_2[0u];
-                    if (_e1224[0] < 0f) {
-                        phi_2293_ = -(_e1224[0]);
+                    let _e1234 = phi_2268_;
+                    let _e1236 = local_2.member_3;
+                    let _e1237 = (_e1234 + _e1236);
+                    let _e1240 = local_2.member_2[0u];
+                    if (_e1240[0] < 0f) {
+                        phi_2285_ = -(_e1240[0]);
                     } else {
-                        phi_2293_ = _e1224[0];
+                        phi_2285_ = _e1240[0];
                     }
-                    let _e1231 = phi_2293_;
-                    if (_e1224[1] < 0f) {
-                        phi_2300_ = -(_e1224[1]);
+                    let _e1247 = phi_2285_;
+                    if (_e1240[1] < 0f) {
+                        phi_2292_ = -(_e1240[1]);
                     } else {
-                        phi_2300_ = _e1224[1];
+                        phi_2292_ = _e1240[1];
                     }
-                    let _e1235 = phi_2300_;
-                    if (_e1231 > _e1235) {
-                        phi_2305_ = _e1231;
+                    let _e1251 = phi_2292_;
+                    if (_e1247 > _e1251) {
+                        phi_2297_ = _e1247;
                     } else {
-                        phi_2305_ = _e1235;
+                        phi_2297_ = _e1251;
                     }
-                    let _e1238 = phi_2305_;
-                    if (_e1224[2] < 0f) {
-                        phi_2312_ = -(_e1224[2]);
+                    let _e1254 = phi_2297_;
+                    if (_e1240[2] < 0f) {
+                        phi_2304_ = -(_e1240[2]);
                     } else {
-                        phi_2312_ = _e1224[2];
+                        phi_2304_ = _e1240[2];
                     }
-                    let _e1242 = phi_2312_;
-                    if (_e1238 > _e1242) {
-                        phi_2317_ = _e1238;
+                    let _e1258 = phi_2304_;
+                    if (_e1254 > _e1258) {
+                        phi_2309_ = _e1254;
                     } else {
-                        phi_2317_ = _e1242;
+                        phi_2309_ = _e1258;
                     }
-                    let _e1245 = phi_2317_;
-                    let _e1248 = local_2.member_2[1u];
-                    if (_e1248[0] < 0f) {
-                        phi_2331_ = -(_e1248[0]);
+                    let _e1261 = phi_2309_;
+                    let _e1264 = local_2.member_2[1u];
+                    if (_e1264[0] < 0f) {
+                        phi_2323_ = -(_e1264[0]);
                     } else {
-                        phi_2331_ = _e1248[0];
+                        phi_2323_ = _e1264[0];
                     }
-                    let _e1255 = phi_2331_;
-                    if (_e1248[1] < 0f) {
-                        phi_2338_ = -(_e1248[1]);
+                    let _e1271 = phi_2323_;
+                    if (_e1264[1] < 0f) {
+                        phi_2330_ = -(_e1264[1]);
                     } else {
-                        phi_2338_ = _e1248[1];
+                        phi_2330_ = _e1264[1];
                     }
-                    let _e1259 = phi_2338_;
-                    if (_e1255 > _e1259) {
-                        phi_2343_ = _e1255;
+                    let _e1275 = phi_2330_;
+                    if (_e1271 > _e1275) {
+                        phi_2335_ = _e1271;
                     } else {
-                        phi_2343_ = _e1259;
+                        phi_2335_ = _e1275;
                     }
-                    let _e1262 = phi_2343_;
-                    if (_e1248[2] < 0f) {
-                        phi_2350_ = -(_e1248[2]);
+                    let _e1278 = phi_2335_;
+                    if (_e1264[2] < 0f) {
+                        phi_2342_ = -(_e1264[2]);
                     } else {
-                        phi_2350_ = _e1248[2];
+                        phi_2342_ = _e1264[2];
                     }
-                    let _e1266 = phi_2350_;
-                    if (_e1262 > _e1266) {
-                        phi_2355_ = _e1262;
+                    let _e1282 = phi_2342_;
+                    if (_e1278 > _e1282) {
+                        phi_2347_ = _e1278;
                     } else {
-                        phi_2355_ = _e1266;
+                        phi_2347_ = _e1282;
                     }
-                    let _e1269 = phi_2355_;
-                    if (_e1245 > _e1269) {
-                        phi_2360_ = _e1245;
+                    let _e1285 = phi_2347_;
+                    if (_e1261 > _e1285) {
+                        phi_2352_ = _e1261;
                     } else {
-                        phi_2360_ = _e1269;
+                        phi_2352_ = _e1285;
                     }
-                    let _e1272 = phi_2360_;
-                    let _e1274 = local_2.member_3;
-                    let _e1275 = (_e1272 + _e1274);
-                    let _e1277 = ((_e1221 * 8f) * _e1275);
-                    let _e1284 = local_2.member_3;
-                    if (_e973 < 0f) {
-                        phi_2391_ = -(_e973);
+                    let _e1288 = phi_2352_;
+                    let _e1290 = local_2.member_3;
+                    let _e1291 = (_e1288 + _e1290);
+                    let _e1293 = ((_e1237 * 8f) * _e1291);
+                    let _e1300 = local_2.member_3;
+                    if (_e989 < 0f) {
+                        phi_2383_ = -(_e989);
                     } else {
-                        phi_2391_ = _e973;
+                        phi_2383_ = _e989;
                     }
-                    let _e1301 = phi_2391_;
-                    if (_e976 < 0f) {
-                        phi_2397_ = -(_e976);
+                    let _e1317 = phi_2383_;
+                    if (_e992 < 0f) {
+                        phi_2389_ = -(_e992);
                     } else {
-                        phi_2397_ = _e976;
+                        phi_2389_ = _e992;
                     }
-                    let _e1305 = phi_2397_;
-                    if (_e979 < 0f) {
-                        phi_2404_ = -(_e979);
+                    let _e1321 = phi_2389_;
+                    if (_e995 < 0f) {
+                        phi_2396_ = -(_e995);
                     } else {
-                        phi_2404_ = _e979;
+                        phi_2396_ = _e995;
                     }
-                    let _e1310 = phi_2404_;
-                    let _e1311 = ((_e1301 + _e1305) + _e1310);
-                    if (_e994 < 0f) {
-                        phi_2411_ = -(_e994);
+                    let _e1326 = phi_2396_;
+                    let _e1327 = ((_e1317 + _e1321) + _e1326);
+                    if (_e1010 < 0f) {
+                        phi_2403_ = -(_e1010);
                     } else {
-                        phi_2411_ = _e994;
+                        phi_2403_ = _e1010;
                     }
-                    let _e1315 = phi_2411_;
-                    if (_e997 < 0f) {
-                        phi_2417_ = -(_e997);
+                    let _e1331 = phi_2403_;
+                    if (_e1013 < 0f) {
+                        phi_2409_ = -(_e1013);
                     } else {
-                        phi_2417_ = _e997;
+                        phi_2409_ = _e1013;
                     }
-                    let _e1319 = phi_2417_;
-                    if (_e1000 < 0f) {
-                        phi_2424_ = -(_e1000);
+                    let _e1335 = phi_2409_;
+                    if (_e1016 < 0f) {
+                        phi_2416_ = -(_e1016);
                     } else {
-                        phi_2424_ = _e1000;
+                        phi_2416_ = _e1016;
                     }
-                    let _e1324 = phi_2424_;
-                    let _e1325 = ((_e1315 + _e1319) + _e1324);
-                    if (_e1311 > _e1325) {
-                        phi_2430_ = _e1311;
+                    let _e1340 = phi_2416_;
+                    let _e1341 = ((_e1331 + _e1335) + _e1340);
+                    if (_e1327 > _e1341) {
+                        phi_2422_ = _e1327;
                     } else {
-                        phi_2430_ = _e1325;
+                        phi_2422_ = _e1341;
                     }
-                    let _e1328 = phi_2430_;
-                    if (_e1043 < 0f) {
-                        phi_2436_ = -(_e1043);
+                    let _e1344 = phi_2422_;
+                    if (_e1059 < 0f) {
+                        phi_2428_ = -(_e1059);
                     } else {
-                        phi_2436_ = _e1043;
+                        phi_2428_ = _e1059;
                     }
-                    let _e1332 = phi_2436_;
-                    if (_e1044 < 0f) {
-                        phi_2442_ = -(_e1044);
+                    let _e1348 = phi_2428_;
+                    if (_e1060 < 0f) {
+                        phi_2434_ = -(_e1060);
                     } else {
-                        phi_2442_ = _e1044;
+                        phi_2434_ = _e1060;
                     }
-                    let _e1336 = phi_2442_;
-                    if (_e1045 < 0f) {
-                        phi_2449_ = -(_e1045);
+                    let _e1352 = phi_2434_;
+                    if (_e1061 < 0f) {
+                        phi_2441_ = -(_e1061);
                     } else {
-                        phi_2449_ = _e1045;
+                        phi_2441_ = _e1061;
                     }
-                    let _e1341 = phi_2449_;
-                    let _e1343 = (((_e1332 + _e1336) + _e1341) * 0.5f);
-                    if (_e1328 > _e1343) {
-                        phi_2456_ = _e1328;
+                    let _e1357 = phi_2441_;
+                    let _e1359 = (((_e1348 + _e1352) + _e1357) * 0.5f);
+                    if (_e1344 > _e1359) {
+                        phi_2448_ = _e1344;
                     } else {
-                        phi_2456_ = _e1343;
+                        phi_2448_ = _e1359;
                     }
-                    let _e1346 = phi_2456_;
-                    let _e1351 = local_2.member_3;
-                    let _e1364 = ((((_e1048[0] * _e973) + (_e1048[1] * _e976)) + (_e1048[2] * _e979)) * 3f);
-                    let _e1365 = ((((_e1105[0] * _e994) + (_e1105[1] * _e997)) + (_e1105[2] * _e1000)) * 3f);
-                    if (_e1364 < _e1365) {
-                        phi_2480_ = _e1364;
+                    let _e1362 = phi_2448_;
+                    let _e1367 = local_2.member_3;
+                    let _e1380 = ((((_e1064[0] * _e989) + (_e1064[1] * _e992)) + (_e1064[2] * _e995)) * 3f);
+                    let _e1381 = ((((_e1121[0] * _e1010) + (_e1121[1] * _e1013)) + (_e1121[2] * _e1016)) * 3f);
+                    if (_e1380 < _e1381) {
+                        phi_2472_ = _e1380;
                     } else {
-                        phi_2480_ = _e1365;
+                        phi_2472_ = _e1381;
                     }
-                    let _e1368 = phi_2480_;
-                    if (_e1079 < _e1102) {
-                        phi_2485_ = _e1079;
+                    let _e1384 = phi_2472_;
+                    if (_e1095 < _e1118) {
+                        phi_2477_ = _e1095;
                     } else {
-                        phi_2485_ = _e1102;
+                        phi_2477_ = _e1118;
                     }
-                    let _e1371 = phi_2485_;
-                    if (_e1368 < _e1371) {
-                        phi_2490_ = _e1368;
+                    let _e1387 = phi_2477_;
+                    if (_e1384 < _e1387) {
+                        phi_2482_ = _e1384;
                     } else {
-                        phi_2490_ = _e1371;
+                        phi_2482_ = _e1387;
                     }
-                    let _e1374 = phi_2490_;
-                    if (_e1364 > _e1365) {
-                        phi_2495_ = _e1364;
+                    let _e1390 = phi_2482_;
+                    if (_e1380 > _e1381) {
+                        phi_2487_ = _e1380;
                     } else {
-                        phi_2495_ = _e1365;
+                        phi_2487_ = _e1381;
                     }
-                    let _e1377 = phi_2495_;
-                    if (_e1079 > _e1102) {
-                        phi_2500_ = _e1079;
+                    let _e1393 = phi_2487_;
+                    if (_e1095 > _e1118) {
+                        phi_2492_ = _e1095;
                     } else {
-                        phi_2500_ = _e1102;
+                        phi_2492_ = _e1118;
                     }
-                    let _e1380 = phi_2500_;
-                    if (_e1377 > _e1380) {
-                        phi_2505_ = _e1377;
+                    let _e1396 = phi_2492_;
+                    if (_e1393 > _e1396) {
+                        phi_2497_ = _e1393;
                     } else {
-                        phi_2505_ = _e1380;
+                        phi_2497_ = _e1396;
                     }
-                    let _e1383 = phi_2505_;
-                    let _e1388 = -(_e1383);
-                    if (_e1374 > _e1388) {
-                        phi_2515_ = _e1374;
+                    let _e1399 = phi_2497_;
+                    let _e1404 = -(_e1399);
+                    if (_e1390 > _e1404) {
+                        phi_2507_ = _e1390;
                     } else {
-                        phi_2515_ = _e1388;
+                        phi_2507_ = _e1404;
                     }
-                    let _e1391 = phi_2515_;
-                    let _e1393 = ((_e1391 - ((((((_e1167 * 8f) * _e1277) * (0.000000059604645f * (524f / 64f))) + ((_e1284 * 19f) * ((_e1167 * (_e1221 + _e1275)) + (_e1221 * _e1275)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1167) * ((1f + _e1221) * (1f + _e1275))))) + ((_e815 * (((_e1346 + (_e1277 * (0.000000059604645f * 8f))) + ((_e1351 * 6f) * (_e1221 + _e1275))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1221) * (1f + _e1275))))) * (3f * 1.0001f)))) > 0f);
-                    if _e1393 {
-                        phi_3484_ = _e1393;
+                    let _e1407 = phi_2507_;
+                    let _e1409 = ((_e1407 - ((((((_e1183 * 8f) * _e1293) * (0.000000059604645f * (524f / 64f))) + ((_e1300 * 19f) * ((_e1183 * (_e1237 + _e1291)) + (_e1237 * _e1291)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1183) * ((1f + _e1237) * (1f + _e1291))))) + ((_e815 * (((_e1362 + (_e1293 * (0.000000059604645f * 8f))) + ((_e1367 * 6f) * (_e1237 + _e1291))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1237) * (1f + _e1291))))) * (3f * 1.0001f)))) > 0f);
+                    if _e1409 {
+                        phi_3476_ = _e1409;
                     } else {
-                        let _e1396 = local_2.member_1[0u];
-                        let _e1402 = local_2.member_1[1u];
-                        let _e1406 = (_e1396[0] + _e1402[0]);
-                        let _e1407 = (_e1396[1] + _e1402[1]);
-                        let _e1408 = (_e1396[2] + _e1402[2]);
-                        let _e1411 = local_2.member_2[0u];
-                        let _e1417 = local_2.member_2[1u];
-                        let _e1421 = (_e1411[0] + _e1417[0]);
-                        let _e1422 = (_e1411[1] + _e1417[1]);
-                        let _e1423 = (_e1411[2] + _e1417[2]);
-                        let _e1426 = ((_e1407 * _e1423) - (_e1408 * _e1422));
-                        let _e1429 = ((_e1408 * _e1421) - (_e1406 * _e1423));
-                        let _e1432 = ((_e1406 * _e1422) - (_e1407 * _e1421));
-                        let _e1435 = local_2.member[0u];
-                        let _e1442 = local_2.member_1[0u];
-                        let _e1448 = local_2.member_2[0u];
-                        let _e1452 = (_e1435[0] - _e1442[0]);
-                        let _e1453 = (_e1435[1] - _e1442[1]);
-                        let _e1454 = (_e1435[2] - _e1442[2]);
+                        let _e1412 = local_2.member_1[0u];
+                        let _e1418 = local_2.member_1[1u];
+                        let _e1422 = (_e1412[0] + _e1418[0]);
+                        let _e1423 = (_e1412[1] + _e1418[1]);
+                        let _e1424 = (_e1412[2] + _e1418[2]);
+                        let _e1427 = local_2.member_2[0u];
+                        let _e1433 = local_2.member_2[1u];
+                        let _e1437 = (_e1427[0] + _e1433[0]);
+                        let _e1438 = (_e1427[1] + _e1433[1]);
+                        let _e1439 = (_e1427[2] + _e1433[2]);
+                        let _e1442 = ((_e1423 * _e1439) - (_e1424 * _e1438));
+                        let _e1445 = ((_e1424 * _e1437) - (_e1422 * _e1439));
+                        let _e1448 = ((_e1422 * _e1438) - (_e1423 * _e1437));
+                        let _e1451 = local_2.member[0u];
+                        let _e1458 = local_2.member_1[0u];
+                        let _e1464 = local_2.member_2[0u];
+                        let _e1468 = (_e1451[0] - _e1458[0]);
+                        let _e1469 = (_e1451[1] - _e1458[1]);
+                        let _e1470 = (_e1451[2] - _e1458[2]);
                         if (_e179.member == 0u) {
-                            phi_2631_ = array<f32, 3>(_e1435[0], _e1435[1], _e1435[2]);
+                            phi_2623_ = array<f32, 3>(_e1451[0], _e1451[1], _e1451[2]);
                         } else {
-                            phi_2631_ = array<f32, 3>((_e1452 - _e1448[0]), (_e1453 - _e1448[1]), (_e1454 - _e1448[2]));
+                            phi_2623_ = array<f32, 3>((_e1468 - _e1464[0]), (_e1469 - _e1464[1]), (_e1470 - _e1464[2]));
                         }
-                        let _e1461 = phi_2631_;
-                        let _e1462 = (_e1435[0] - _e1448[0]);
-                        let _e1463 = (_e1435[1] - _e1448[1]);
-                        let _e1464 = (_e1435[2] - _e1448[2]);
-                        let _e1467 = local_2.member[1u];
-                        let _e1474 = local_2.member_1[1u];
-                        let _e1480 = local_2.member_2[1u];
-                        let _e1484 = (_e1467[0] - _e1474[0]);
-                        let _e1485 = (_e1467[1] - _e1474[1]);
-                        let _e1486 = (_e1467[2] - _e1474[2]);
+                        let _e1477 = phi_2623_;
+                        let _e1478 = (_e1451[0] - _e1464[0]);
+                        let _e1479 = (_e1451[1] - _e1464[1]);
+                        let _e1480 = (_e1451[2] - _e1464[2]);
+                        let _e1483 = local_2.member[1u];
+                        let _e1490 = local_2.member_1[1u];
+                        let _e1496 = local_2.member_2[1u];
+                        let _e1500 = (_e1483[0] - _e1490[0]);
+                        let _e1501 = (_e1483[1] - _e1490[1]);
+                        let _e1502 = (_e1483[2] - _e1490[2]);
                         if (_e179.member == 0u) {
-                            phi_2696_ = array<f32, 3>(_e1467[0], _e1467[1], _e1467[2]);
+                            phi_2688_ = array<f32, 3>(_e1483[0], _e1483[1], _e1483[2]);
                         } else {
-                            phi_2696_ = array<f32, 3>((_e1484 - _e1480[0]), (_e1485 - _e1480[1]), (_e1486 - _e1480[2]));
+                            phi_2688_ = array<f32, 3>((_e1500 - _e1496[0]), (_e1501 - _e1496[1]), (_e1502 - _e1496[2]));
                         }
-                        let _e1493 = phi_2696_;
-                        let _e1494 = (_e1467[0] - _e1480[0]);
-                        let _e1495 = (_e1467[1] - _e1480[1]);
-                        let _e1496 = (_e1467[2] - _e1480[2]);
-                        let _e1499 = local_2.member[0u];
-                        if (_e1499[0] < 0f) {
-                            phi_2718_ = -(_e1499[0]);
+                        let _e1509 = phi_2688_;
+                        let _e1510 = (_e1483[0] - _e1496[0]);
+                        let _e1511 = (_e1483[1] - _e1496[1]);
+                        let _e1512 = (_e1483[2] - _e1496[2]);
+                        let _e1515 = local_2.member[0u];
+                        if (_e1515[0] < 0f) {
+                            phi_2710_ = -(_e1515[0]);
                         } else {
-                            phi_2718_ = _e1499[0];
+                            phi_2710_ = _e1515[0];
                         }
-                        let _e1506 = phi_2718_;
-                        if (_e1499[1] < 0f) {
-                            phi_2725_ = -(_e1499[1]);
+                        let _e1522 = phi_2710_;
+                        if (_e1515[1] < 0f) {
+                            phi_2717_ = -(_e1515[1]);
                         } else {
-                            phi_2725_ = _e1499[1];
+                            phi_2717_ = _e1515[1];
                         }
-                        let _e1510 = phi_2725_;
-                        if (_e1506 > _e1510) {
-                            phi_2730_ = _e1506;
+                        let _e1526 = phi_2717_;
+                        if (_e1522 > _e1526) {
+                            phi_2722_ = _e1522;
                         } else {
-                            phi_2730_ = _e1510;
+                            phi_2722_ = _e1526;
                         }
-                        let _e1513 = phi_2730_;
-                        if (_e1499[2] < 0f) {
-                            phi_2737_ = -(_e1499[2]);
+                        let _e1529 = phi_2722_;
+                        if (_e1515[2] < 0f) {
+                            phi_2729_ = -(_e1515[2]);
                         } else {
-                            phi_2737_ = _e1499[2];
+                            phi_2729_ = _e1515[2];
                         }
-                        let _e1517 = phi_2737_;
-                        if (_e1513 > _e1517) {
-                            phi_2742_ = _e1513;
+                        let _e1533 = phi_2729_;
+                        if (_e1529 > _e1533) {
+                            phi_2734_ = _e1529;
                         } else {
-                            phi_2742_ = _e1517;
+                            phi_2734_ = _e1533;
                         }
-                        let _e1520 = phi_2742_;
-                        let _e1523 = local_2.member[1u];
-                        if (_e1523[0] < 0f) {
-                            phi_2755_ = -(_e1523[0]);
+                        let _e1536 = phi_2734_;
+                        let _e1539 = local_2.member[1u];
+                        if (_e1539[0] < 0f) {
+                            phi_2747_ = -(_e1539[0]);
                         } else {
-                            phi_2755_ = _e1523[0];
+                            phi_2747_ = _e1539[0];
                         }
-                        let _e1530 = phi_2755_;
-                        if (_e1523[1] < 0f) {
-                            phi_2762_ = -(_e1523[1]);
+                        let _e1546 = phi_2747_;
+                        if (_e1539[1] < 0f) {
+                            phi_2754_ = -(_e1539[1]);
                         } else {
-                            phi_2762_ = _e1523[1];
+                            phi_2754_ = _e1539[1];
                         }
-                        let _e1534 = phi_2762_;
-                        if (_e1530 > _e1534) {
-                            phi_2767_ = _e1530;
+                        let _e1550 = phi_2754_;
+                        if (_e1546 > _e1550) {
+                            phi_2759_ = _e1546;
                         } else {
-                            phi_2767_ = _e1534;
+                            phi_2759_ = _e1550;
                         }
-                        let _e1537 = phi_2767_;
-                        if (_e1523[2] < 0f) {
-                            phi_2774_ = -(_e1523[2]);
+                        let _e1553 = phi_2759_;
+                        if (_e1539[2] < 0f) {
+                            phi_2766_ = -(_e1539[2]);
                         } else {
-                            phi_2774_ = _e1523[2];
+                            phi_2766_ = _e1539[2];
                         }
-                        let _e1541 = phi_2774_;
-                        if (_e1537 > _e1541) {
-                            phi_2779_ = _e1537;
+                        let _e1557 = phi_2766_;
+                        if (_e1553 > _e1557) {
+                            phi_2771_ = _e1553;
                         } else {
-                            phi_2779_ = _e1541;
+                            phi_2771_ = _e1557;
                         }
-                        let _e1544 = phi_2779_;
-                        if (_e1520 > _e1544) {
-                            phi_2784_ = _e1520;
+                        let _e1560 = phi_2771_;
+                        if (_e1536 > _e1560) {
+                            phi_2776_ = _e1536;
                         } else {
-                            phi_2784_ = _e1544;
+                            phi_2776_ = _e1560;
                         }
-                        let _e1547 = phi_2784_;
-                        let _e1549 = local_2.member_3;
-                        let _e1553 = local_2.member_1[0u];
-                        if (_e1553[0] < 0f) {
-                            phi_2801_ = -(_e1553[0]);
+                        let _e1563 = phi_2776_;
+                        let _e1565 = local_2.member_3;
+                        let _e1569 = local_2.member_1[0u];
+                        if (_e1569[0] < 0f) {
+                            phi_2793_ = -(_e1569[0]);
                         } else {
-                            phi_2801_ = _e1553[0];
+                            phi_2793_ = _e1569[0];
                         }
-                        let _e1560 = phi_2801_;
-                        if (_e1553[1] < 0f) {
-                            phi_2808_ = -(_e1553[1]);
+                        let _e1576 = phi_2793_;
+                        if (_e1569[1] < 0f) {
+                            phi_2800_ = -(_e1569[1]);
                         } else {
-                            phi_2808_ = _e1553[1];
+                            phi_2800_ = _e1569[1];
                         }
-                        let _e1564 = phi_2808_;
-                        if (_e1560 > _e1564) {
-                            phi_2813_ = _e1560;
+                        let _e1580 = phi_2800_;
+                        if (_e1576 > _e1580) {
+                            phi_2805_ = _e1576;
                         } else {
-                            phi_2813_ = _e1564;
+                            phi_2805_ = _e1580;
                         }
-                        let _e1567 = phi_2813_;
-                        if (_e1553[2] < 0f) {
-                            phi_2820_ = -(_e1553[2]);
+                        let _e1583 = phi_2805_;
+                        if (_e1569[2] < 0f) {
+                            phi_2812_ = -(_e1569[2]);
                         } else {
-                            phi_2820_ = _e1553[2];
+                            phi_2812_ = _e1569[2];
                         }
-                        let _e1571 = phi_2820_;
-                        if (_e1567 > _e1571) {
-                            phi_2825_ = _e1567;
+                        let _e1587 = phi_2812_;
+                        if (_e1583 > _e1587) {
+                            phi_2817_ = _e1583;
                         } else {
-                            phi_2825_ = _e1571;
+                            phi_2817_ = _e1587;
                         }
-                        let _e1574 = phi_2825_;
-                        let _e1577 = local_2.member_1[1u];
-                        if (_e1577[0] < 0f) {
-                            phi_2839_ = -(_e1577[0]);
+                        let _e1590 = phi_2817_;
+                        let _e1593 = local_2.member_1[1u];
+                        if (_e1593[0] < 0f) {
+                            phi_2831_ = -(_e1593[0]);
                         } else {
-                            phi_2839_ = _e1577[0];
+                            phi_2831_ = _e1593[0];
                         }
-                        let _e1584 = phi_2839_;
-                        if (_e1577[1] < 0f) {
-                            phi_2846_ = -(_e1577[1]);
+                        let _e1600 = phi_2831_;
+                        if (_e1593[1] < 0f) {
+                            phi_2838_ = -(_e1593[1]);
                         } else {
-                            phi_2846_ = _e1577[1];
+                            phi_2838_ = _e1593[1];
                         }
-                        let _e1588 = phi_2846_;
-                        if (_e1584 > _e1588) {
-                            phi_2851_ = _e1584;
+                        let _e1604 = phi_2838_;
+                        if (_e1600 > _e1604) {
+                            phi_2843_ = _e1600;
                         } else {
-                            phi_2851_ = _e1588;
+                            phi_2843_ = _e1604;
                         }
-                        let _e1591 = phi_2851_;
-                        if (_e1577[2] < 0f) {
-                            phi_2858_ = -(_e1577[2]);
+                        let _e1607 = phi_2843_;
+                        if (_e1593[2] < 0f) {
+                            phi_2850_ = -(_e1593[2]);
                         } else {
-                            phi_2858_ = _e1577[2];
+                            phi_2850_ = _e1593[2];
                         }
-                        let _e1595 = phi_2858_;
-                        if (_e1591 > _e1595) {
-                            phi_2863_ = _e1591;
+                        let _e1611 = phi_2850_;
+                        if (_e1607 > _e1611) {
+                            phi_2855_ = _e1607;
                         } else {
-                            phi_2863_ = _e1595;
+                            phi_2855_ = _e1611;
                         }
-                        let _e1598 = phi_2863_;
-                        if (_e1574 > _e1598) {
-                            phi_2868_ = _e1574;
+                        let _e1614 = phi_2855_;
+                        if (_e1590 > _e1614) {
+                            phi_2860_ = _e1590;
                         } else {
-                            phi_2868_ = _e1598;
+                            phi_2860_ = _e1614;
                         }
-                        let _e1601 = phi_2868_;
-                        let _e1603 = local_2.member_3;
-                        let _e1607 = local_2.member_2[0u];
-                        if (_e1607[0] < 0f) {
-                            phi_2885_ = -(_e1607[0]);
+                        let _e1617 = phi_2860_;
+                        let _e1619 = local_2.member_3;
+                        let _e1623 = local_2.member_2[0u];
+                        if (_e1623[0] < 0f) {
+                            phi_2877_ = -(_e1623[0]);
                         } else {
-                            phi_2885_ = _e1607[0];
+                            phi_2877_ = _e1623[0];
                         }
-                        let _e1614 = phi_2885_;
-                        if (_e1607[1] < 0f) {
-                            phi_2892_ = -(_e1607[1]);
+                        let _e1630 = phi_2877_;
+                        if (_e1623[1] < 0f) {
+                            phi_2884_ = -(_e1623[1]);
                         } else {
-                            phi_2892_ = _e1607[1];
+                            phi_2884_ = _e1623[1];
                         }
-                        let _e1618 = phi_2892_;
-                        if (_e1614 > _e1618) {
-                            phi_2897_ = _e1614;
+                        let _e1634 = phi_2884_;
+                        if (_e1630 > _e1634) {
+                            phi_2889_ = _e1630;
                         } else {
-                            phi_2897_ = _e1618;
+                            phi_2889_ = _e1634;
                         }
-                        let _e1621 = phi_2897_;
-                        if (_e1607[2] < 0f) {
-                            phi_2904_ = -(_e1607[2]);
+                        let _e1637 = phi_2889_;
+                        if (_e1623[2] < 0f) {
+                            phi_2896_ = -(_e1623[2]);
                         } else {
-                            phi_2904_ = _e1607[2];
+                            phi_2896_ = _e1623[2];
                         }
-                        let _e1625 = phi_2904_;
-                        if (_e1621 > _e1625) {
-                            phi_2909_ = _e1621;
+                        let _e1641 = phi_2896_;
+                        if (_e1637 > _e1641) {
+                            phi_2901_ = _e1637;
                         } else {
-                            phi_2909_ = _e1625;
+                            phi_2901_ = _e1641;
                         }
-                        let _e1628 = phi_2909_;
-                        let _e1631 = local_2.member_2[1u];
-                        if (_e1631[0] < 0f) {
-                            phi_2923_ = -(_e1631[0]);
+                        let _e1644 = phi_2901_;
+                        let _e1647 = local_2.member_2[1u];
+                        if (_e1647[0] < 0f) {
+                            phi_2915_ = -(_e1647[0]);
                         } else {
-                            phi_2923_ = _e1631[0];
+                            phi_2915_ = _e1647[0];
                         }
-                        let _e1638 = phi_2923_;
-                        if (_e1631[1] < 0f) {
-                            phi_2930_ = -(_e1631[1]);
+                        let _e1654 = phi_2915_;
+                        if (_e1647[1] < 0f) {
+                            phi_2922_ = -(_e1647[1]);
                         } else {
-                            phi_2930_ = _e1631[1];
+                            phi_2922_ = _e1647[1];
                         }
-                        let _e1642 = phi_2930_;
-                        if (_e1638 > _e1642) {
-                            phi_2935_ = _e1638;
+                        let _e1658 = phi_2922_;
+                        if (_e1654 > _e1658) {
+                            phi_2927_ = _e1654;
                         } else {
-                            phi_2935_ = _e1642;
+                            phi_2927_ = _e1658;
                         }
-                        let _e1645 = phi_2935_;
-                        if (_e1631[2] < 0f) {
-                            phi_2942_ = -(_e1631[2]);
+                        let _e1661 = phi_2927_;
+                        if (_e1647[2] < 0f) {
+                            phi_2934_ = -(_e1647[2]);
                         } else {
-                            phi_2942_ = _e1631[2];
+                            phi_2934_ = _e1647[2];
                         }
-                        let _e1649 = phi_2942_;
-                        if (_e1645 > _e1649) {
-                            phi_2947_ = _e1645;
+                        let _e1665 = phi_2934_;
+                        if (_e1661 > _e1665) {
+                            phi_2939_ = _e1661;
                         } else {
-                            phi_2947_ = _e1649;
+                            phi_2939_ = _e1665;
                         }
-                        let _e1652 = phi_2947_;
-                        if (_e1628 > _e1652) {
-                            phi_2952_ = _e1628;
+                        let _e1668 = phi_2939_;
+                        if (_e1644 > _e1668) {
+                            phi_2944_ = _e1644;
                         } else {
-                            phi_2952_ = _e1652;
+                            phi_2944_ = _e1668;
                         }
-                        let _e1655 = phi_2952_;
-                        let _e1657 = local_2.member_3;
-                        let _e1661 = ((((_e1547 + _e1549) + (_e1601 + _e1603)) + (_e1655 + _e1657)) * 2f);
-                        let _e1664 = local_2.member_3;
-                        let _e1668 = (((_e815 * 1.0001f) + (_e1664 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                        let _e1671 = ((_e1429 * _e1408) - (_e1432 * _e1407));
-                        let _e1674 = ((_e1432 * _e1406) - (_e1426 * _e1408));
-                        let _e1677 = ((_e1426 * _e1407) - (_e1429 * _e1406));
-                        let _e1682 = (((_e1671 * _e1435[0]) + (_e1674 * _e1435[1])) + (_e1677 * _e1435[2]));
-                        let _e1687 = (((_e1671 * _e1452) + (_e1674 * _e1453)) + (_e1677 * _e1454));
-                        let _e1692 = (((_e1671 * _e1462) + (_e1674 * _e1463)) + (_e1677 * _e1464));
-                        let _e1700 = (((_e1671 * _e1461[0]) + (_e1674 * _e1461[1])) + (_e1677 * _e1461[2]));
-                        let _e1705 = (((_e1671 * _e1467[0]) + (_e1674 * _e1467[1])) + (_e1677 * _e1467[2]));
-                        let _e1710 = (((_e1671 * _e1484) + (_e1674 * _e1485)) + (_e1677 * _e1486));
-                        let _e1715 = (((_e1671 * _e1494) + (_e1674 * _e1495)) + (_e1677 * _e1496));
-                        let _e1723 = (((_e1671 * _e1493[0]) + (_e1674 * _e1493[1])) + (_e1677 * _e1493[2]));
-                        if (_e1682 < _e1687) {
-                            phi_3031_ = _e1682;
+                        let _e1671 = phi_2944_;
+                        let _e1673 = local_2.member_3;
+                        let _e1677 = ((((_e1563 + _e1565) + (_e1617 + _e1619)) + (_e1671 + _e1673)) * 2f);
+                        let _e1680 = local_2.member_3;
+                        let _e1684 = (((_e815 * 1.0001f) + (_e1680 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                        let _e1687 = ((_e1445 * _e1424) - (_e1448 * _e1423));
+                        let _e1690 = ((_e1448 * _e1422) - (_e1442 * _e1424));
+                        let _e1693 = ((_e1442 * _e1423) - (_e1445 * _e1422));
+                        let _e1698 = (((_e1687 * _e1451[0]) + (_e1690 * _e1451[1])) + (_e1693 * _e1451[2]));
+                        let _e1703 = (((_e1687 * _e1468) + (_e1690 * _e1469)) + (_e1693 * _e1470));
+                        let _e1708 = (((_e1687 * _e1478) + (_e1690 * _e1479)) + (_e1693 * _e1480));
+                        let _e1716 = (((_e1687 * _e1477[0]) + (_e1690 * _e1477[1])) + (_e1693 * _e1477[2]));
+                        let _e1721 = (((_e1687 * _e1483[0]) + (_e1690 * _e1483[1])) + (_e1693 * _e1483[2]));
+                        let _e1726 = (((_e1687 * _e1500) + (_e1690 * _e1501)) + (_e1693 * _e1502));
+                        let _e1731 = (((_e1687 * _e1510) + (_e1690 * _e1511)) + (_e1693 * _e1512));
+                        let _e1739 = (((_e1687 * _e1509[0]) + (_e1690 * _e1509[1])) + (_e1693 * _e1509[2]));
+                        if (_e1698 < _e1703) {
+                            phi_3023_ = _e1698;
                         } else {
-                            phi_3031_ = _e1687;
+                            phi_3023_ = _e1703;
                         }
-                        let _e1726 = phi_3031_;
-                        if (_e1692 < _e1700) {
-                            phi_3036_ = _e1692;
+                        let _e1742 = phi_3023_;
+                        if (_e1708 < _e1716) {
+                            phi_3028_ = _e1708;
                         } else {
-                            phi_3036_ = _e1700;
+                            phi_3028_ = _e1716;
                         }
-                        let _e1729 = phi_3036_;
-                        if (_e1726 < _e1729) {
-                            phi_3041_ = _e1726;
+                        let _e1745 = phi_3028_;
+                        if (_e1742 < _e1745) {
+                            phi_3033_ = _e1742;
                         } else {
-                            phi_3041_ = _e1729;
+                            phi_3033_ = _e1745;
                         }
-                        let _e1732 = phi_3041_;
-                        if (_e1705 < _e1710) {
-                            phi_3046_ = _e1705;
+                        let _e1748 = phi_3033_;
+                        if (_e1721 < _e1726) {
+                            phi_3038_ = _e1721;
                         } else {
-                            phi_3046_ = _e1710;
+                            phi_3038_ = _e1726;
                         }
-                        let _e1735 = phi_3046_;
-                        if (_e1715 < _e1723) {
-                            phi_3051_ = _e1715;
+                        let _e1751 = phi_3038_;
+                        if (_e1731 < _e1739) {
+                            phi_3043_ = _e1731;
                         } else {
-                            phi_3051_ = _e1723;
+                            phi_3043_ = _e1739;
                         }
-                        let _e1738 = phi_3051_;
-                        if (_e1735 < _e1738) {
-                            phi_3056_ = _e1735;
+                        let _e1754 = phi_3043_;
+                        if (_e1751 < _e1754) {
+                            phi_3048_ = _e1751;
                         } else {
-                            phi_3056_ = _e1738;
+                            phi_3048_ = _e1754;
                         }
-                        let _e1741 = phi_3056_;
-                        if (_e1732 < _e1741) {
-                            phi_3061_ = _e1732;
+                        let _e1757 = phi_3048_;
+                        if (_e1748 < _e1757) {
+                            phi_3053_ = _e1748;
                         } else {
-                            phi_3061_ = _e1741;
+                            phi_3053_ = _e1757;
                         }
-                        let _e1744 = phi_3061_;
-                        if (_e1682 > _e1687) {
-                            phi_3066_ = _e1682;
+                        let _e1760 = phi_3053_;
+                        if (_e1698 > _e1703) {
+                            phi_3058_ = _e1698;
                         } else {
-                            phi_3066_ = _e1687;
+                            phi_3058_ = _e1703;
                         }
-                        let _e1747 = phi_3066_;
-                        if (_e1692 > _e1700) {
-                            phi_3071_ = _e1692;
+                        let _e1763 = phi_3058_;
+                        if (_e1708 > _e1716) {
+                            phi_3063_ = _e1708;
                         } else {
-                            phi_3071_ = _e1700;
+                            phi_3063_ = _e1716;
                         }
-                        let _e1750 = phi_3071_;
-                        if (_e1747 > _e1750) {
-                            phi_3076_ = _e1747;
+                        let _e1766 = phi_3063_;
+                        if (_e1763 > _e1766) {
+                            phi_3068_ = _e1763;
                         } else {
-                            phi_3076_ = _e1750;
+                            phi_3068_ = _e1766;
                         }
-                        let _e1753 = phi_3076_;
-                        if (_e1705 > _e1710) {
-                            phi_3081_ = _e1705;
+                        let _e1769 = phi_3068_;
+                        if (_e1721 > _e1726) {
+                            phi_3073_ = _e1721;
                         } else {
-                            phi_3081_ = _e1710;
+                            phi_3073_ = _e1726;
                         }
-                        let _e1756 = phi_3081_;
-                        if (_e1715 > _e1723) {
-                            phi_3086_ = _e1715;
+                        let _e1772 = phi_3073_;
+                        if (_e1731 > _e1739) {
+                            phi_3078_ = _e1731;
                         } else {
-                            phi_3086_ = _e1723;
+                            phi_3078_ = _e1739;
                         }
-                        let _e1759 = phi_3086_;
-                        if (_e1756 > _e1759) {
-                            phi_3091_ = _e1756;
+                        let _e1775 = phi_3078_;
+                        if (_e1772 > _e1775) {
+                            phi_3083_ = _e1772;
                         } else {
-                            phi_3091_ = _e1759;
+                            phi_3083_ = _e1775;
                         }
-                        let _e1762 = phi_3091_;
-                        if (_e1753 > _e1762) {
-                            phi_3096_ = _e1753;
+                        let _e1778 = phi_3083_;
+                        if (_e1769 > _e1778) {
+                            phi_3088_ = _e1769;
                         } else {
-                            phi_3096_ = _e1762;
+                            phi_3088_ = _e1778;
                         }
-                        let _e1765 = phi_3096_;
-                        if (_e1671 < 0f) {
-                            phi_3102_ = -(_e1671);
+                        let _e1781 = phi_3088_;
+                        if (_e1687 < 0f) {
+                            phi_3094_ = -(_e1687);
                         } else {
-                            phi_3102_ = _e1671;
+                            phi_3094_ = _e1687;
                         }
-                        let _e1769 = phi_3102_;
-                        if (_e1674 < 0f) {
-                            phi_3108_ = -(_e1674);
+                        let _e1785 = phi_3094_;
+                        if (_e1690 < 0f) {
+                            phi_3100_ = -(_e1690);
                         } else {
-                            phi_3108_ = _e1674;
+                            phi_3100_ = _e1690;
                         }
-                        let _e1773 = phi_3108_;
-                        if (_e1677 < 0f) {
-                            phi_3115_ = -(_e1677);
+                        let _e1789 = phi_3100_;
+                        if (_e1693 < 0f) {
+                            phi_3107_ = -(_e1693);
                         } else {
-                            phi_3115_ = _e1677;
+                            phi_3107_ = _e1693;
                         }
-                        let _e1778 = phi_3115_;
-                        let _e1779 = ((_e1769 + _e1773) + _e1778);
-                        let _e1784 = -(_e1765);
-                        if (_e1744 > _e1784) {
-                            phi_3126_ = _e1744;
+                        let _e1794 = phi_3107_;
+                        let _e1795 = ((_e1785 + _e1789) + _e1794);
+                        let _e1800 = -(_e1781);
+                        if (_e1760 > _e1800) {
+                            phi_3118_ = _e1760;
                         } else {
-                            phi_3126_ = _e1784;
+                            phi_3118_ = _e1800;
                         }
-                        let _e1787 = phi_3126_;
-                        let _e1792 = (((_e1787 - ((_e1779 * _e1661) * (0.000000059604645f * (17f / 2f)))) - (_e1779 * _e1668)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                        let _e1795 = ((_e1429 * _e1423) - (_e1432 * _e1422));
-                        let _e1798 = ((_e1432 * _e1421) - (_e1426 * _e1423));
-                        let _e1801 = ((_e1426 * _e1422) - (_e1429 * _e1421));
-                        let _e1806 = (((_e1795 * _e1435[0]) + (_e1798 * _e1435[1])) + (_e1801 * _e1435[2]));
-                        let _e1811 = (((_e1795 * _e1452) + (_e1798 * _e1453)) + (_e1801 * _e1454));
-                        let _e1816 = (((_e1795 * _e1462) + (_e1798 * _e1463)) + (_e1801 * _e1464));
-                        let _e1824 = (((_e1795 * _e1461[0]) + (_e1798 * _e1461[1])) + (_e1801 * _e1461[2]));
-                        let _e1829 = (((_e1795 * _e1467[0]) + (_e1798 * _e1467[1])) + (_e1801 * _e1467[2]));
-                        let _e1834 = (((_e1795 * _e1484) + (_e1798 * _e1485)) + (_e1801 * _e1486));
-                        let _e1839 = (((_e1795 * _e1494) + (_e1798 * _e1495)) + (_e1801 * _e1496));
-                        let _e1847 = (((_e1795 * _e1493[0]) + (_e1798 * _e1493[1])) + (_e1801 * _e1493[2]));
-                        if (_e1806 < _e1811) {
-                            phi_3197_ = _e1806;
+                        let _e1803 = phi_3118_;
+                        let _e1808 = (((_e1803 - ((_e1795 * _e1677) * (0.000000059604645f * (17f / 2f)))) - (_e1795 * _e1684)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                        let _e1811 = ((_e1445 * _e1439) - (_e1448 * _e1438));
+                        let _e1814 = ((_e1448 * _e1437) - (_e1442 * _e1439));
+                        let _e1817 = ((_e1442 * _e1438) - (_e1445 * _e1437));
+                        let _e1822 = (((_e1811 * _e1451[0]) + (_e1814 * _e1451[1])) + (_e1817 * _e1451[2]));
+                        let _e1827 = (((_e1811 * _e1468) + (_e1814 * _e1469)) + (_e1817 * _e1470));
+                        let _e1832 = (((_e1811 * _e1478) + (_e1814 * _e1479)) + (_e1817 * _e1480));
+                        let _e1840 = (((_e1811 * _e1477[0]) + (_e1814 * _e1477[1])) + (_e1817 * _e1477[2]));
+                        let _e1845 = (((_e1811 * _e1483[0]) + (_e1814 * _e1483[1])) + (_e1817 * _e1483[2]));
+                        let _e1850 = (((_e1811 * _e1500) + (_e1814 * _e1501)) + (_e1817 * _e1502));
+                        let _e1855 = (((_e1811 * _e1510) + (_e1814 * _e1511)) + (_e1817 * _e1512));
+                        let _e1863 = (((_e1811 * _e1509[0]) + (_e1814 * _e1509[1])) + (_e1817 * _e1509[2]));
+                        if (_e1822 < _e1827) {
+                            phi_3189_ = _e1822;
                         } else {
-                            phi_3197_ = _e1811;
+                            phi_3189_ = _e1827;
                         }
-                        let _e1850 = phi_3197_;
-                        if (_e1816 < _e1824) {
-                            phi_3202_ = _e1816;
+                        let _e1866 = phi_3189_;
+                        if (_e1832 < _e1840) {
+                            phi_3194_ = _e1832;
                         } else {
-                            phi_3202_ = _e1824;
+                            phi_3194_ = _e1840;
                         }
-                        let _e1853 = phi_3202_;
-                        if (_e1850 < _e1853) {
-                            phi_3207_ = _e1850;
+                        let _e1869 = phi_3194_;
+                        if (_e1866 < _e1869) {
+                            phi_3199_ = _e1866;
                         } else {
-                            phi_3207_ = _e1853;
+                            phi_3199_ = _e1869;
                         }
-                        let _e1856 = phi_3207_;
-                        if (_e1829 < _e1834) {
-                            phi_3212_ = _e1829;
+                        let _e1872 = phi_3199_;
+                        if (_e1845 < _e1850) {
+                            phi_3204_ = _e1845;
                         } else {
-                            phi_3212_ = _e1834;
+                            phi_3204_ = _e1850;
                         }
-                        let _e1859 = phi_3212_;
-                        if (_e1839 < _e1847) {
-                            phi_3217_ = _e1839;
+                        let _e1875 = phi_3204_;
+                        if (_e1855 < _e1863) {
+                            phi_3209_ = _e1855;
                         } else {
-                            phi_3217_ = _e1847;
+                            phi_3209_ = _e1863;
                         }
-                        let _e1862 = phi_3217_;
-                        if (_e1859 < _e1862) {
-                            phi_3222_ = _e1859;
+                        let _e1878 = phi_3209_;
+                        if (_e1875 < _e1878) {
+                            phi_3214_ = _e1875;
                         } else {
-                            phi_3222_ = _e1862;
+                            phi_3214_ = _e1878;
                         }
-                        let _e1865 = phi_3222_;
-                        if (_e1856 < _e1865) {
-                            phi_3227_ = _e1856;
+                        let _e1881 = phi_3214_;
+                        if (_e1872 < _e1881) {
+                            phi_3219_ = _e1872;
                         } else {
-                            phi_3227_ = _e1865;
+                            phi_3219_ = _e1881;
                         }
-                        let _e1868 = phi_3227_;
-                        if (_e1806 > _e1811) {
-                            phi_3232_ = _e1806;
+                        let _e1884 = phi_3219_;
+                        if (_e1822 > _e1827) {
+                            phi_3224_ = _e1822;
                         } else {
-                            phi_3232_ = _e1811;
+                            phi_3224_ = _e1827;
                         }
-                        let _e1871 = phi_3232_;
-                        if (_e1816 > _e1824) {
-                            phi_3237_ = _e1816;
+                        let _e1887 = phi_3224_;
+                        if (_e1832 > _e1840) {
+                            phi_3229_ = _e1832;
                         } else {
-                            phi_3237_ = _e1824;
+                            phi_3229_ = _e1840;
                         }
-                        let _e1874 = phi_3237_;
-                        if (_e1871 > _e1874) {
-                            phi_3242_ = _e1871;
+                        let _e1890 = phi_3229_;
+                        if (_e1887 > _e1890) {
+                            phi_3234_ = _e1887;
                         } else {
-                            phi_3242_ = _e1874;
+                            phi_3234_ = _e1890;
                         }
-                        let _e1877 = phi_3242_;
-                        if (_e1829 > _e1834) {
-                            phi_3247_ = _e1829;
+                        let _e1893 = phi_3234_;
+                        if (_e1845 > _e1850) {
+                            phi_3239_ = _e1845;
                         } else {
-                            phi_3247_ = _e1834;
+                            phi_3239_ = _e1850;
                         }
-                        let _e1880 = phi_3247_;
-                        if (_e1839 > _e1847) {
-                            phi_3252_ = _e1839;
+                        let _e1896 = phi_3239_;
+                        if (_e1855 > _e1863) {
+                            phi_3244_ = _e1855;
                         } else {
-                            phi_3252_ = _e1847;
+                            phi_3244_ = _e1863;
                         }
-                        let _e1883 = phi_3252_;
-                        if (_e1880 > _e1883) {
-                            phi_3257_ = _e1880;
+                        let _e1899 = phi_3244_;
+                        if (_e1896 > _e1899) {
+                            phi_3249_ = _e1896;
                         } else {
-                            phi_3257_ = _e1883;
+                            phi_3249_ = _e1899;
                         }
-                        let _e1886 = phi_3257_;
-                        if (_e1877 > _e1886) {
-                            phi_3262_ = _e1877;
+                        let _e1902 = phi_3249_;
+                        if (_e1893 > _e1902) {
+                            phi_3254_ = _e1893;
                         } else {
-                            phi_3262_ = _e1886;
+                            phi_3254_ = _e1902;
                         }
-                        let _e1889 = phi_3262_;
-                        if (_e1795 < 0f) {
-                            phi_3268_ = -(_e1795);
+                        let _e1905 = phi_3254_;
+                        if (_e1811 < 0f) {
+                            phi_3260_ = -(_e1811);
                         } else {
-                            phi_3268_ = _e1795;
+                            phi_3260_ = _e1811;
                         }
-                        let _e1893 = phi_3268_;
-                        if (_e1798 < 0f) {
-                            phi_3274_ = -(_e1798);
+                        let _e1909 = phi_3260_;
+                        if (_e1814 < 0f) {
+                            phi_3266_ = -(_e1814);
                         } else {
-                            phi_3274_ = _e1798;
+                            phi_3266_ = _e1814;
                         }
-                        let _e1897 = phi_3274_;
-                        if (_e1801 < 0f) {
-                            phi_3281_ = -(_e1801);
+                        let _e1913 = phi_3266_;
+                        if (_e1817 < 0f) {
+                            phi_3273_ = -(_e1817);
                         } else {
-                            phi_3281_ = _e1801;
+                            phi_3273_ = _e1817;
                         }
-                        let _e1902 = phi_3281_;
-                        let _e1903 = ((_e1893 + _e1897) + _e1902);
-                        let _e1908 = -(_e1889);
-                        if (_e1868 > _e1908) {
-                            phi_3292_ = _e1868;
+                        let _e1918 = phi_3273_;
+                        let _e1919 = ((_e1909 + _e1913) + _e1918);
+                        let _e1924 = -(_e1905);
+                        if (_e1884 > _e1924) {
+                            phi_3284_ = _e1884;
                         } else {
-                            phi_3292_ = _e1908;
+                            phi_3284_ = _e1924;
                         }
-                        let _e1911 = phi_3292_;
-                        let _e1916 = (((_e1911 - ((_e1903 * _e1661) * (0.000000059604645f * (17f / 2f)))) - (_e1903 * _e1668)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                        if (_e1792 > _e1916) {
-                            phi_3302_ = _e1792;
+                        let _e1927 = phi_3284_;
+                        let _e1932 = (((_e1927 - ((_e1919 * _e1677) * (0.000000059604645f * (17f / 2f)))) - (_e1919 * _e1684)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                        if (_e1808 > _e1932) {
+                            phi_3294_ = _e1808;
                         } else {
-                            phi_3302_ = _e1916;
+                            phi_3294_ = _e1932;
                         }
-                        let _e1919 = phi_3302_;
+                        let _e1935 = phi_3294_;
                         if (_e179.member == 0u) {
-                            let _e1921 = (_e1421 - _e1406);
-                            let _e1922 = (_e1422 - _e1407);
-                            let _e1923 = (_e1423 - _e1408);
-                            let _e1926 = ((_e1429 * _e1923) - (_e1432 * _e1922));
-                            let _e1929 = ((_e1432 * _e1921) - (_e1426 * _e1923));
-                            let _e1932 = ((_e1426 * _e1922) - (_e1429 * _e1921));
-                            let _e1937 = (((_e1926 * _e1435[0]) + (_e1929 * _e1435[1])) + (_e1932 * _e1435[2]));
-                            let _e1942 = (((_e1926 * _e1452) + (_e1929 * _e1453)) + (_e1932 * _e1454));
-                            let _e1947 = (((_e1926 * _e1462) + (_e1929 * _e1463)) + (_e1932 * _e1464));
-                            let _e1955 = (((_e1926 * _e1461[0]) + (_e1929 * _e1461[1])) + (_e1932 * _e1461[2]));
-                            let _e1960 = (((_e1926 * _e1467[0]) + (_e1929 * _e1467[1])) + (_e1932 * _e1467[2]));
-                            let _e1965 = (((_e1926 * _e1484) + (_e1929 * _e1485)) + (_e1932 * _e1486));
-                            let _e1970 = (((_e1926 * _e1494) + (_e1929 * _e1495)) + (_e1932 * _e1496));
-                            let _e1978 = (((_e1926 * _e1493[0]) + (_e1929 * _e1493[1])) + (_e1932 * _e1493[2]));
-                            if (_e1937 < _e1942) {
-                                phi_3375_ = _e1937;
+                            let _e1937 = (_e1437 - _e1422);
+                            let _e1938 = (_e1438 - _e1423);
+                            let _e1939 = (_e1439 - _e1424);
+                            let _e1942 = ((_e1445 * _e1939) - (_e1448 * _e1938));
+                            let _e1945 = ((_e1448 * _e1937) - (_e1442 * _e1939));
+                            let _e1948 = ((_e1442 * _e1938) - (_e1445 * _e1937));
+                            let _e1953 = (((_e1942 * _e1451[0]) + (_e1945 * _e1451[1])) + (_e1948 * _e1451[2]));
+                            let _e1958 = (((_e1942 * _e1468) + (_e1945 * _e1469)) + (_e1948 * _e1470));
+                            let _e1963 = (((_e1942 * _e1478) + (_e1945 * _e1479)) + (_e1948 * _e1480));
+                            let _e1971 = (((_e1942 * _e1477[0]) + (_e1945 * _e1477[1])) + (_e1948 * _e1477[2]));
+                            let _e1976 = (((_e1942 * _e1483[0]) + (_e1945 * _e1483[1])) + (_e1948 * _e1483[2]));
+                            let _e1981 = (((_e1942 * _e1500) + (_e1945 * _e1501)) + (_e1948 * _e1502));
+                            let _e1986 = (((_e1942 * _e1510) + (_e1945 * _e1511)) + (_e1948 * _e1512));
+                            let _e1994 = (((_e1942 * _e1509[0]) + (_e1945 * _e1509[1])) + (_e1948 * _e1509[2]));
+                            if (_e1953 < _e1958) {
+                                phi_3367_ = _e1953;
                             } else {
-                                phi_3375_ = _e1942;
+                                phi_3367_ = _e1958;
                             }
-                            let _e1981 = phi_3375_;
-                            if (_e1947 < _e1955) {
-                                phi_3380_ = _e1947;
+                            let _e1997 = phi_3367_;
+                            if (_e1963 < _e1971) {
+                                phi_3372_ = _e1963;
                             } else {
-                                phi_3380_ = _e1955;
+                                phi_3372_ = _e1971;
                             }
-                            let _e1984 = phi_3380_;
-                            if (_e1981 < _e1984) {
-                                phi_3385_ = _e1981;
+                            let _e2000 = phi_3372_;
+                            if (_e1997 < _e2000) {
+                                phi_3377_ = _e1997;
                             } else {
-                                phi_3385_ = _e1984;
+                                phi_3377_ = _e2000;
                             }
-                            let _e1987 = phi_3385_;
-                            if (_e1960 < _e1965) {
-                                phi_3390_ = _e1960;
+                            let _e2003 = phi_3377_;
+                            if (_e1976 < _e1981) {
+                                phi_3382_ = _e1976;
                             } else {
-                                phi_3390_ = _e1965;
+                                phi_3382_ = _e1981;
                             }
-                            let _e1990 = phi_3390_;
-                            if (_e1970 < _e1978) {
-                                phi_3395_ = _e1970;
+                            let _e2006 = phi_3382_;
+                            if (_e1986 < _e1994) {
+                                phi_3387_ = _e1986;
                             } else {
-                                phi_3395_ = _e1978;
+                                phi_3387_ = _e1994;
                             }
-                            let _e1993 = phi_3395_;
-                            if (_e1990 < _e1993) {
-                                phi_3400_ = _e1990;
+                            let _e2009 = phi_3387_;
+                            if (_e2006 < _e2009) {
+                                phi_3392_ = _e2006;
                             } else {
-                                phi_3400_ = _e1993;
+                                phi_3392_ = _e2009;
                             }
-                            let _e1996 = phi_3400_;
-                            if (_e1987 < _e1996) {
-                                phi_3405_ = _e1987;
+                            let _e2012 = phi_3392_;
+                            if (_e2003 < _e2012) {
+                                phi_3397_ = _e2003;
                             } else {
-                                phi_3405_ = _e1996;
+                                phi_3397_ = _e2012;
                             }
-                            let _e1999 = phi_3405_;
-                            if (_e1937 > _e1942) {
-                                phi_3410_ = _e1937;
+                            let _e2015 = phi_3397_;
+                            if (_e1953 > _e1958) {
+                                phi_3402_ = _e1953;
                             } else {
-                                phi_3410_ = _e1942;
+                                phi_3402_ = _e1958;
                             }
-                            let _e2002 = phi_3410_;
-                            if (_e1947 > _e1955) {
-                                phi_3415_ = _e1947;
+                            let _e2018 = phi_3402_;
+                            if (_e1963 > _e1971) {
+                                phi_3407_ = _e1963;
                             } else {
-                                phi_3415_ = _e1955;
+                                phi_3407_ = _e1971;
                             }
-                            let _e2005 = phi_3415_;
-                            if (_e2002 > _e2005) {
-                                phi_3420_ = _e2002;
+                            let _e2021 = phi_3407_;
+                            if (_e2018 > _e2021) {
+                                phi_3412_ = _e2018;
                             } else {
-                                phi_3420_ = _e2005;
+                                phi_3412_ = _e2021;
                             }
-                            let _e2008 = phi_3420_;
-                            if (_e1960 > _e1965) {
-                                phi_3425_ = _e1960;
+                            let _e2024 = phi_3412_;
+                            if (_e1976 > _e1981) {
+                                phi_3417_ = _e1976;
                             } else {
-                                phi_3425_ = _e1965;
+                                phi_3417_ = _e1981;
                             }
-                            let _e2011 = phi_3425_;
-                            if (_e1970 > _e1978) {
-                                phi_3430_ = _e1970;
+                            let _e2027 = phi_3417_;
+                            if (_e1986 > _e1994) {
+                                phi_3422_ = _e1986;
                             } else {
-                                phi_3430_ = _e1978;
+                                phi_3422_ = _e1994;
                             }
-                            let _e2014 = phi_3430_;
-                            if (_e2011 > _e2014) {
-                                phi_3435_ = _e2011;
+                            let _e2030 = phi_3422_;
+                            if (_e2027 > _e2030) {
+                                phi_3427_ = _e2027;
                             } else {
-                                phi_3435_ = _e2014;
+                                phi_3427_ = _e2030;
                             }
-                            let _e2017 = phi_3435_;
-                            if (_e2008 > _e2017) {
-                                phi_3440_ = _e2008;
+                            let _e2033 = phi_3427_;
+                            if (_e2024 > _e2033) {
+                                phi_3432_ = _e2024;
                             } else {
-                                phi_3440_ = _e2017;
+                                phi_3432_ = _e2033;
                             }
-                            let _e2020 = phi_3440_;
-                            if (_e1926 < 0f) {
-                                phi_3446_ = -(_e1926);
+                            let _e2036 = phi_3432_;
+                            if (_e1942 < 0f) {
+                                phi_3438_ = -(_e1942);
                             } else {
-                                phi_3446_ = _e1926;
+                                phi_3438_ = _e1942;
                             }
-                            let _e2024 = phi_3446_;
-                            if (_e1929 < 0f) {
-                                phi_3452_ = -(_e1929);
+                            let _e2040 = phi_3438_;
+                            if (_e1945 < 0f) {
+                                phi_3444_ = -(_e1945);
                             } else {
-                                phi_3452_ = _e1929;
+                                phi_3444_ = _e1945;
                             }
-                            let _e2028 = phi_3452_;
-                            if (_e1932 < 0f) {
-                                phi_3459_ = -(_e1932);
+                            let _e2044 = phi_3444_;
+                            if (_e1948 < 0f) {
+                                phi_3451_ = -(_e1948);
                             } else {
-                                phi_3459_ = _e1932;
+                                phi_3451_ = _e1948;
                             }
-                            let _e2033 = phi_3459_;
-                            let _e2034 = ((_e2024 + _e2028) + _e2033);
-                            let _e2039 = -(_e2020);
-                            if (_e1999 > _e2039) {
-                                phi_3470_ = _e1999;
+                            let _e2049 = phi_3451_;
+                            let _e2050 = ((_e2040 + _e2044) + _e2049);
+                            let _e2055 = -(_e2036);
+                            if (_e2015 > _e2055) {
+                                phi_3462_ = _e2015;
                             } else {
-                                phi_3470_ = _e2039;
+                                phi_3462_ = _e2055;
                             }
-                            let _e2042 = phi_3470_;
-                            let _e2047 = (((_e2042 - ((_e2034 * _e1661) * (0.000000059604645f * (17f / 2f)))) - (_e2034 * _e1668)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                            if (_e1919 > _e2047) {
-                                phi_3480_ = _e1919;
+                            let _e2058 = phi_3462_;
+                            let _e2063 = (((_e2058 - ((_e2050 * _e1677) * (0.000000059604645f * (17f / 2f)))) - (_e2050 * _e1684)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                            if (_e1935 > _e2063) {
+                                phi_3472_ = _e1935;
                             } else {
-                                phi_3480_ = _e2047;
+                                phi_3472_ = _e2063;
                             }
-                            let _e2050 = phi_3480_;
-                            phi_3481_ = _e2050;
+                            let _e2066 = phi_3472_;
+                            phi_3473_ = _e2066;
                         } else {
-                            phi_3481_ = _e1919;
+                            phi_3473_ = _e1935;
                         }
-                        let _e2052 = phi_3481_;
-                        phi_3484_ = (_e1393 || (_e2052 > 0f));
+                        let _e2068 = phi_3473_;
+                        phi_3476_ = (_e1409 || (_e2068 > 0f));
                     }
-                    let _e2056 = phi_3484_;
-                    if _e2056 {
-                        phi_6901_ = _e2056;
+                    let _e2072 = phi_3476_;
+                    if _e2072 {
+                        phi_6893_ = _e2072;
                     } else {
-                        let _e2059 = local_2.member[0u];
-                        let _e2065 = local_2.member[1u];
-                        let _e2072 = ((_e2059[0] + _e2065[0]) * 0.5f);
-                        let _e2073 = ((_e2059[1] + _e2065[1]) * 0.5f);
-                        let _e2074 = ((_e2059[2] + _e2065[2]) * 0.5f);
-                        let _e2077 = local_2.member_1[0u];
-                        let _e2083 = local_2.member_1[1u];
-                        let _e2090 = ((_e2077[0] + _e2083[0]) * 0.5f);
-                        let _e2091 = ((_e2077[1] + _e2083[1]) * 0.5f);
-                        let _e2092 = ((_e2077[2] + _e2083[2]) * 0.5f);
-                        let _e2095 = local_2.member_2[0u];
-                        let _e2101 = local_2.member_2[1u];
-                        let _e2108 = ((_e2095[0] + _e2101[0]) * 0.5f);
-                        let _e2109 = ((_e2095[1] + _e2101[1]) * 0.5f);
-                        let _e2110 = ((_e2095[2] + _e2101[2]) * 0.5f);
-                        let _e2113 = local_2.member[0u];
-                        let _e2116 = local_2.member_1[0u];
-                        let _e2119 = local_2.member_2[0u];
-                        let _e2121 = local_2.member_3;
-                        let _e2124 = local_2.member[1u];
-                        let _e2127 = local_2.member_1[1u];
-                        let _e2130 = local_2.member_2[1u];
-                        let _e2132 = local_2.member_3;
-                        local = type_30(array<array<f32, 3>, 2>(_e2113, array<f32, 3>(_e2072, _e2073, _e2074)), array<array<f32, 3>, 2>(_e2116, array<f32, 3>(_e2090, _e2091, _e2092)), array<array<f32, 3>, 2>(_e2119, array<f32, 3>(_e2108, _e2109, _e2110)), _e2121);
-                        local_1 = type_30(array<array<f32, 3>, 2>(array<f32, 3>(_e2072, _e2073, _e2074), _e2124), array<array<f32, 3>, 2>(array<f32, 3>(_e2090, _e2091, _e2092), _e2127), array<array<f32, 3>, 2>(array<f32, 3>(_e2108, _e2109, _e2110), _e2130), _e2132);
-                        let _e2149 = local.member_1[0u];
-                        let _e2155 = local.member_2[0u];
-                        let _e2161 = ((_e2149[1] * _e2155[2]) - (_e2149[2] * _e2155[1]));
-                        let _e2164 = ((_e2149[2] * _e2155[0]) - (_e2149[0] * _e2155[2]));
-                        let _e2167 = ((_e2149[0] * _e2155[1]) - (_e2149[1] * _e2155[0]));
-                        let _e2170 = local.member_1[1u];
-                        let _e2176 = local.member_2[1u];
-                        let _e2182 = ((_e2170[1] * _e2176[2]) - (_e2170[2] * _e2176[1]));
-                        let _e2185 = ((_e2170[2] * _e2176[0]) - (_e2170[0] * _e2176[2]));
-                        let _e2188 = ((_e2170[0] * _e2176[1]) - (_e2170[1] * _e2176[0]));
-                        let _e2191 = local.member_1[0u];
-                        let _e2197 = local.member_2[1u];
-                        let _e2212 = local.member_1[1u];
-                        let _e2218 = local.member_2[0u];
-                        let _e2231 = (((_e2191[1] * _e2197[2]) - (_e2191[2] * _e2197[1])) + ((_e2212[1] * _e2218[2]) - (_e2212[2] * _e2218[1])));
-                        let _e2232 = (((_e2191[2] * _e2197[0]) - (_e2191[0] * _e2197[2])) + ((_e2212[2] * _e2218[0]) - (_e2212[0] * _e2218[2])));
-                        let _e2233 = (((_e2191[0] * _e2197[1]) - (_e2191[1] * _e2197[0])) + ((_e2212[0] * _e2218[1]) - (_e2212[1] * _e2218[0])));
-                        let _e2236 = local.member[0u];
-                        let _e2247 = local.member[1u];
-                        let _e2258 = local.member[0u];
-                        let _e2267 = ((((_e2247[0] * _e2161) + (_e2247[1] * _e2164)) + (_e2247[2] * _e2167)) + (((_e2258[0] * _e2231) + (_e2258[1] * _e2232)) + (_e2258[2] * _e2233)));
-                        let _e2270 = local.member[0u];
-                        let _e2281 = local.member[1u];
-                        let _e2290 = ((((_e2270[0] * _e2182) + (_e2270[1] * _e2185)) + (_e2270[2] * _e2188)) + (((_e2281[0] * _e2231) + (_e2281[1] * _e2232)) + (_e2281[2] * _e2233)));
-                        let _e2293 = local.member[1u];
-                        let _e2304 = local.member[0u];
-                        if (_e2304[0] < 0f) {
-                            phi_3936_ = -(_e2304[0]);
+                        let _e2075 = local_2.member[0u];
+                        let _e2081 = local_2.member[1u];
+                        let _e2088 = ((_e2075[0] + _e2081[0]) * 0.5f);
+                        let _e2089 = ((_e2075[1] + _e2081[1]) * 0.5f);
+                        let _e2090 = ((_e2075[2] + _e2081[2]) * 0.5f);
+                        let _e2093 = local_2.member_1[0u];
+                        let _e2099 = local_2.member_1[1u];
+                        let _e2106 = ((_e2093[0] + _e2099[0]) * 0.5f);
+                        let _e2107 = ((_e2093[1] + _e2099[1]) * 0.5f);
+                        let _e2108 = ((_e2093[2] + _e2099[2]) * 0.5f);
+                        let _e2111 = local_2.member_2[0u];
+                        let _e2117 = local_2.member_2[1u];
+                        let _e2124 = ((_e2111[0] + _e2117[0]) * 0.5f);
+                        let _e2125 = ((_e2111[1] + _e2117[1]) * 0.5f);
+                        let _e2126 = ((_e2111[2] + _e2117[2]) * 0.5f);
+                        let _e2129 = local_2.member[0u];
+                        let _e2132 = local_2.member_1[0u];
+                        let _e2135 = local_2.member_2[0u];
+                        let _e2137 = local_2.member_3;
+                        let _e2140 = local_2.member[1u];
+                        let _e2143 = local_2.member_1[1u];
+                        let _e2146 = local_2.member_2[1u];
+                        let _e2148 = local_2.member_3;
+                        local = type_27(array<array<f32, 3>, 2>(_e2129, array<f32, 3>(_e2088, _e2089, _e2090)), array<array<f32, 3>, 2>(_e2132, array<f32, 3>(_e2106, _e2107, _e2108)), array<array<f32, 3>, 2>(_e2135, array<f32, 3>(_e2124, _e2125, _e2126)), _e2137);
+                        local_1 = type_27(array<array<f32, 3>, 2>(array<f32, 3>(_e2088, _e2089, _e2090), _e2140), array<array<f32, 3>, 2>(array<f32, 3>(_e2106, _e2107, _e2108), _e2143), array<array<f32, 3>, 2>(array<f32, 3>(_e2124, _e2125, _e2126), _e2146), _e2148);
+                        let _e2165 = local.member_1[0u];
+                        let _e2171 = local.member_2[0u];
+                        let _e2177 = ((_e2165[1] * _e2171[2]) - (_e2165[2] * _e2171[1]));
+                        let _e2180 = ((_e2165[2] * _e2171[0]) - (_e2165[0] * _e2171[2]));
+                        let _e2183 = ((_e2165[0] * _e2171[1]) - (_e2165[1] * _e2171[0]));
+                        let _e2186 = local.member_1[1u];
+                        let _e2192 = local.member_2[1u];
+                        let _e2198 = ((_e2186[1] * _e2192[2]) - (_e2186[2] * _e2192[1]));
+                        let _e2201 = ((_e2186[2] * _e2192[0]) - (_e2186[0] * _e2192[2]));
+                        let _e2204 = ((_e2186[0] * _e2192[1]) - (_e2186[1] * _e2192[0]));
+                        let _e2207 = local.member_1[0u];
+                        let _e2213 = local.member_2[1u];
+                        let _e2228 = local.member_1[1u];
+                        let _e2234 = local.member_2[0u];
+                        let _e2247 = (((_e2207[1] * _e2213[2]) - (_e2207[2] * _e2213[1])) + ((_e2228[1] * _e2234[2]) - (_e2228[2] * _e2234[1])));
+                        let _e2248 = (((_e2207[2] * _e2213[0]) - (_e2207[0] * _e2213[2])) + ((_e2228[2] * _e2234[0]) - (_e2228[0] * _e2234[2])));
+                        let _e2249 = (((_e2207[0] * _e2213[1]) - (_e2207[1] * _e2213[0])) + ((_e2228[0] * _e2234[1]) - (_e2228[1] * _e2234[0])));
+                        let _e2252 = local.member[0u];
+                        let _e2263 = local.member[1u];
+                        let _e2274 = local.member[0u];
+                        let _e2283 = ((((_e2263[0] * _e2177) + (_e2263[1] * _e2180)) + (_e2263[2] * _e2183)) + (((_e2274[0] * _e2247) + (_e2274[1] * _e2248)) + (_e2274[2] * _e2249)));
+                        let _e2286 = local.member[0u];
+                        let _e2297 = local.member[1u];
+                        let _e2306 = ((((_e2286[0] * _e2198) + (_e2286[1] * _e2201)) + (_e2286[2] * _e2204)) + (((_e2297[0] * _e2247) + (_e2297[1] * _e2248)) + (_e2297[2] * _e2249)));
+                        let _e2309 = local.member[1u];
+                        let _e2320 = local.member[0u];
+                        if (_e2320[0] < 0f) {
+                            phi_3928_ = -(_e2320[0]);
                         } else {
-                            phi_3936_ = _e2304[0];
+                            phi_3928_ = _e2320[0];
                         }
-                        let _e2311 = phi_3936_;
-                        if (_e2304[1] < 0f) {
-                            phi_3943_ = -(_e2304[1]);
+                        let _e2327 = phi_3928_;
+                        if (_e2320[1] < 0f) {
+                            phi_3935_ = -(_e2320[1]);
                         } else {
-                            phi_3943_ = _e2304[1];
+                            phi_3935_ = _e2320[1];
                         }
-                        let _e2315 = phi_3943_;
-                        if (_e2311 > _e2315) {
-                            phi_3948_ = _e2311;
+                        let _e2331 = phi_3935_;
+                        if (_e2327 > _e2331) {
+                            phi_3940_ = _e2327;
                         } else {
-                            phi_3948_ = _e2315;
+                            phi_3940_ = _e2331;
                         }
-                        let _e2318 = phi_3948_;
-                        if (_e2304[2] < 0f) {
-                            phi_3955_ = -(_e2304[2]);
+                        let _e2334 = phi_3940_;
+                        if (_e2320[2] < 0f) {
+                            phi_3947_ = -(_e2320[2]);
                         } else {
-                            phi_3955_ = _e2304[2];
+                            phi_3947_ = _e2320[2];
                         }
-                        let _e2322 = phi_3955_;
-                        if (_e2318 > _e2322) {
-                            phi_3960_ = _e2318;
+                        let _e2338 = phi_3947_;
+                        if (_e2334 > _e2338) {
+                            phi_3952_ = _e2334;
                         } else {
-                            phi_3960_ = _e2322;
+                            phi_3952_ = _e2338;
                         }
-                        let _e2325 = phi_3960_;
-                        let _e2328 = local.member[1u];
-                        if (_e2328[0] < 0f) {
-                            phi_3973_ = -(_e2328[0]);
+                        let _e2341 = phi_3952_;
+                        let _e2344 = local.member[1u];
+                        if (_e2344[0] < 0f) {
+                            phi_3965_ = -(_e2344[0]);
                         } else {
-                            phi_3973_ = _e2328[0];
+                            phi_3965_ = _e2344[0];
                         }
-                        let _e2335 = phi_3973_;
-                        if (_e2328[1] < 0f) {
-                            phi_3980_ = -(_e2328[1]);
+                        let _e2351 = phi_3965_;
+                        if (_e2344[1] < 0f) {
+                            phi_3972_ = -(_e2344[1]);
                         } else {
-                            phi_3980_ = _e2328[1];
+                            phi_3972_ = _e2344[1];
                         }
-                        let _e2339 = phi_3980_;
-                        if (_e2335 > _e2339) {
-                            phi_3985_ = _e2335;
+                        let _e2355 = phi_3972_;
+                        if (_e2351 > _e2355) {
+                            phi_3977_ = _e2351;
                         } else {
-                            phi_3985_ = _e2339;
+                            phi_3977_ = _e2355;
                         }
-                        let _e2342 = phi_3985_;
-                        if (_e2328[2] < 0f) {
-                            phi_3992_ = -(_e2328[2]);
+                        let _e2358 = phi_3977_;
+                        if (_e2344[2] < 0f) {
+                            phi_3984_ = -(_e2344[2]);
                         } else {
-                            phi_3992_ = _e2328[2];
+                            phi_3984_ = _e2344[2];
                         }
-                        let _e2346 = phi_3992_;
-                        if (_e2342 > _e2346) {
-                            phi_3997_ = _e2342;
+                        let _e2362 = phi_3984_;
+                        if (_e2358 > _e2362) {
+                            phi_3989_ = _e2358;
                         } else {
-                            phi_3997_ = _e2346;
+                            phi_3989_ = _e2362;
                         }
-                        let _e2349 = phi_3997_;
-                        if (_e2325 > _e2349) {
-                            phi_4002_ = _e2325;
+                        let _e2365 = phi_3989_;
+                        if (_e2341 > _e2365) {
+                            phi_3994_ = _e2341;
                         } else {
-                            phi_4002_ = _e2349;
+                            phi_3994_ = _e2365;
                         }
-                        let _e2352 = phi_4002_;
-                        let _e2354 = local.member_3;
-                        let _e2355 = (_e2352 + _e2354);
-                        let _e2358 = local.member_1[0u];
-                        if (_e2358[0] < 0f) {
-                            phi_4019_ = -(_e2358[0]);
+                        let _e2368 = phi_3994_;
+                        let _e2370 = local.member_3;
+                        let _e2371 = (_e2368 + _e2370);
+                        let _e2374 = local.member_1[0u];
+                        if (_e2374[0] < 0f) {
+                            phi_4011_ = -(_e2374[0]);
                         } else {
-                            phi_4019_ = _e2358[0];
+                            phi_4011_ = _e2374[0];
                         }
-                        let _e2365 = phi_4019_;
-                        if (_e2358[1] < 0f) {
-                            phi_4026_ = -(_e2358[1]);
+                        let _e2381 = phi_4011_;
+                        if (_e2374[1] < 0f) {
+                            phi_4018_ = -(_e2374[1]);
                         } else {
-                            phi_4026_ = _e2358[1];
+                            phi_4018_ = _e2374[1];
                         }
-                        let _e2369 = phi_4026_;
-                        if (_e2365 > _e2369) {
-                            phi_4031_ = _e2365;
+                        let _e2385 = phi_4018_;
+                        if (_e2381 > _e2385) {
+                            phi_4023_ = _e2381;
                         } else {
-                            phi_4031_ = _e2369;
+                            phi_4023_ = _e2385;
                         }
-                        let _e2372 = phi_4031_;
-                        if (_e2358[2] < 0f) {
-                            phi_4038_ = -(_e2358[2]);
+                        let _e2388 = phi_4023_;
+                        if (_e2374[2] < 0f) {
+                            phi_4030_ = -(_e2374[2]);
                         } else {
-                            phi_4038_ = _e2358[2];
+                            phi_4030_ = _e2374[2];
                         }
-                        let _e2376 = phi_4038_;
-                        if (_e2372 > _e2376) {
-                            phi_4043_ = _e2372;
+                        let _e2392 = phi_4030_;
+                        if (_e2388 > _e2392) {
+                            phi_4035_ = _e2388;
                         } else {
-                            phi_4043_ = _e2376;
+                            phi_4035_ = _e2392;
                         }
-                        let _e2379 = phi_4043_;
-                        let _e2382 = local.member_1[1u];
-                        if (_e2382[0] < 0f) {
-                            phi_4057_ = -(_e2382[0]);
+                        let _e2395 = phi_4035_;
+                        let _e2398 = local.member_1[1u];
+                        if (_e2398[0] < 0f) {
+                            phi_4049_ = -(_e2398[0]);
                         } else {
-                            phi_4057_ = _e2382[0];
+                            phi_4049_ = _e2398[0];
                         }
-                        let _e2389 = phi_4057_;
-                        if (_e2382[1] < 0f) {
-                            phi_4064_ = -(_e2382[1]);
+                        let _e2405 = phi_4049_;
+                        if (_e2398[1] < 0f) {
+                            phi_4056_ = -(_e2398[1]);
                         } else {
-                            phi_4064_ = _e2382[1];
+                            phi_4056_ = _e2398[1];
                         }
-                        let _e2393 = phi_4064_;
-                        if (_e2389 > _e2393) {
-                            phi_4069_ = _e2389;
+                        let _e2409 = phi_4056_;
+                        if (_e2405 > _e2409) {
+                            phi_4061_ = _e2405;
                         } else {
-                            phi_4069_ = _e2393;
+                            phi_4061_ = _e2409;
                         }
-                        let _e2396 = phi_4069_;
-                        if (_e2382[2] < 0f) {
-                            phi_4076_ = -(_e2382[2]);
+                        let _e2412 = phi_4061_;
+                        if (_e2398[2] < 0f) {
+                            phi_4068_ = -(_e2398[2]);
                         } else {
-                            phi_4076_ = _e2382[2];
+                            phi_4068_ = _e2398[2];
                         }
-                        let _e2400 = phi_4076_;
-                        if (_e2396 > _e2400) {
-                            phi_4081_ = _e2396;
+                        let _e2416 = phi_4068_;
+                        if (_e2412 > _e2416) {
+                            phi_4073_ = _e2412;
                         } else {
-                            phi_4081_ = _e2400;
+                            phi_4073_ = _e2416;
                         }
-                        let _e2403 = phi_4081_;
-                        if (_e2379 > _e2403) {
-                            phi_4086_ = _e2379;
+                        let _e2419 = phi_4073_;
+                        if (_e2395 > _e2419) {
+                            phi_4078_ = _e2395;
                         } else {
-                            phi_4086_ = _e2403;
+                            phi_4078_ = _e2419;
                         }
-                        let _e2406 = phi_4086_;
-                        let _e2408 = local.member_3;
-                        let _e2409 = (_e2406 + _e2408);
-                        let _e2412 = local.member_2[0u];
-                        if (_e2412[0] < 0f) {
-                            phi_4103_ = -(_e2412[0]);
+                        let _e2422 = phi_4078_;
+                        let _e2424 = local.member_3;
+                        let _e2425 = (_e2422 + _e2424);
+                        let _e2428 = local.member_2[0u];
+                        if (_e2428[0] < 0f) {
+                            phi_4095_ = -(_e2428[0]);
                         } else {
-                            phi_4103_ = _e2412[0];
+                            phi_4095_ = _e2428[0];
                         }
-                        let _e2419 = phi_4103_;
-                        if (_e2412[1] < 0f) {
-                            phi_4110_ = -(_e2412[1]);
+                        let _e2435 = phi_4095_;
+                        if (_e2428[1] < 0f) {
+                            phi_4102_ = -(_e2428[1]);
                         } else {
-                            phi_4110_ = _e2412[1];
+                            phi_4102_ = _e2428[1];
                         }
-                        let _e2423 = phi_4110_;
-                        if (_e2419 > _e2423) {
-                            phi_4115_ = _e2419;
+                        let _e2439 = phi_4102_;
+                        if (_e2435 > _e2439) {
+                            phi_4107_ = _e2435;
                         } else {
-                            phi_4115_ = _e2423;
+                            phi_4107_ = _e2439;
                         }
-                        let _e2426 = phi_4115_;
-                        if (_e2412[2] < 0f) {
-                            phi_4122_ = -(_e2412[2]);
+                        let _e2442 = phi_4107_;
+                        if (_e2428[2] < 0f) {
+                            phi_4114_ = -(_e2428[2]);
                         } else {
-                            phi_4122_ = _e2412[2];
+                            phi_4114_ = _e2428[2];
                         }
-                        let _e2430 = phi_4122_;
-                        if (_e2426 > _e2430) {
-                            phi_4127_ = _e2426;
+                        let _e2446 = phi_4114_;
+                        if (_e2442 > _e2446) {
+                            phi_4119_ = _e2442;
                         } else {
-                            phi_4127_ = _e2430;
+                            phi_4119_ = _e2446;
                         }
-                        let _e2433 = phi_4127_;
-                        let _e2436 = local.member_2[1u];
-                        if (_e2436[0] < 0f) {
-                            phi_4141_ = -(_e2436[0]);
+                        let _e2449 = phi_4119_;
+                        let _e2452 = local.member_2[1u];
+                        if (_e2452[0] < 0f) {
+                            phi_4133_ = -(_e2452[0]);
                         } else {
-                            phi_4141_ = _e2436[0];
+                            phi_4133_ = _e2452[0];
                         }
-                        let _e2443 = phi_4141_;
-                        if (_e2436[1] < 0f) {
-                            phi_4148_ = -(_e2436[1]);
+                        let _e2459 = phi_4133_;
+                        if (_e2452[1] < 0f) {
+                            phi_4140_ = -(_e2452[1]);
                         } else {
-                            phi_4148_ = _e2436[1];
+                            phi_4140_ = _e2452[1];
                         }
-                        let _e2447 = phi_4148_;
-                        if (_e2443 > _e2447) {
-                            phi_4153_ = _e2443;
+                        let _e2463 = phi_4140_;
+                        if (_e2459 > _e2463) {
+                            phi_4145_ = _e2459;
                         } else {
-                            phi_4153_ = _e2447;
+                            phi_4145_ = _e2463;
                         }
-                        let _e2450 = phi_4153_;
-                        if (_e2436[2] < 0f) {
-                            phi_4160_ = -(_e2436[2]);
+                        let _e2466 = phi_4145_;
+                        if (_e2452[2] < 0f) {
+                            phi_4152_ = -(_e2452[2]);
                         } else {
-                            phi_4160_ = _e2436[2];
+                            phi_4152_ = _e2452[2];
                         }
-                        let _e2454 = phi_4160_;
-                        if (_e2450 > _e2454) {
-                            phi_4165_ = _e2450;
+                        let _e2470 = phi_4152_;
+                        if (_e2466 > _e2470) {
+                            phi_4157_ = _e2466;
                         } else {
-                            phi_4165_ = _e2454;
+                            phi_4157_ = _e2470;
                         }
-                        let _e2457 = phi_4165_;
-                        if (_e2433 > _e2457) {
-                            phi_4170_ = _e2433;
+                        let _e2473 = phi_4157_;
+                        if (_e2449 > _e2473) {
+                            phi_4162_ = _e2449;
                         } else {
-                            phi_4170_ = _e2457;
+                            phi_4162_ = _e2473;
                         }
-                        let _e2460 = phi_4170_;
-                        let _e2462 = local.member_3;
-                        let _e2463 = (_e2460 + _e2462);
-                        let _e2465 = ((_e2409 * 8f) * _e2463);
-                        let _e2472 = local.member_3;
-                        if (_e2161 < 0f) {
-                            phi_4201_ = -(_e2161);
+                        let _e2476 = phi_4162_;
+                        let _e2478 = local.member_3;
+                        let _e2479 = (_e2476 + _e2478);
+                        let _e2481 = ((_e2425 * 8f) * _e2479);
+                        let _e2488 = local.member_3;
+                        if (_e2177 < 0f) {
+                            phi_4193_ = -(_e2177);
                         } else {
-                            phi_4201_ = _e2161;
+                            phi_4193_ = _e2177;
                         }
-                        let _e2489 = phi_4201_;
-                        if (_e2164 < 0f) {
-                            phi_4207_ = -(_e2164);
+                        let _e2505 = phi_4193_;
+                        if (_e2180 < 0f) {
+                            phi_4199_ = -(_e2180);
                         } else {
-                            phi_4207_ = _e2164;
+                            phi_4199_ = _e2180;
                         }
-                        let _e2493 = phi_4207_;
-                        if (_e2167 < 0f) {
-                            phi_4214_ = -(_e2167);
+                        let _e2509 = phi_4199_;
+                        if (_e2183 < 0f) {
+                            phi_4206_ = -(_e2183);
                         } else {
-                            phi_4214_ = _e2167;
+                            phi_4206_ = _e2183;
                         }
-                        let _e2498 = phi_4214_;
-                        let _e2499 = ((_e2489 + _e2493) + _e2498);
-                        if (_e2182 < 0f) {
-                            phi_4221_ = -(_e2182);
+                        let _e2514 = phi_4206_;
+                        let _e2515 = ((_e2505 + _e2509) + _e2514);
+                        if (_e2198 < 0f) {
+                            phi_4213_ = -(_e2198);
                         } else {
-                            phi_4221_ = _e2182;
+                            phi_4213_ = _e2198;
                         }
-                        let _e2503 = phi_4221_;
-                        if (_e2185 < 0f) {
-                            phi_4227_ = -(_e2185);
+                        let _e2519 = phi_4213_;
+                        if (_e2201 < 0f) {
+                            phi_4219_ = -(_e2201);
                         } else {
-                            phi_4227_ = _e2185;
+                            phi_4219_ = _e2201;
                         }
-                        let _e2507 = phi_4227_;
-                        if (_e2188 < 0f) {
-                            phi_4234_ = -(_e2188);
+                        let _e2523 = phi_4219_;
+                        if (_e2204 < 0f) {
+                            phi_4226_ = -(_e2204);
                         } else {
-                            phi_4234_ = _e2188;
+                            phi_4226_ = _e2204;
                         }
-                        let _e2512 = phi_4234_;
-                        let _e2513 = ((_e2503 + _e2507) + _e2512);
-                        if (_e2499 > _e2513) {
-                            phi_4240_ = _e2499;
+                        let _e2528 = phi_4226_;
+                        let _e2529 = ((_e2519 + _e2523) + _e2528);
+                        if (_e2515 > _e2529) {
+                            phi_4232_ = _e2515;
                         } else {
-                            phi_4240_ = _e2513;
+                            phi_4232_ = _e2529;
                         }
-                        let _e2516 = phi_4240_;
-                        if (_e2231 < 0f) {
-                            phi_4246_ = -(_e2231);
+                        let _e2532 = phi_4232_;
+                        if (_e2247 < 0f) {
+                            phi_4238_ = -(_e2247);
                         } else {
-                            phi_4246_ = _e2231;
+                            phi_4238_ = _e2247;
                         }
-                        let _e2520 = phi_4246_;
-                        if (_e2232 < 0f) {
-                            phi_4252_ = -(_e2232);
+                        let _e2536 = phi_4238_;
+                        if (_e2248 < 0f) {
+                            phi_4244_ = -(_e2248);
                         } else {
-                            phi_4252_ = _e2232;
+                            phi_4244_ = _e2248;
                         }
-                        let _e2524 = phi_4252_;
-                        if (_e2233 < 0f) {
-                            phi_4259_ = -(_e2233);
+                        let _e2540 = phi_4244_;
+                        if (_e2249 < 0f) {
+                            phi_4251_ = -(_e2249);
                         } else {
-                            phi_4259_ = _e2233;
+                            phi_4251_ = _e2249;
                         }
-                        let _e2529 = phi_4259_;
-                        let _e2531 = (((_e2520 + _e2524) + _e2529) * 0.5f);
-                        if (_e2516 > _e2531) {
-                            phi_4266_ = _e2516;
+                        let _e2545 = phi_4251_;
+                        let _e2547 = (((_e2536 + _e2540) + _e2545) * 0.5f);
+                        if (_e2532 > _e2547) {
+                            phi_4258_ = _e2532;
                         } else {
-                            phi_4266_ = _e2531;
+                            phi_4258_ = _e2547;
                         }
-                        let _e2534 = phi_4266_;
-                        let _e2539 = local.member_3;
-                        let _e2552 = ((((_e2236[0] * _e2161) + (_e2236[1] * _e2164)) + (_e2236[2] * _e2167)) * 3f);
-                        let _e2553 = ((((_e2293[0] * _e2182) + (_e2293[1] * _e2185)) + (_e2293[2] * _e2188)) * 3f);
-                        if (_e2552 < _e2553) {
-                            phi_4290_ = _e2552;
+                        let _e2550 = phi_4258_;
+                        let _e2555 = local.member_3;
+                        let _e2568 = ((((_e2252[0] * _e2177) + (_e2252[1] * _e2180)) + (_e2252[2] * _e2183)) * 3f);
+                        let _e2569 = ((((_e2309[0] * _e2198) + (_e2309[1] * _e2201)) + (_e2309[2] * _e2204)) * 3f);
+                        if (_e2568 < _e2569) {
+                            phi_4282_ = _e2568;
                         } else {
-                            phi_4290_ = _e2553;
+                            phi_4282_ = _e2569;
                         }
-                        let _e2556 = phi_4290_;
-                        if (_e2267 < _e2290) {
-                            phi_4295_ = _e2267;
+                        let _e2572 = phi_4282_;
+                        if (_e2283 < _e2306) {
+                            phi_4287_ = _e2283;
                         } else {
-                            phi_4295_ = _e2290;
+                            phi_4287_ = _e2306;
                         }
-                        let _e2559 = phi_4295_;
-                        if (_e2556 < _e2559) {
-                            phi_4300_ = _e2556;
+                        let _e2575 = phi_4287_;
+                        if (_e2572 < _e2575) {
+                            phi_4292_ = _e2572;
                         } else {
-                            phi_4300_ = _e2559;
+                            phi_4292_ = _e2575;
                         }
-                        let _e2562 = phi_4300_;
-                        if (_e2552 > _e2553) {
-                            phi_4305_ = _e2552;
+                        let _e2578 = phi_4292_;
+                        if (_e2568 > _e2569) {
+                            phi_4297_ = _e2568;
                         } else {
-                            phi_4305_ = _e2553;
+                            phi_4297_ = _e2569;
                         }
-                        let _e2565 = phi_4305_;
-                        if (_e2267 > _e2290) {
-                            phi_4310_ = _e2267;
+                        let _e2581 = phi_4297_;
+                        if (_e2283 > _e2306) {
+                            phi_4302_ = _e2283;
                         } else {
-                            phi_4310_ = _e2290;
+                            phi_4302_ = _e2306;
                         }
-                        let _e2568 = phi_4310_;
-                        if (_e2565 > _e2568) {
-                            phi_4315_ = _e2565;
+                        let _e2584 = phi_4302_;
+                        if (_e2581 > _e2584) {
+                            phi_4307_ = _e2581;
                         } else {
-                            phi_4315_ = _e2568;
+                            phi_4307_ = _e2584;
                         }
-                        let _e2571 = phi_4315_;
-                        let _e2576 = -(_e2571);
-                        if (_e2562 > _e2576) {
-                            phi_4325_ = _e2562;
+                        let _e2587 = phi_4307_;
+                        let _e2592 = -(_e2587);
+                        if (_e2578 > _e2592) {
+                            phi_4317_ = _e2578;
                         } else {
-                            phi_4325_ = _e2576;
+                            phi_4317_ = _e2592;
                         }
-                        let _e2579 = phi_4325_;
-                        let _e2581 = ((_e2579 - ((((((_e2355 * 8f) * _e2465) * (0.000000059604645f * (524f / 64f))) + ((_e2472 * 19f) * ((_e2355 * (_e2409 + _e2463)) + (_e2409 * _e2463)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2355) * ((1f + _e2409) * (1f + _e2463))))) + ((_e815 * (((_e2534 + (_e2465 * (0.000000059604645f * 8f))) + ((_e2539 * 6f) * (_e2409 + _e2463))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2409) * (1f + _e2463))))) * (3f * 1.0001f)))) > 0f);
-                        if _e2581 {
-                            phi_5294_ = _e2581;
+                        let _e2595 = phi_4317_;
+                        let _e2597 = ((_e2595 - ((((((_e2371 * 8f) * _e2481) * (0.000000059604645f * (524f / 64f))) + ((_e2488 * 19f) * ((_e2371 * (_e2425 + _e2479)) + (_e2425 * _e2479)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2371) * ((1f + _e2425) * (1f + _e2479))))) + ((_e815 * (((_e2550 + (_e2481 * (0.000000059604645f * 8f))) + ((_e2555 * 6f) * (_e2425 + _e2479))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2425) * (1f + _e2479))))) * (3f * 1.0001f)))) > 0f);
+                        if _e2597 {
+                            phi_5286_ = _e2597;
                         } else {
-                            let _e2584 = local.member_1[0u];
-                            let _e2590 = local.member_1[1u];
-                            let _e2594 = (_e2584[0] + _e2590[0]);
-                            let _e2595 = (_e2584[1] + _e2590[1]);
-                            let _e2596 = (_e2584[2] + _e2590[2]);
-                            let _e2599 = local.member_2[0u];
-                            let _e2605 = local.member_2[1u];
-                            let _e2609 = (_e2599[0] + _e2605[0]);
-                            let _e2610 = (_e2599[1] + _e2605[1]);
-                            let _e2611 = (_e2599[2] + _e2605[2]);
-                            let _e2614 = ((_e2595 * _e2611) - (_e2596 * _e2610));
-                            let _e2617 = ((_e2596 * _e2609) - (_e2594 * _e2611));
-                            let _e2620 = ((_e2594 * _e2610) - (_e2595 * _e2609));
-                            let _e2623 = local.member[0u];
-                            let _e2630 = local.member_1[0u];
-                            let _e2636 = local.member_2[0u];
-                            let _e2640 = (_e2623[0] - _e2630[0]);
-                            let _e2641 = (_e2623[1] - _e2630[1]);
-                            let _e2642 = (_e2623[2] - _e2630[2]);
+                            let _e2600 = local.member_1[0u];
+                            let _e2606 = local.member_1[1u];
+                            let _e2610 = (_e2600[0] + _e2606[0]);
+                            let _e2611 = (_e2600[1] + _e2606[1]);
+                            let _e2612 = (_e2600[2] + _e2606[2]);
+                            let _e2615 = local.member_2[0u];
+                            let _e2621 = local.member_2[1u];
+                            let _e2625 = (_e2615[0] + _e2621[0]);
+                            let _e2626 = (_e2615[1] + _e2621[1]);
+                            let _e2627 = (_e2615[2] + _e2621[2]);
+                            let _e2630 = ((_e2611 * _e2627) - (_e2612 * _e2626));
+                            let _e2633 = ((_e2612 * _e2625) - (_e2610 * _e2627));
+                            let _e2636 = ((_e2610 * _e2626) - (_e2611 * _e2625));
+                            let _e2639 = local.member[0u];
+                            let _e2646 = local.member_1[0u];
+                            let _e2652 = local.member_2[0u];
+                            let _e2656 = (_e2639[0] - _e2646[0]);
+                            let _e2657 = (_e2639[1] - _e2646[1]);
+                            let _e2658 = (_e2639[2] - _e2646[2]);
                             if (_e179.member == 0u) {
-                                phi_4441_ = array<f32, 3>(_e2623[0], _e2623[1], _e2623[2]);
+                                phi_4433_ = array<f32, 3>(_e2639[0], _e2639[1], _e2639[2]);
                             } else {
-                                phi_4441_ = array<f32, 3>((_e2640 - _e2636[0]), (_e2641 - _e2636[1]), (_e2642 - _e2636[2]));
+                                phi_4433_ = array<f32, 3>((_e2656 - _e2652[0]), (_e2657 - _e2652[1]), (_e2658 - _e2652[2]));
                             }
-                            let _e2649 = phi_4441_;
-                            let _e2650 = (_e2623[0] - _e2636[0]);
-                            let _e2651 = (_e2623[1] - _e2636[1]);
-                            let _e2652 = (_e2623[2] - _e2636[2]);
-                            let _e2655 = local.member[1u];
-                            let _e2662 = local.member_1[1u];
-                            let _e2668 = local.member_2[1u];
-                            let _e2672 = (_e2655[0] - _e2662[0]);
-                            let _e2673 = (_e2655[1] - _e2662[1]);
-                            let _e2674 = (_e2655[2] - _e2662[2]);
+                            let _e2665 = phi_4433_;
+                            let _e2666 = (_e2639[0] - _e2652[0]);
+                            let _e2667 = (_e2639[1] - _e2652[1]);
+                            let _e2668 = (_e2639[2] - _e2652[2]);
+                            let _e2671 = local.member[1u];
+                            let _e2678 = local.member_1[1u];
+                            let _e2684 = local.member_2[1u];
+                            let _e2688 = (_e2671[0] - _e2678[0]);
+                            let _e2689 = (_e2671[1] - _e2678[1]);
+                            let _e2690 = (_e2671[2] - _e2678[2]);
                             if (_e179.member == 0u) {
-                                phi_4506_ = array<f32, 3>(_e2655[0], _e2655[1], _e2655[2]);
+                                phi_4498_ = array<f32, 3>(_e2671[0], _e2671[1], _e2671[2]);
                             } else {
-                                phi_4506_ = array<f32, 3>((_e2672 - _e2668[0]), (_e2673 - _e2668[1]), (_e2674 - _e2668[2]));
+                                phi_4498_ = array<f32, 3>((_e2688 - _e2684[0]), (_e2689 - _e2684[1]), (_e2690 - _e2684[2]));
                             }
-                            let _e2681 = phi_4506_;
-                            let _e2682 = (_e2655[0] - _e2668[0]);
-                            let _e2683 = (_e2655[1] - _e2668[1]);
-                            let _e2684 = (_e2655[2] - _e2668[2]);
-                            let _e2687 = local.member[0u];
-                            if (_e2687[0] < 0f) {
-                                phi_4528_ = -(_e2687[0]);
+                            let _e2697 = phi_4498_;
+                            let _e2698 = (_e2671[0] - _e2684[0]);
+                            let _e2699 = (_e2671[1] - _e2684[1]);
+                            let _e2700 = (_e2671[2] - _e2684[2]);
+                            let _e2703 = local.member[0u];
+                            if (_e2703[0] < 0f) {
+                                phi_4520_ = -(_e2703[0]);
                             } else {
-                                phi_4528_ = _e2687[0];
+                                phi_4520_ = _e2703[0];
                             }
-                            let _e2694 = phi_4528_;
-                            if (_e2687[1] < 0f) {
-                                phi_4535_ = -(_e2687[1]);
+                            let _e2710 = phi_4520_;
+                            if (_e2703[1] < 0f) {
+                                phi_4527_ = -(_e2703[1]);
                             } else {
-                                phi_4535_ = _e2687[1];
+                                phi_4527_ = _e2703[1];
                             }
-                            let _e2698 = phi_4535_;
-                            if (_e2694 > _e2698) {
-                                phi_4540_ = _e2694;
+                            let _e2714 = phi_4527_;
+                            if (_e2710 > _e2714) {
+                                phi_4532_ = _e2710;
                             } else {
-                                phi_4540_ = _e2698;
+                                phi_4532_ = _e2714;
                             }
-                            let _e2701 = phi_4540_;
-                            if (_e2687[2] < 0f) {
-                                phi_4547_ = -(_e2687[2]);
+                            let _e2717 = phi_4532_;
+                            if (_e2703[2] < 0f) {
+                                phi_4539_ = -(_e2703[2]);
                             } else {
-                                phi_4547_ = _e2687[2];
+                                phi_4539_ = _e2703[2];
                             }
-                            let _e2705 = phi_4547_;
-                            if (_e2701 > _e2705) {
-                                phi_4552_ = _e2701;
+                            let _e2721 = phi_4539_;
+                            if (_e2717 > _e2721) {
+                                phi_4544_ = _e2717;
                             } else {
-                                phi_4552_ = _e2705;
+                                phi_4544_ = _e2721;
                             }
-                            let _e2708 = phi_4552_;
-                            let _e2711 = local.member[1u];
-                            if (_e2711[0] < 0f) {
-                                phi_4565_ = -(_e2711[0]);
+                            let _e2724 = phi_4544_;
+                            let _e2727 = local.member[1u];
+                            if (_e2727[0] < 0f) {
+                                phi_4557_ = -(_e2727[0]);
                             } else {
-                                phi_4565_ = _e2711[0];
+                                phi_4557_ = _e2727[0];
                             }
-                            let _e2718 = phi_4565_;
-                            if (_e2711[1] < 0f) {
-                                phi_4572_ = -(_e2711[1]);
+                            let _e2734 = phi_4557_;
+                            if (_e2727[1] < 0f) {
+                                phi_4564_ = -(_e2727[1]);
                             } else {
-                                phi_4572_ = _e2711[1];
+                                phi_4564_ = _e2727[1];
                             }
-                            let _e2722 = phi_4572_;
-                            if (_e2718 > _e2722) {
-                                phi_4577_ = _e2718;
+                            let _e2738 = phi_4564_;
+                            if (_e2734 > _e2738) {
+                                phi_4569_ = _e2734;
                             } else {
-                                phi_4577_ = _e2722;
+                                phi_4569_ = _e2738;
                             }
-                            let _e2725 = phi_4577_;
-                            if (_e2711[2] < 0f) {
-                                phi_4584_ = -(_e2711[2]);
+                            let _e2741 = phi_4569_;
+                            if (_e2727[2] < 0f) {
+                                phi_4576_ = -(_e2727[2]);
                             } else {
-                                phi_4584_ = _e2711[2];
+                                phi_4576_ = _e2727[2];
                             }
-                            let _e2729 = phi_4584_;
-                            if (_e2725 > _e2729) {
-                                phi_4589_ = _e2725;
+                            let _e2745 = phi_4576_;
+                            if (_e2741 > _e2745) {
+                                phi_4581_ = _e2741;
                             } else {
-                                phi_4589_ = _e2729;
+                                phi_4581_ = _e2745;
                             }
-                            let _e2732 = phi_4589_;
-                            if (_e2708 > _e2732) {
-                                phi_4594_ = _e2708;
+                            let _e2748 = phi_4581_;
+                            if (_e2724 > _e2748) {
+                                phi_4586_ = _e2724;
                             } else {
-                                phi_4594_ = _e2732;
+                                phi_4586_ = _e2748;
                             }
-                            let _e2735 = phi_4594_;
-                            let _e2737 = local.member_3;
-                            let _e2741 = local.member_1[0u];
-                            if (_e2741[0] < 0f) {
-                                phi_4611_ = -(_e2741[0]);
+                            let _e2751 = phi_4586_;
+                            let _e2753 = local.member_3;
+                            let _e2757 = local.member_1[0u];
+                            if (_e2757[0] < 0f) {
+                                phi_4603_ = -(_e2757[0]);
                             } else {
-                                phi_4611_ = _e2741[0];
+                                phi_4603_ = _e2757[0];
                             }
-                            let _e2748 = phi_4611_;
-                            if (_e2741[1] < 0f) {
-                                phi_4618_ = -(_e2741[1]);
+                            let _e2764 = phi_4603_;
+                            if (_e2757[1] < 0f) {
+                                phi_4610_ = -(_e2757[1]);
                             } else {
-                                phi_4618_ = _e2741[1];
+                                phi_4610_ = _e2757[1];
                             }
-                            let _e2752 = phi_4618_;
-                            if (_e2748 > _e2752) {
-                                phi_4623_ = _e2748;
+                            let _e2768 = phi_4610_;
+                            if (_e2764 > _e2768) {
+                                phi_4615_ = _e2764;
                             } else {
-                                phi_4623_ = _e2752;
+                                phi_4615_ = _e2768;
                             }
-                            let _e2755 = phi_4623_;
-                            if (_e2741[2] < 0f) {
-                                phi_4630_ = -(_e2741[2]);
+                            let _e2771 = phi_4615_;
+                            if (_e2757[2] < 0f) {
+                                phi_4622_ = -(_e2757[2]);
                             } else {
-                                phi_4630_ = _e2741[2];
+                                phi_4622_ = _e2757[2];
                             }
-                            let _e2759 = phi_4630_;
-                            if (_e2755 > _e2759) {
-                                phi_4635_ = _e2755;
+                            let _e2775 = phi_4622_;
+                            if (_e2771 > _e2775) {
+                                phi_4627_ = _e2771;
                             } else {
-                                phi_4635_ = _e2759;
+                                phi_4627_ = _e2775;
                             }
-                            let _e2762 = phi_4635_;
-                            let _e2765 = local.member_1[1u];
-                            if (_e2765[0] < 0f) {
-                                phi_4649_ = -(_e2765[0]);
+                            let _e2778 = phi_4627_;
+                            let _e2781 = local.member_1[1u];
+                            if (_e2781[0] < 0f) {
+                                phi_4641_ = -(_e2781[0]);
                             } else {
-                                phi_4649_ = _e2765[0];
+                                phi_4641_ = _e2781[0];
                             }
-                            let _e2772 = phi_4649_;
-                            if (_e2765[1] < 0f) {
-                                phi_4656_ = -(_e2765[1]);
+                            let _e2788 = phi_4641_;
+                            if (_e2781[1] < 0f) {
+                                phi_4648_ = -(_e2781[1]);
                             } else {
-                                phi_4656_ = _e2765[1];
+                                phi_4648_ = _e2781[1];
                             }
-                            let _e2776 = phi_4656_;
-                            if (_e2772 > _e2776) {
-                                phi_4661_ = _e2772;
+                            let _e2792 = phi_4648_;
+                            if (_e2788 > _e2792) {
+                                phi_4653_ = _e2788;
                             } else {
-                                phi_4661_ = _e2776;
+                                phi_4653_ = _e2792;
                             }
-                            let _e2779 = phi_4661_;
-                            if (_e2765[2] < 0f) {
-                                phi_4668_ = -(_e2765[2]);
+                            let _e2795 = phi_4653_;
+                            if (_e2781[2] < 0f) {
+                                phi_4660_ = -(_e2781[2]);
                             } else {
-                                phi_4668_ = _e2765[2];
+                                phi_4660_ = _e2781[2];
                             }
-                            let _e2783 = phi_4668_;
-                            if (_e2779 > _e2783) {
-                                phi_4673_ = _e2779;
+                            let _e2799 = phi_4660_;
+                            if (_e2795 > _e2799) {
+                                phi_4665_ = _e2795;
                             } else {
-                                phi_4673_ = _e2783;
+                                phi_4665_ = _e2799;
                             }
-                            let _e2786 = phi_4673_;
-                            if (_e2762 > _e2786) {
-                                phi_4678_ = _e2762;
+                            let _e2802 = phi_4665_;
+                            if (_e2778 > _e2802) {
+                                phi_4670_ = _e2778;
                             } else {
-                                phi_4678_ = _e2786;
+                                phi_4670_ = _e2802;
                             }
-                            let _e2789 = phi_4678_;
-                            let _e2791 = local.member_3;
-                            let _e2795 = local.member_2[0u];
-                            if (_e2795[0] < 0f) {
-                                phi_4695_ = -(_e2795[0]);
+                            let _e2805 = phi_4670_;
+                            let _e2807 = local.member_3;
+                            let _e2811 = local.member_2[0u];
+                            if (_e2811[0] < 0f) {
+                                phi_4687_ = -(_e2811[0]);
                             } else {
-                                phi_4695_ = _e2795[0];
+                                phi_4687_ = _e2811[0];
                             }
-                            let _e2802 = phi_4695_;
-                            if (_e2795[1] < 0f) {
-                                phi_4702_ = -(_e2795[1]);
+                            let _e2818 = phi_4687_;
+                            if (_e2811[1] < 0f) {
+                                phi_4694_ = -(_e2811[1]);
                             } else {
-                                phi_4702_ = _e2795[1];
+                                phi_4694_ = _e2811[1];
                             }
-                            let _e2806 = phi_4702_;
-                            if (_e2802 > _e2806) {
-                                phi_4707_ = _e2802;
+                            let _e2822 = phi_4694_;
+                            if (_e2818 > _e2822) {
+                                phi_4699_ = _e2818;
                             } else {
-                                phi_4707_ = _e2806;
+                                phi_4699_ = _e2822;
                             }
-                            let _e2809 = phi_4707_;
-                            if (_e2795[2] < 0f) {
-                                phi_4714_ = -(_e2795[2]);
+                            let _e2825 = phi_4699_;
+                            if (_e2811[2] < 0f) {
+                                phi_4706_ = -(_e2811[2]);
                             } else {
-                                phi_4714_ = _e2795[2];
+                                phi_4706_ = _e2811[2];
                             }
-                            let _e2813 = phi_4714_;
-                            if (_e2809 > _e2813) {
-                                phi_4719_ = _e2809;
+                            let _e2829 = phi_4706_;
+                            if (_e2825 > _e2829) {
+                                phi_4711_ = _e2825;
                             } else {
-                                phi_4719_ = _e2813;
+                                phi_4711_ = _e2829;
                             }
-                            let _e2816 = phi_4719_;
-                            let _e2819 = local.member_2[1u];
-                            if (_e2819[0] < 0f) {
-                                phi_4733_ = -(_e2819[0]);
+                            let _e2832 = phi_4711_;
+                            let _e2835 = local.member_2[1u];
+                            if (_e2835[0] < 0f) {
+                                phi_4725_ = -(_e2835[0]);
                             } else {
-                                phi_4733_ = _e2819[0];
+                                phi_4725_ = _e2835[0];
                             }
-                            let _e2826 = phi_4733_;
-                            if (_e2819[1] < 0f) {
-                                phi_4740_ = -(_e2819[1]);
+                            let _e2842 = phi_4725_;
+                            if (_e2835[1] < 0f) {
+                                phi_4732_ = -(_e2835[1]);
                             } else {
-                                phi_4740_ = _e2819[1];
+                                phi_4732_ = _e2835[1];
                             }
-                            let _e2830 = phi_4740_;
-                            if (_e2826 > _e2830) {
-                                phi_4745_ = _e2826;
+                            let _e2846 = phi_4732_;
+                            if (_e2842 > _e2846) {
+                                phi_4737_ = _e2842;
                             } else {
-                                phi_4745_ = _e2830;
+                                phi_4737_ = _e2846;
                             }
-                            let _e2833 = phi_4745_;
-                            if (_e2819[2] < 0f) {
-                                phi_4752_ = -(_e2819[2]);
+                            let _e2849 = phi_4737_;
+                            if (_e2835[2] < 0f) {
+                                phi_4744_ = -(_e2835[2]);
                             } else {
-                                phi_4752_ = _e2819[2];
+                                phi_4744_ = _e2835[2];
                             }
-                            let _e2837 = phi_4752_;
-                            if (_e2833 > _e2837) {
-                                phi_4757_ = _e2833;
+                            let _e2853 = phi_4744_;
+                            if (_e2849 > _e2853) {
+                                phi_4749_ = _e2849;
                             } else {
-                                phi_4757_ = _e2837;
+                                phi_4749_ = _e2853;
                             }
-                            let _e2840 = phi_4757_;
-                            if (_e2816 > _e2840) {
-                                phi_4762_ = _e2816;
+                            let _e2856 = phi_4749_;
+                            if (_e2832 > _e2856) {
+                                phi_4754_ = _e2832;
                             } else {
-                                phi_4762_ = _e2840;
+                                phi_4754_ = _e2856;
                             }
-                            let _e2843 = phi_4762_;
-                            let _e2845 = local.member_3;
-                            let _e2849 = ((((_e2735 + _e2737) + (_e2789 + _e2791)) + (_e2843 + _e2845)) * 2f);
-                            let _e2852 = local.member_3;
-                            let _e2856 = (((_e815 * 1.0001f) + (_e2852 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                            let _e2859 = ((_e2617 * _e2596) - (_e2620 * _e2595));
-                            let _e2862 = ((_e2620 * _e2594) - (_e2614 * _e2596));
-                            let _e2865 = ((_e2614 * _e2595) - (_e2617 * _e2594));
-                            let _e2870 = (((_e2859 * _e2623[0]) + (_e2862 * _e2623[1])) + (_e2865 * _e2623[2]));
-                            let _e2875 = (((_e2859 * _e2640) + (_e2862 * _e2641)) + (_e2865 * _e2642));
-                            let _e2880 = (((_e2859 * _e2650) + (_e2862 * _e2651)) + (_e2865 * _e2652));
-                            let _e2888 = (((_e2859 * _e2649[0]) + (_e2862 * _e2649[1])) + (_e2865 * _e2649[2]));
-                            let _e2893 = (((_e2859 * _e2655[0]) + (_e2862 * _e2655[1])) + (_e2865 * _e2655[2]));
-                            let _e2898 = (((_e2859 * _e2672) + (_e2862 * _e2673)) + (_e2865 * _e2674));
-                            let _e2903 = (((_e2859 * _e2682) + (_e2862 * _e2683)) + (_e2865 * _e2684));
-                            let _e2911 = (((_e2859 * _e2681[0]) + (_e2862 * _e2681[1])) + (_e2865 * _e2681[2]));
-                            if (_e2870 < _e2875) {
-                                phi_4841_ = _e2870;
+                            let _e2859 = phi_4754_;
+                            let _e2861 = local.member_3;
+                            let _e2865 = ((((_e2751 + _e2753) + (_e2805 + _e2807)) + (_e2859 + _e2861)) * 2f);
+                            let _e2868 = local.member_3;
+                            let _e2872 = (((_e815 * 1.0001f) + (_e2868 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                            let _e2875 = ((_e2633 * _e2612) - (_e2636 * _e2611));
+                            let _e2878 = ((_e2636 * _e2610) - (_e2630 * _e2612));
+                            let _e2881 = ((_e2630 * _e2611) - (_e2633 * _e2610));
+                            let _e2886 = (((_e2875 * _e2639[0]) + (_e2878 * _e2639[1])) + (_e2881 * _e2639[2]));
+                            let _e2891 = (((_e2875 * _e2656) + (_e2878 * _e2657)) + (_e2881 * _e2658));
+                            let _e2896 = (((_e2875 * _e2666) + (_e2878 * _e2667)) + (_e2881 * _e2668));
+                            let _e2904 = (((_e2875 * _e2665[0]) + (_e2878 * _e2665[1])) + (_e2881 * _e2665[2]));
+                            let _e2909 = (((_e2875 * _e2671[0]) + (_e2878 * _e2671[1])) + (_e2881 * _e2671[2]));
+                            let _e2914 = (((_e2875 * _e2688) + (_e2878 * _e2689)) + (_e2881 * _e2690));
+                            let _e2919 = (((_e2875 * _e2698) + (_e2878 * _e2699)) + (_e2881 * _e2700));
+                            let _e2927 = (((_e2875 * _e2697[0]) + (_e2878 * _e2697[1])) + (_e2881 * _e2697[2]));
+                            if (_e2886 < _e2891) {
+                                phi_4833_ = _e2886;
                             } else {
-                                phi_4841_ = _e2875;
+                                phi_4833_ = _e2891;
                             }
-                            let _e2914 = phi_4841_;
-                            if (_e2880 < _e2888) {
-                                phi_4846_ = _e2880;
+                            let _e2930 = phi_4833_;
+                            if (_e2896 < _e2904) {
+                                phi_4838_ = _e2896;
                             } else {
-                                phi_4846_ = _e2888;
+                                phi_4838_ = _e2904;
                             }
-                            let _e2917 = phi_4846_;
-                            if (_e2914 < _e2917) {
-                                phi_4851_ = _e2914;
+                            let _e2933 = phi_4838_;
+                            if (_e2930 < _e2933) {
+                                phi_4843_ = _e2930;
                             } else {
-                                phi_4851_ = _e2917;
+                                phi_4843_ = _e2933;
                             }
-                            let _e2920 = phi_4851_;
-                            if (_e2893 < _e2898) {
-                                phi_4856_ = _e2893;
+                            let _e2936 = phi_4843_;
+                            if (_e2909 < _e2914) {
+                                phi_4848_ = _e2909;
                             } else {
-                                phi_4856_ = _e2898;
+                                phi_4848_ = _e2914;
                             }
-                            let _e2923 = phi_4856_;
-                            if (_e2903 < _e2911) {
-                                phi_4861_ = _e2903;
+                            let _e2939 = phi_4848_;
+                            if (_e2919 < _e2927) {
+                                phi_4853_ = _e2919;
                             } else {
-                                phi_4861_ = _e2911;
+                                phi_4853_ = _e2927;
                             }
-                            let _e2926 = phi_4861_;
-                            if (_e2923 < _e2926) {
-                                phi_4866_ = _e2923;
+                            let _e2942 = phi_4853_;
+                            if (_e2939 < _e2942) {
+                                phi_4858_ = _e2939;
                             } else {
-                                phi_4866_ = _e2926;
+                                phi_4858_ = _e2942;
                             }
-                            let _e2929 = phi_4866_;
-                            if (_e2920 < _e2929) {
-                                phi_4871_ = _e2920;
+                            let _e2945 = phi_4858_;
+                            if (_e2936 < _e2945) {
+                                phi_4863_ = _e2936;
                             } else {
-                                phi_4871_ = _e2929;
+                                phi_4863_ = _e2945;
                             }
-                            let _e2932 = phi_4871_;
-                            if (_e2870 > _e2875) {
-                                phi_4876_ = _e2870;
+                            let _e2948 = phi_4863_;
+                            if (_e2886 > _e2891) {
+                                phi_4868_ = _e2886;
                             } else {
-                                phi_4876_ = _e2875;
+                                phi_4868_ = _e2891;
                             }
-                            let _e2935 = phi_4876_;
-                            if (_e2880 > _e2888) {
-                                phi_4881_ = _e2880;
+                            let _e2951 = phi_4868_;
+                            if (_e2896 > _e2904) {
+                                phi_4873_ = _e2896;
                             } else {
-                                phi_4881_ = _e2888;
+                                phi_4873_ = _e2904;
                             }
-                            let _e2938 = phi_4881_;
-                            if (_e2935 > _e2938) {
-                                phi_4886_ = _e2935;
+                            let _e2954 = phi_4873_;
+                            if (_e2951 > _e2954) {
+                                phi_4878_ = _e2951;
                             } else {
-                                phi_4886_ = _e2938;
+                                phi_4878_ = _e2954;
                             }
-                            let _e2941 = phi_4886_;
-                            if (_e2893 > _e2898) {
-                                phi_4891_ = _e2893;
+                            let _e2957 = phi_4878_;
+                            if (_e2909 > _e2914) {
+                                phi_4883_ = _e2909;
                             } else {
-                                phi_4891_ = _e2898;
+                                phi_4883_ = _e2914;
                             }
-                            let _e2944 = phi_4891_;
-                            if (_e2903 > _e2911) {
-                                phi_4896_ = _e2903;
+                            let _e2960 = phi_4883_;
+                            if (_e2919 > _e2927) {
+                                phi_4888_ = _e2919;
                             } else {
-                                phi_4896_ = _e2911;
+                                phi_4888_ = _e2927;
                             }
-                            let _e2947 = phi_4896_;
-                            if (_e2944 > _e2947) {
-                                phi_4901_ = _e2944;
+                            let _e2963 = phi_4888_;
+                            if (_e2960 > _e2963) {
+                                phi_4893_ = _e2960;
                             } else {
-                                phi_4901_ = _e2947;
+                                phi_4893_ = _e2963;
                             }
-                            let _e2950 = phi_4901_;
-                            if (_e2941 > _e2950) {
-                                phi_4906_ = _e2941;
+                            let _e2966 = phi_4893_;
+                            if (_e2957 > _e2966) {
+                                phi_4898_ = _e2957;
                             } else {
-                                phi_4906_ = _e2950;
+                                phi_4898_ = _e2966;
                             }
-                            let _e2953 = phi_4906_;
-                            if (_e2859 < 0f) {
-                                phi_4912_ = -(_e2859);
+                            let _e2969 = phi_4898_;
+                            if (_e2875 < 0f) {
+                                phi_4904_ = -(_e2875);
                             } else {
-                                phi_4912_ = _e2859;
+                                phi_4904_ = _e2875;
                             }
-                            let _e2957 = phi_4912_;
-                            if (_e2862 < 0f) {
-                                phi_4918_ = -(_e2862);
+                            let _e2973 = phi_4904_;
+                            if (_e2878 < 0f) {
+                                phi_4910_ = -(_e2878);
                             } else {
-                                phi_4918_ = _e2862;
+                                phi_4910_ = _e2878;
                             }
-                            let _e2961 = phi_4918_;
-                            if (_e2865 < 0f) {
-                                phi_4925_ = -(_e2865);
+                            let _e2977 = phi_4910_;
+                            if (_e2881 < 0f) {
+                                phi_4917_ = -(_e2881);
                             } else {
-                                phi_4925_ = _e2865;
+                                phi_4917_ = _e2881;
                             }
-                            let _e2966 = phi_4925_;
-                            let _e2967 = ((_e2957 + _e2961) + _e2966);
-                            let _e2972 = -(_e2953);
-                            if (_e2932 > _e2972) {
-                                phi_4936_ = _e2932;
+                            let _e2982 = phi_4917_;
+                            let _e2983 = ((_e2973 + _e2977) + _e2982);
+                            let _e2988 = -(_e2969);
+                            if (_e2948 > _e2988) {
+                                phi_4928_ = _e2948;
                             } else {
-                                phi_4936_ = _e2972;
+                                phi_4928_ = _e2988;
                             }
-                            let _e2975 = phi_4936_;
-                            let _e2980 = (((_e2975 - ((_e2967 * _e2849) * (0.000000059604645f * (17f / 2f)))) - (_e2967 * _e2856)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                            let _e2983 = ((_e2617 * _e2611) - (_e2620 * _e2610));
-                            let _e2986 = ((_e2620 * _e2609) - (_e2614 * _e2611));
-                            let _e2989 = ((_e2614 * _e2610) - (_e2617 * _e2609));
-                            let _e2994 = (((_e2983 * _e2623[0]) + (_e2986 * _e2623[1])) + (_e2989 * _e2623[2]));
-                            let _e2999 = (((_e2983 * _e2640) + (_e2986 * _e2641)) + (_e2989 * _e2642));
-                            let _e3004 = (((_e2983 * _e2650) + (_e2986 * _e2651)) + (_e2989 * _e2652));
-                            let _e3012 = (((_e2983 * _e2649[0]) + (_e2986 * _e2649[1])) + (_e2989 * _e2649[2]));
-                            let _e3017 = (((_e2983 * _e2655[0]) + (_e2986 * _e2655[1])) + (_e2989 * _e2655[2]));
-                            let _e3022 = (((_e2983 * _e2672) + (_e2986 * _e2673)) + (_e2989 * _e2674));
-                            let _e3027 = (((_e2983 * _e2682) + (_e2986 * _e2683)) + (_e2989 * _e2684));
-                            let _e3035 = (((_e2983 * _e2681[0]) + (_e2986 * _e2681[1])) + (_e2989 * _e2681[2]));
-                            if (_e2994 < _e2999) {
-                                phi_5007_ = _e2994;
+                            let _e2991 = phi_4928_;
+                            let _e2996 = (((_e2991 - ((_e2983 * _e2865) * (0.000000059604645f * (17f / 2f)))) - (_e2983 * _e2872)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                            let _e2999 = ((_e2633 * _e2627) - (_e2636 * _e2626));
+                            let _e3002 = ((_e2636 * _e2625) - (_e2630 * _e2627));
+                            let _e3005 = ((_e2630 * _e2626) - (_e2633 * _e2625));
+                            let _e3010 = (((_e2999 * _e2639[0]) + (_e3002 * _e2639[1])) + (_e3005 * _e2639[2]));
+                            let _e3015 = (((_e2999 * _e2656) + (_e3002 * _e2657)) + (_e3005 * _e2658));
+                            let _e3020 = (((_e2999 * _e2666) + (_e3002 * _e2667)) + (_e3005 * _e2668));
+                            let _e3028 = (((_e2999 * _e2665[0]) + (_e3002 * _e2665[1])) + (_e3005 * _e2665[2]));
+                            let _e3033 = (((_e2999 * _e2671[0]) + (_e3002 * _e2671[1])) + (_e3005 * _e2671[2]));
+                            let _e3038 = (((_e2999 * _e2688) + (_e3002 * _e2689)) + (_e3005 * _e2690));
+                            let _e3043 = (((_e2999 * _e2698) + (_e3002 * _e2699)) + (_e3005 * _e2700));
+                            let _e3051 = (((_e2999 * _e2697[0]) + (_e3002 * _e2697[1])) + (_e3005 * _e2697[2]));
+                            if (_e3010 < _e3015) {
+                                phi_4999_ = _e3010;
                             } else {
-                                phi_5007_ = _e2999;
+                                phi_4999_ = _e3015;
                             }
-                            let _e3038 = phi_5007_;
-                            if (_e3004 < _e3012) {
-                                phi_5012_ = _e3004;
+                            let _e3054 = phi_4999_;
+                            if (_e3020 < _e3028) {
+                                phi_5004_ = _e3020;
                             } else {
-                                phi_5012_ = _e3012;
+                                phi_5004_ = _e3028;
                             }
-                            let _e3041 = phi_5012_;
-                            if (_e3038 < _e3041) {
-                                phi_5017_ = _e3038;
+                            let _e3057 = phi_5004_;
+                            if (_e3054 < _e3057) {
+                                phi_5009_ = _e3054;
                             } else {
-                                phi_5017_ = _e3041;
+                                phi_5009_ = _e3057;
                             }
-                            let _e3044 = phi_5017_;
-                            if (_e3017 < _e3022) {
-                                phi_5022_ = _e3017;
+                            let _e3060 = phi_5009_;
+                            if (_e3033 < _e3038) {
+                                phi_5014_ = _e3033;
                             } else {
-                                phi_5022_ = _e3022;
+                                phi_5014_ = _e3038;
                             }
-                            let _e3047 = phi_5022_;
-                            if (_e3027 < _e3035) {
-                                phi_5027_ = _e3027;
+                            let _e3063 = phi_5014_;
+                            if (_e3043 < _e3051) {
+                                phi_5019_ = _e3043;
                             } else {
-                                phi_5027_ = _e3035;
+                                phi_5019_ = _e3051;
                             }
-                            let _e3050 = phi_5027_;
-                            if (_e3047 < _e3050) {
-                                phi_5032_ = _e3047;
+                            let _e3066 = phi_5019_;
+                            if (_e3063 < _e3066) {
+                                phi_5024_ = _e3063;
                             } else {
-                                phi_5032_ = _e3050;
+                                phi_5024_ = _e3066;
                             }
-                            let _e3053 = phi_5032_;
-                            if (_e3044 < _e3053) {
-                                phi_5037_ = _e3044;
+                            let _e3069 = phi_5024_;
+                            if (_e3060 < _e3069) {
+                                phi_5029_ = _e3060;
                             } else {
-                                phi_5037_ = _e3053;
+                                phi_5029_ = _e3069;
                             }
-                            let _e3056 = phi_5037_;
-                            if (_e2994 > _e2999) {
-                                phi_5042_ = _e2994;
+                            let _e3072 = phi_5029_;
+                            if (_e3010 > _e3015) {
+                                phi_5034_ = _e3010;
                             } else {
-                                phi_5042_ = _e2999;
+                                phi_5034_ = _e3015;
                             }
-                            let _e3059 = phi_5042_;
-                            if (_e3004 > _e3012) {
-                                phi_5047_ = _e3004;
+                            let _e3075 = phi_5034_;
+                            if (_e3020 > _e3028) {
+                                phi_5039_ = _e3020;
                             } else {
-                                phi_5047_ = _e3012;
+                                phi_5039_ = _e3028;
                             }
-                            let _e3062 = phi_5047_;
-                            if (_e3059 > _e3062) {
-                                phi_5052_ = _e3059;
+                            let _e3078 = phi_5039_;
+                            if (_e3075 > _e3078) {
+                                phi_5044_ = _e3075;
                             } else {
-                                phi_5052_ = _e3062;
+                                phi_5044_ = _e3078;
                             }
-                            let _e3065 = phi_5052_;
-                            if (_e3017 > _e3022) {
-                                phi_5057_ = _e3017;
+                            let _e3081 = phi_5044_;
+                            if (_e3033 > _e3038) {
+                                phi_5049_ = _e3033;
                             } else {
-                                phi_5057_ = _e3022;
+                                phi_5049_ = _e3038;
                             }
-                            let _e3068 = phi_5057_;
-                            if (_e3027 > _e3035) {
-                                phi_5062_ = _e3027;
+                            let _e3084 = phi_5049_;
+                            if (_e3043 > _e3051) {
+                                phi_5054_ = _e3043;
                             } else {
-                                phi_5062_ = _e3035;
+                                phi_5054_ = _e3051;
                             }
-                            let _e3071 = phi_5062_;
-                            if (_e3068 > _e3071) {
-                                phi_5067_ = _e3068;
+                            let _e3087 = phi_5054_;
+                            if (_e3084 > _e3087) {
+                                phi_5059_ = _e3084;
                             } else {
-                                phi_5067_ = _e3071;
+                                phi_5059_ = _e3087;
                             }
-                            let _e3074 = phi_5067_;
-                            if (_e3065 > _e3074) {
-                                phi_5072_ = _e3065;
+                            let _e3090 = phi_5059_;
+                            if (_e3081 > _e3090) {
+                                phi_5064_ = _e3081;
                             } else {
-                                phi_5072_ = _e3074;
+                                phi_5064_ = _e3090;
                             }
-                            let _e3077 = phi_5072_;
-                            if (_e2983 < 0f) {
-                                phi_5078_ = -(_e2983);
+                            let _e3093 = phi_5064_;
+                            if (_e2999 < 0f) {
+                                phi_5070_ = -(_e2999);
                             } else {
-                                phi_5078_ = _e2983;
+                                phi_5070_ = _e2999;
                             }
-                            let _e3081 = phi_5078_;
-                            if (_e2986 < 0f) {
-                                phi_5084_ = -(_e2986);
+                            let _e3097 = phi_5070_;
+                            if (_e3002 < 0f) {
+                                phi_5076_ = -(_e3002);
                             } else {
-                                phi_5084_ = _e2986;
+                                phi_5076_ = _e3002;
                             }
-                            let _e3085 = phi_5084_;
-                            if (_e2989 < 0f) {
-                                phi_5091_ = -(_e2989);
+                            let _e3101 = phi_5076_;
+                            if (_e3005 < 0f) {
+                                phi_5083_ = -(_e3005);
                             } else {
-                                phi_5091_ = _e2989;
+                                phi_5083_ = _e3005;
                             }
-                            let _e3090 = phi_5091_;
-                            let _e3091 = ((_e3081 + _e3085) + _e3090);
-                            let _e3096 = -(_e3077);
-                            if (_e3056 > _e3096) {
-                                phi_5102_ = _e3056;
+                            let _e3106 = phi_5083_;
+                            let _e3107 = ((_e3097 + _e3101) + _e3106);
+                            let _e3112 = -(_e3093);
+                            if (_e3072 > _e3112) {
+                                phi_5094_ = _e3072;
                             } else {
-                                phi_5102_ = _e3096;
+                                phi_5094_ = _e3112;
                             }
-                            let _e3099 = phi_5102_;
-                            let _e3104 = (((_e3099 - ((_e3091 * _e2849) * (0.000000059604645f * (17f / 2f)))) - (_e3091 * _e2856)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                            if (_e2980 > _e3104) {
-                                phi_5112_ = _e2980;
+                            let _e3115 = phi_5094_;
+                            let _e3120 = (((_e3115 - ((_e3107 * _e2865) * (0.000000059604645f * (17f / 2f)))) - (_e3107 * _e2872)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                            if (_e2996 > _e3120) {
+                                phi_5104_ = _e2996;
                             } else {
-                                phi_5112_ = _e3104;
+                                phi_5104_ = _e3120;
                             }
-                            let _e3107 = phi_5112_;
+                            let _e3123 = phi_5104_;
                             if (_e179.member == 0u) {
-                                let _e3109 = (_e2609 - _e2594);
-                                let _e3110 = (_e2610 - _e2595);
-                                let _e3111 = (_e2611 - _e2596);
-                                let _e3114 = ((_e2617 * _e3111) - (_e2620 * _e3110));
-                                let _e3117 = ((_e2620 * _e3109) - (_e2614 * _e3111));
-                                let _e3120 = ((_e2614 * _e3110) - (_e2617 * _e3109));
-                                let _e3125 = (((_e3114 * _e2623[0]) + (_e3117 * _e2623[1])) + (_e3120 * _e2623[2]));
-                                let _e3130 = (((_e3114 * _e2640) + (_e3117 * _e2641)) + (_e3120 * _e2642));
-                                let _e3135 = (((_e3114 * _e2650) + (_e3117 * _e2651)) + (_e3120 * _e2652));
-                                let _e3143 = (((_e3114 * _e2649[0]) + (_e3117 * _e2649[1])) + (_e3120 * _e2649[2]));
-                                let _e3148 = (((_e3114 * _e2655[0]) + (_e3117 * _e2655[1])) + (_e3120 * _e2655[2]));
-                                let _e3153 = (((_e3114 * _e2672) + (_e3117 * _e2673)) + (_e3120 * _e2674));
-                                let _e3158 = (((_e3114 * _e2682) + (_e3117 * _e2683)) + (_e3120 * _e2684));
-                                let _e3166 = (((_e3114 * _e2681[0]) + (_e3117 * _e2681[1])) + (_e3120 * _e2681[2]));
-                                if (_e3125 < _e3130) {
-                                    phi_5185_ = _e3125;
+                                let _e3125 = (_e2625 - _e2610);
+                                let _e3126 = (_e2626 - _e2611);
+                                let _e3127 = (_e2627 - _e2612);
+                                let _e3130 = ((_e2633 * _e3127) - (_e2636 * _e3126));
+                                let _e3133 = ((_e2636 * _e3125) - (_e2630 * _e3127));
+                                let _e3136 = ((_e2630 * _e3126) - (_e2633 * _e3125));
+                                let _e3141 = (((_e3130 * _e2639[0]) + (_e3133 * _e2639[1])) + (_e3136 * _e2639[2]));
+                                let _e3146 = (((_e3130 * _e2656) + (_e3133 * _e2657)) + (_e3136 * _e2658));
+                                let _e3151 = (((_e3130 * _e2666) + (_e3133 * _e2667)) + (_e3136 * _e2668));
+                                let _e3159 = (((_e3130 * _e2665[0]) + (_e3133 * _e2665[1])) + (_e3136 * _e2665[2]));
+                                let _e3164 = (((_e3130 * _e2671[0]) + (_e3133 * _e2671[1])) + (_e3136 * _e2671[2]));
+                                let _e3169 = (((_e3130 * _e2688) + (_e3133 * _e2689)) + (_e3136 * _e2690));
+                                let _e3174 = (((_e3130 * _e2698) + (_e3133 * _e2699)) + (_e3136 * _e2700));
+                                let _e3182 = (((_e3130 * _e2697[0]) + (_e3133 * _e2697[1])) + (_e3136 * _e2697[2]));
+                                if (_e3141 < _e3146) {
+                                    phi_5177_ = _e3141;
                                 } else {
-                                    phi_5185_ = _e3130;
+                                    phi_5177_ = _e3146;
                                 }
-                                let _e3169 = phi_5185_;
-                                if (_e3135 < _e3143) {
-                                    phi_5190_ = _e3135;
+                                let _e3185 = phi_5177_;
+                                if (_e3151 < _e3159) {
+                                    phi_5182_ = _e3151;
                                 } else {
-                                    phi_5190_ = _e3143;
+                                    phi_5182_ = _e3159;
                                 }
-                                let _e3172 = phi_5190_;
-                                if (_e3169 < _e3172) {
-                                    phi_5195_ = _e3169;
+                                let _e3188 = phi_5182_;
+                                if (_e3185 < _e3188) {
+                                    phi_5187_ = _e3185;
                                 } else {
-                                    phi_5195_ = _e3172;
+                                    phi_5187_ = _e3188;
                                 }
-                                let _e3175 = phi_5195_;
-                                if (_e3148 < _e3153) {
-                                    phi_5200_ = _e3148;
+                                let _e3191 = phi_5187_;
+                                if (_e3164 < _e3169) {
+                                    phi_5192_ = _e3164;
                                 } else {
-                                    phi_5200_ = _e3153;
+                                    phi_5192_ = _e3169;
                                 }
-                                let _e3178 = phi_5200_;
-                                if (_e3158 < _e3166) {
-                                    phi_5205_ = _e3158;
+                                let _e3194 = phi_5192_;
+                                if (_e3174 < _e3182) {
+                                    phi_5197_ = _e3174;
                                 } else {
-                                    phi_5205_ = _e3166;
+                                    phi_5197_ = _e3182;
                                 }
-                                let _e3181 = phi_5205_;
-                                if (_e3178 < _e3181) {
-                                    phi_5210_ = _e3178;
+                                let _e3197 = phi_5197_;
+                                if (_e3194 < _e3197) {
+                                    phi_5202_ = _e3194;
                                 } else {
-                                    phi_5210_ = _e3181;
+                                    phi_5202_ = _e3197;
                                 }
-                                let _e3184 = phi_5210_;
-                                if (_e3175 < _e3184) {
-                                    phi_5215_ = _e3175;
+                                let _e3200 = phi_5202_;
+                                if (_e3191 < _e3200) {
+                                    phi_5207_ = _e3191;
                                 } else {
-                                    phi_5215_ = _e3184;
+                                    phi_5207_ = _e3200;
                                 }
-                                let _e3187 = phi_5215_;
-                                if (_e3125 > _e3130) {
-                                    phi_5220_ = _e3125;
+                                let _e3203 = phi_5207_;
+                                if (_e3141 > _e3146) {
+                                    phi_5212_ = _e3141;
                                 } else {
-                                    phi_5220_ = _e3130;
+                                    phi_5212_ = _e3146;
                                 }
-                                let _e3190 = phi_5220_;
-                                if (_e3135 > _e3143) {
-                                    phi_5225_ = _e3135;
+                                let _e3206 = phi_5212_;
+                                if (_e3151 > _e3159) {
+                                    phi_5217_ = _e3151;
                                 } else {
-                                    phi_5225_ = _e3143;
+                                    phi_5217_ = _e3159;
                                 }
-                                let _e3193 = phi_5225_;
-                                if (_e3190 > _e3193) {
-                                    phi_5230_ = _e3190;
+                                let _e3209 = phi_5217_;
+                                if (_e3206 > _e3209) {
+                                    phi_5222_ = _e3206;
                                 } else {
-                                    phi_5230_ = _e3193;
+                                    phi_5222_ = _e3209;
                                 }
-                                let _e3196 = phi_5230_;
-                                if (_e3148 > _e3153) {
-                                    phi_5235_ = _e3148;
+                                let _e3212 = phi_5222_;
+                                if (_e3164 > _e3169) {
+                                    phi_5227_ = _e3164;
                                 } else {
-                                    phi_5235_ = _e3153;
+                                    phi_5227_ = _e3169;
                                 }
-                                let _e3199 = phi_5235_;
-                                if (_e3158 > _e3166) {
-                                    phi_5240_ = _e3158;
+                                let _e3215 = phi_5227_;
+                                if (_e3174 > _e3182) {
+                                    phi_5232_ = _e3174;
                                 } else {
-                                    phi_5240_ = _e3166;
+                                    phi_5232_ = _e3182;
                                 }
-                                let _e3202 = phi_5240_;
-                                if (_e3199 > _e3202) {
-                                    phi_5245_ = _e3199;
+                                let _e3218 = phi_5232_;
+                                if (_e3215 > _e3218) {
+                                    phi_5237_ = _e3215;
                                 } else {
-                                    phi_5245_ = _e3202;
+                                    phi_5237_ = _e3218;
                                 }
-                                let _e3205 = phi_5245_;
-                                if (_e3196 > _e3205) {
-                                    phi_5250_ = _e3196;
+                                let _e3221 = phi_5237_;
+                                if (_e3212 > _e3221) {
+                                    phi_5242_ = _e3212;
                                 } else {
-                                    phi_5250_ = _e3205;
+                                    phi_5242_ = _e3221;
                                 }
-                                let _e3208 = phi_5250_;
-                                if (_e3114 < 0f) {
-                                    phi_5256_ = -(_e3114);
+                                let _e3224 = phi_5242_;
+                                if (_e3130 < 0f) {
+                                    phi_5248_ = -(_e3130);
                                 } else {
-                                    phi_5256_ = _e3114;
+                                    phi_5248_ = _e3130;
                                 }
-                                let _e3212 = phi_5256_;
-                                if (_e3117 < 0f) {
-                                    phi_5262_ = -(_e3117);
+                                let _e3228 = phi_5248_;
+                                if (_e3133 < 0f) {
+                                    phi_5254_ = -(_e3133);
                                 } else {
-                                    phi_5262_ = _e3117;
+                                    phi_5254_ = _e3133;
                                 }
-                                let _e3216 = phi_5262_;
-                                if (_e3120 < 0f) {
-                                    phi_5269_ = -(_e3120);
+                                let _e3232 = phi_5254_;
+                                if (_e3136 < 0f) {
+                                    phi_5261_ = -(_e3136);
                                 } else {
-                                    phi_5269_ = _e3120;
+                                    phi_5261_ = _e3136;
                                 }
-                                let _e3221 = phi_5269_;
-                                let _e3222 = ((_e3212 + _e3216) + _e3221);
-                                let _e3227 = -(_e3208);
-                                if (_e3187 > _e3227) {
-                                    phi_5280_ = _e3187;
+                                let _e3237 = phi_5261_;
+                                let _e3238 = ((_e3228 + _e3232) + _e3237);
+                                let _e3243 = -(_e3224);
+                                if (_e3203 > _e3243) {
+                                    phi_5272_ = _e3203;
                                 } else {
-                                    phi_5280_ = _e3227;
+                                    phi_5272_ = _e3243;
                                 }
-                                let _e3230 = phi_5280_;
-                                let _e3235 = (((_e3230 - ((_e3222 * _e2849) * (0.000000059604645f * (17f / 2f)))) - (_e3222 * _e2856)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e3107 > _e3235) {
-                                    phi_5290_ = _e3107;
+                                let _e3246 = phi_5272_;
+                                let _e3251 = (((_e3246 - ((_e3238 * _e2865) * (0.000000059604645f * (17f / 2f)))) - (_e3238 * _e2872)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e3123 > _e3251) {
+                                    phi_5282_ = _e3123;
                                 } else {
-                                    phi_5290_ = _e3235;
+                                    phi_5282_ = _e3251;
                                 }
-                                let _e3238 = phi_5290_;
-                                phi_5291_ = _e3238;
+                                let _e3254 = phi_5282_;
+                                phi_5283_ = _e3254;
                             } else {
-                                phi_5291_ = _e3107;
+                                phi_5283_ = _e3123;
                             }
-                            let _e3240 = phi_5291_;
-                            phi_5294_ = (_e2581 || (_e3240 > 0f));
+                            let _e3256 = phi_5283_;
+                            phi_5286_ = (_e2597 || (_e3256 > 0f));
                         }
-                        let _e3244 = phi_5294_;
-                        if _e3244 {
-                            let _e3247 = local_1.member_1[0u];
-                            let _e3253 = local_1.member_2[0u];
-                            let _e3259 = ((_e3247[1] * _e3253[2]) - (_e3247[2] * _e3253[1]));
-                            let _e3262 = ((_e3247[2] * _e3253[0]) - (_e3247[0] * _e3253[2]));
-                            let _e3265 = ((_e3247[0] * _e3253[1]) - (_e3247[1] * _e3253[0]));
-                            let _e3268 = local_1.member_1[1u];
-                            let _e3274 = local_1.member_2[1u];
-                            let _e3280 = ((_e3268[1] * _e3274[2]) - (_e3268[2] * _e3274[1]));
-                            let _e3283 = ((_e3268[2] * _e3274[0]) - (_e3268[0] * _e3274[2]));
-                            let _e3286 = ((_e3268[0] * _e3274[1]) - (_e3268[1] * _e3274[0]));
-                            let _e3289 = local_1.member_1[0u];
-                            let _e3295 = local_1.member_2[1u];
-                            let _e3310 = local_1.member_1[1u];
-                            let _e3316 = local_1.member_2[0u];
-                            let _e3329 = (((_e3289[1] * _e3295[2]) - (_e3289[2] * _e3295[1])) + ((_e3310[1] * _e3316[2]) - (_e3310[2] * _e3316[1])));
-                            let _e3330 = (((_e3289[2] * _e3295[0]) - (_e3289[0] * _e3295[2])) + ((_e3310[2] * _e3316[0]) - (_e3310[0] * _e3316[2])));
-                            let _e3331 = (((_e3289[0] * _e3295[1]) - (_e3289[1] * _e3295[0])) + ((_e3310[0] * _e3316[1]) - (_e3310[1] * _e3316[0])));
-                            let _e3334 = local_1.member[0u];
-                            let _e3345 = local_1.member[1u];
-                            let _e3356 = local_1.member[0u];
-                            let _e3365 = ((((_e3345[0] * _e3259) + (_e3345[1] * _e3262)) + (_e3345[2] * _e3265)) + (((_e3356[0] * _e3329) + (_e3356[1] * _e3330)) + (_e3356[2] * _e3331)));
-                            let _e3368 = local_1.member[0u];
-                            let _e3379 = local_1.member[1u];
-                            let _e3388 = ((((_e3368[0] * _e3280) + (_e3368[1] * _e3283)) + (_e3368[2] * _e3286)) + (((_e3379[0] * _e3329) + (_e3379[1] * _e3330)) + (_e3379[2] * _e3331)));
-                            let _e3391 = local_1.member[1u];
-                            let _e3402 = local_1.member[0u];
-                            if (_e3402[0] < 0f) {
-                                phi_5539_ = -(_e3402[0]);
+                        let _e3260 = phi_5286_;
+                        if _e3260 {
+                            let _e3263 = local_1.member_1[0u];
+                            let _e3269 = local_1.member_2[0u];
+                            let _e3275 = ((_e3263[1] * _e3269[2]) - (_e3263[2] * _e3269[1]));
+                            let _e3278 = ((_e3263[2] * _e3269[0]) - (_e3263[0] * _e3269[2]));
+                            let _e3281 = ((_e3263[0] * _e3269[1]) - (_e3263[1] * _e3269[0]));
+                            let _e3284 = local_1.member_1[1u];
+                            let _e3290 = local_1.member_2[1u];
+                            let _e3296 = ((_e3284[1] * _e3290[2]) - (_e3284[2] * _e3290[1]));
+                            let _e3299 = ((_e3284[2] * _e3290[0]) - (_e3284[0] * _e3290[2]));
+                            let _e3302 = ((_e3284[0] * _e3290[1]) - (_e3284[1] * _e3290[0]));
+                            let _e3305 = local_1.member_1[0u];
+                            let _e3311 = local_1.member_2[1u];
+                            let _e3326 = local_1.member_1[1u];
+                            let _e3332 = local_1.member_2[0u];
+                            let _e3345 = (((_e3305[1] * _e3311[2]) - (_e3305[2] * _e3311[1])) + ((_e3326[1] * _e3332[2]) - (_e3326[2] * _e3332[1])));
+                            let _e3346 = (((_e3305[2] * _e3311[0]) - (_e3305[0] * _e3311[2])) + ((_e3326[2] * _e3332[0]) - (_e3326[0] * _e3332[2])));
+                            let _e3347 = (((_e3305[0] * _e3311[1]) - (_e3305[1] * _e3311[0])) + ((_e3326[0] * _e3332[1]) - (_e3326[1] * _e3332[0])));
+                            let _e3350 = local_1.member[0u];
+                            let _e3361 = local_1.member[1u];
+                            let _e3372 = local_1.member[0u];
+                            let _e3381 = ((((_e3361[0] * _e3275) + (_e3361[1] * _e3278)) + (_e3361[2] * _e3281)) + (((_e3372[0] * _e3345) + (_e3372[1] * _e3346)) + (_e3372[2] * _e3347)));
+                            let _e3384 = local_1.member[0u];
+                            let _e3395 = local_1.member[1u];
+                            let _e3404 = ((((_e3384[0] * _e3296) + (_e3384[1] * _e3299)) + (_e3384[2] * _e3302)) + (((_e3395[0] * _e3345) + (_e3395[1] * _e3346)) + (_e3395[2] * _e3347)));
+                            let _e3407 = local_1.member[1u];
+                            let _e3418 = local_1.member[0u];
+                            if (_e3418[0] < 0f) {
+                                phi_5531_ = -(_e3418[0]);
                             } else {
-                                phi_5539_ = _e3402[0];
+                                phi_5531_ = _e3418[0];
                             }
-                            let _e3409 = phi_5539_;
-                            if (_e3402[1] < 0f) {
-                                phi_5546_ = -(_e3402[1]);
+                            let _e3425 = phi_5531_;
+                            if (_e3418[1] < 0f) {
+                                phi_5538_ = -(_e3418[1]);
                             } else {
-                                phi_5546_ = _e3402[1];
+                                phi_5538_ = _e3418[1];
                             }
-                            let _e3413 = phi_5546_;
-                            if (_e3409 > _e3413) {
-                                phi_5551_ = _e3409;
+                            let _e3429 = phi_5538_;
+                            if (_e3425 > _e3429) {
+                                phi_5543_ = _e3425;
                             } else {
-                                phi_5551_ = _e3413;
+                                phi_5543_ = _e3429;
                             }
-                            let _e3416 = phi_5551_;
-                            if (_e3402[2] < 0f) {
-                                phi_5558_ = -(_e3402[2]);
+                            let _e3432 = phi_5543_;
+                            if (_e3418[2] < 0f) {
+                                phi_5550_ = -(_e3418[2]);
                             } else {
-                                phi_5558_ = _e3402[2];
+                                phi_5550_ = _e3418[2];
                             }
-                            let _e3420 = phi_5558_;
-                            if (_e3416 > _e3420) {
-                                phi_5563_ = _e3416;
+                            let _e3436 = phi_5550_;
+                            if (_e3432 > _e3436) {
+                                phi_5555_ = _e3432;
                             } else {
-                                phi_5563_ = _e3420;
+                                phi_5555_ = _e3436;
                             }
-                            let _e3423 = phi_5563_;
-                            let _e3426 = local_1.member[1u];
-                            if (_e3426[0] < 0f) {
-                                phi_5576_ = -(_e3426[0]);
+                            let _e3439 = phi_5555_;
+                            let _e3442 = local_1.member[1u];
+                            if (_e3442[0] < 0f) {
+                                phi_5568_ = -(_e3442[0]);
                             } else {
-                                phi_5576_ = _e3426[0];
+                                phi_5568_ = _e3442[0];
                             }
-                            let _e3433 = phi_5576_;
-                            if (_e3426[1] < 0f) {
-                                phi_5583_ = -(_e3426[1]);
+                            let _e3449 = phi_5568_;
+                            if (_e3442[1] < 0f) {
+                                phi_5575_ = -(_e3442[1]);
                             } else {
-                                phi_5583_ = _e3426[1];
+                                phi_5575_ = _e3442[1];
                             }
-                            let _e3437 = phi_5583_;
-                            if (_e3433 > _e3437) {
-                                phi_5588_ = _e3433;
+                            let _e3453 = phi_5575_;
+                            if (_e3449 > _e3453) {
+                                phi_5580_ = _e3449;
                             } else {
-                                phi_5588_ = _e3437;
+                                phi_5580_ = _e3453;
                             }
-                            let _e3440 = phi_5588_;
-                            if (_e3426[2] < 0f) {
-                                phi_5595_ = -(_e3426[2]);
+                            let _e3456 = phi_5580_;
+                            if (_e3442[2] < 0f) {
+                                phi_5587_ = -(_e3442[2]);
                             } else {
-                                phi_5595_ = _e3426[2];
+                                phi_5587_ = _e3442[2];
                             }
-                            let _e3444 = phi_5595_;
-                            if (_e3440 > _e3444) {
-                                phi_5600_ = _e3440;
+                            let _e3460 = phi_5587_;
+                            if (_e3456 > _e3460) {
+                                phi_5592_ = _e3456;
                             } else {
-                                phi_5600_ = _e3444;
+                                phi_5592_ = _e3460;
                             }
-                            let _e3447 = phi_5600_;
-                            if (_e3423 > _e3447) {
-                                phi_5605_ = _e3423;
+                            let _e3463 = phi_5592_;
+                            if (_e3439 > _e3463) {
+                                phi_5597_ = _e3439;
                             } else {
-                                phi_5605_ = _e3447;
+                                phi_5597_ = _e3463;
                             }
-                            let _e3450 = phi_5605_;
-                            let _e3452 = local_1.member_3;
-                            let _e3453 = (_e3450 + _e3452);
-                            let _e3456 = local_1.member_1[0u];
-                            if (_e3456[0] < 0f) {
-                                phi_5622_ = -(_e3456[0]);
+                            let _e3466 = phi_5597_;
+                            let _e3468 = local_1.member_3;
+                            let _e3469 = (_e3466 + _e3468);
+                            let _e3472 = local_1.member_1[0u];
+                            if (_e3472[0] < 0f) {
+                                phi_5614_ = -(_e3472[0]);
                             } else {
-                                phi_5622_ = _e3456[0];
+                                phi_5614_ = _e3472[0];
                             }
-                            let _e3463 = phi_5622_;
-                            if (_e3456[1] < 0f) {
-                                phi_5629_ = -(_e3456[1]);
+                            let _e3479 = phi_5614_;
+                            if (_e3472[1] < 0f) {
+                                phi_5621_ = -(_e3472[1]);
                             } else {
-                                phi_5629_ = _e3456[1];
+                                phi_5621_ = _e3472[1];
                             }
-                            let _e3467 = phi_5629_;
-                            if (_e3463 > _e3467) {
-                                phi_5634_ = _e3463;
+                            let _e3483 = phi_5621_;
+                            if (_e3479 > _e3483) {
+                                phi_5626_ = _e3479;
                             } else {
-                                phi_5634_ = _e3467;
+                                phi_5626_ = _e3483;
                             }
-                            let _e3470 = phi_5634_;
-                            if (_e3456[2] < 0f) {
-                                phi_5641_ = -(_e3456[2]);
+                            let _e3486 = phi_5626_;
+                            if (_e3472[2] < 0f) {
+                                phi_5633_ = -(_e3472[2]);
                             } else {
-                                phi_5641_ = _e3456[2];
+                                phi_5633_ = _e3472[2];
                             }
-                            let _e3474 = phi_5641_;
-                            if (_e3470 > _e3474) {
-                                phi_5646_ = _e3470;
+                            let _e3490 = phi_5633_;
+                            if (_e3486 > _e3490) {
+                                phi_5638_ = _e3486;
                             } else {
-                                phi_5646_ = _e3474;
+                                phi_5638_ = _e3490;
                             }
-                            let _e3477 = phi_5646_;
-                            let _e3480 = local_1.member_1[1u];
-                            if (_e3480[0] < 0f) {
-                                phi_5660_ = -(_e3480[0]);
+                            let _e3493 = phi_5638_;
+                            let _e3496 = local_1.member_1[1u];
+                            if (_e3496[0] < 0f) {
+                                phi_5652_ = -(_e3496[0]);
                             } else {
-                                phi_5660_ = _e3480[0];
+                                phi_5652_ = _e3496[0];
                             }
-                            let _e3487 = phi_5660_;
-                            if (_e3480[1] < 0f) {
-                                phi_5667_ = -(_e3480[1]);
+                            let _e3503 = phi_5652_;
+                            if (_e3496[1] < 0f) {
+                                phi_5659_ = -(_e3496[1]);
                             } else {
-                                phi_5667_ = _e3480[1];
+                                phi_5659_ = _e3496[1];
                             }
-                            let _e3491 = phi_5667_;
-                            if (_e3487 > _e3491) {
-                                phi_5672_ = _e3487;
+                            let _e3507 = phi_5659_;
+                            if (_e3503 > _e3507) {
+                                phi_5664_ = _e3503;
                             } else {
-                                phi_5672_ = _e3491;
+                                phi_5664_ = _e3507;
                             }
-                            let _e3494 = phi_5672_;
-                            if (_e3480[2] < 0f) {
-                                phi_5679_ = -(_e3480[2]);
+                            let _e3510 = phi_5664_;
+                            if (_e3496[2] < 0f) {
+                                phi_5671_ = -(_e3496[2]);
                             } else {
-                                phi_5679_ = _e3480[2];
+                                phi_5671_ = _e3496[2];
                             }
-                            let _e3498 = phi_5679_;
-                            if (_e3494 > _e3498) {
-                                phi_5684_ = _e3494;
+                            let _e3514 = phi_5671_;
+                            if (_e3510 > _e3514) {
+                                phi_5676_ = _e3510;
                             } else {
-                                phi_5684_ = _e3498;
+                                phi_5676_ = _e3514;
                             }
-                            let _e3501 = phi_5684_;
-                            if (_e3477 > _e3501) {
-                                phi_5689_ = _e3477;
+                            let _e3517 = phi_5676_;
+                            if (_e3493 > _e3517) {
+                                phi_5681_ = _e3493;
                             } else {
-                                phi_5689_ = _e3501;
+                                phi_5681_ = _e3517;
                             }
-                            let _e3504 = phi_5689_;
-                            let _e3506 = local_1.member_3;
-                            let _e3507 = (_e3504 + _e3506);
-                            let _e3510 = local_1.member_2[0u];
-                            if (_e3510[0] < 0f) {
-                                phi_5706_ = -(_e3510[0]);
+                            let _e3520 = phi_5681_;
+                            let _e3522 = local_1.member_3;
+                            let _e3523 = (_e3520 + _e3522);
+                            let _e3526 = local_1.member_2[0u];
+                            if (_e3526[0] < 0f) {
+                                phi_5698_ = -(_e3526[0]);
                             } else {
-                                phi_5706_ = _e3510[0];
+                                phi_5698_ = _e3526[0];
                             }
-                            let _e3517 = phi_5706_;
-                            if (_e3510[1] < 0f) {
-                                phi_5713_ = -(_e3510[1]);
+                            let _e3533 = phi_5698_;
+                            if (_e3526[1] < 0f) {
+                                phi_5705_ = -(_e3526[1]);
                             } else {
-                                phi_5713_ = _e3510[1];
+                                phi_5705_ = _e3526[1];
                             }
-                            let _e3521 = phi_5713_;
-                            if (_e3517 > _e3521) {
-                                phi_5718_ = _e3517;
+                            let _e3537 = phi_5705_;
+                            if (_e3533 > _e3537) {
+                                phi_5710_ = _e3533;
                             } else {
-                                phi_5718_ = _e3521;
+                                phi_5710_ = _e3537;
                             }
-                            let _e3524 = phi_5718_;
-                            if (_e3510[2] < 0f) {
-                                phi_5725_ = -(_e3510[2]);
+                            let _e3540 = phi_5710_;
+                            if (_e3526[2] < 0f) {
+                                phi_5717_ = -(_e3526[2]);
                             } else {
-                                phi_5725_ = _e3510[2];
+                                phi_5717_ = _e3526[2];
                             }
-                            let _e3528 = phi_5725_;
-                            if (_e3524 > _e3528) {
-                                phi_5730_ = _e3524;
+                            let _e3544 = phi_5717_;
+                            if (_e3540 > _e3544) {
+                                phi_5722_ = _e3540;
                             } else {
-                                phi_5730_ = _e3528;
+                                phi_5722_ = _e3544;
                             }
-                            let _e3531 = phi_5730_;
-                            let _e3534 = local_1.member_2[1u];
-                            if (_e3534[0] < 0f) {
-                                phi_5744_ = -(_e3534[0]);
+                            let _e3547 = phi_5722_;
+                            let _e3550 = local_1.member_2[1u];
+                            if (_e3550[0] < 0f) {
+                                phi_5736_ = -(_e3550[0]);
                             } else {
-                                phi_5744_ = _e3534[0];
+                                phi_5736_ = _e3550[0];
                             }
-                            let _e3541 = phi_5744_;
-                            if (_e3534[1] < 0f) {
-                                phi_5751_ = -(_e3534[1]);
+                            let _e3557 = phi_5736_;
+                            if (_e3550[1] < 0f) {
+                                phi_5743_ = -(_e3550[1]);
                             } else {
-                                phi_5751_ = _e3534[1];
+                                phi_5743_ = _e3550[1];
                             }
-                            let _e3545 = phi_5751_;
-                            if (_e3541 > _e3545) {
-                                phi_5756_ = _e3541;
+                            let _e3561 = phi_5743_;
+                            if (_e3557 > _e3561) {
+                                phi_5748_ = _e3557;
                             } else {
-                                phi_5756_ = _e3545;
+                                phi_5748_ = _e3561;
                             }
-                            let _e3548 = phi_5756_;
-                            if (_e3534[2] < 0f) {
-                                phi_5763_ = -(_e3534[2]);
+                            let _e3564 = phi_5748_;
+                            if (_e3550[2] < 0f) {
+                                phi_5755_ = -(_e3550[2]);
                             } else {
-                                phi_5763_ = _e3534[2];
+                                phi_5755_ = _e3550[2];
                             }
-                            let _e3552 = phi_5763_;
-                            if (_e3548 > _e3552) {
-                                phi_5768_ = _e3548;
+                            let _e3568 = phi_5755_;
+                            if (_e3564 > _e3568) {
+                                phi_5760_ = _e3564;
                             } else {
-                                phi_5768_ = _e3552;
+                                phi_5760_ = _e3568;
                             }
-                            let _e3555 = phi_5768_;
-                            if (_e3531 > _e3555) {
-                                phi_5773_ = _e3531;
+                            let _e3571 = phi_5760_;
+                            if (_e3547 > _e3571) {
+                                phi_5765_ = _e3547;
                             } else {
-                                phi_5773_ = _e3555;
+                                phi_5765_ = _e3571;
                             }
-                            let _e3558 = phi_5773_;
-                            let _e3560 = local_1.member_3;
-                            let _e3561 = (_e3558 + _e3560);
-                            let _e3563 = ((_e3507 * 8f) * _e3561);
-                            let _e3570 = local_1.member_3;
-                            if (_e3259 < 0f) {
-                                phi_5804_ = -(_e3259);
+                            let _e3574 = phi_5765_;
+                            let _e3576 = local_1.member_3;
+                            let _e3577 = (_e3574 + _e3576);
+                            let _e3579 = ((_e3523 * 8f) * _e3577);
+                            let _e3586 = local_1.member_3;
+                            if (_e3275 < 0f) {
+                                phi_5796_ = -(_e3275);
                             } else {
-                                phi_5804_ = _e3259;
+                                phi_5796_ = _e3275;
                             }
-                            let _e3587 = phi_5804_;
-                            if (_e3262 < 0f) {
-                                phi_5810_ = -(_e3262);
+                            let _e3603 = phi_5796_;
+                            if (_e3278 < 0f) {
+                                phi_5802_ = -(_e3278);
                             } else {
-                                phi_5810_ = _e3262;
+                                phi_5802_ = _e3278;
                             }
-                            let _e3591 = phi_5810_;
-                            if (_e3265 < 0f) {
-                                phi_5817_ = -(_e3265);
+                            let _e3607 = phi_5802_;
+                            if (_e3281 < 0f) {
+                                phi_5809_ = -(_e3281);
                             } else {
-                                phi_5817_ = _e3265;
+                                phi_5809_ = _e3281;
                             }
-                            let _e3596 = phi_5817_;
-                            let _e3597 = ((_e3587 + _e3591) + _e3596);
-                            if (_e3280 < 0f) {
-                                phi_5824_ = -(_e3280);
+                            let _e3612 = phi_5809_;
+                            let _e3613 = ((_e3603 + _e3607) + _e3612);
+                            if (_e3296 < 0f) {
+                                phi_5816_ = -(_e3296);
                             } else {
-                                phi_5824_ = _e3280;
+                                phi_5816_ = _e3296;
                             }
-                            let _e3601 = phi_5824_;
-                            if (_e3283 < 0f) {
-                                phi_5830_ = -(_e3283);
+                            let _e3617 = phi_5816_;
+                            if (_e3299 < 0f) {
+                                phi_5822_ = -(_e3299);
                             } else {
-                                phi_5830_ = _e3283;
+                                phi_5822_ = _e3299;
                             }
-                            let _e3605 = phi_5830_;
-                            if (_e3286 < 0f) {
-                                phi_5837_ = -(_e3286);
+                            let _e3621 = phi_5822_;
+                            if (_e3302 < 0f) {
+                                phi_5829_ = -(_e3302);
                             } else {
-                                phi_5837_ = _e3286;
+                                phi_5829_ = _e3302;
                             }
-                            let _e3610 = phi_5837_;
-                            let _e3611 = ((_e3601 + _e3605) + _e3610);
-                            if (_e3597 > _e3611) {
-                                phi_5843_ = _e3597;
+                            let _e3626 = phi_5829_;
+                            let _e3627 = ((_e3617 + _e3621) + _e3626);
+                            if (_e3613 > _e3627) {
+                                phi_5835_ = _e3613;
                             } else {
-                                phi_5843_ = _e3611;
+                                phi_5835_ = _e3627;
                             }
-                            let _e3614 = phi_5843_;
-                            if (_e3329 < 0f) {
-                                phi_5849_ = -(_e3329);
+                            let _e3630 = phi_5835_;
+                            if (_e3345 < 0f) {
+                                phi_5841_ = -(_e3345);
                             } else {
-                                phi_5849_ = _e3329;
+                                phi_5841_ = _e3345;
                             }
-                            let _e3618 = phi_5849_;
-                            if (_e3330 < 0f) {
-                                phi_5855_ = -(_e3330);
+                            let _e3634 = phi_5841_;
+                            if (_e3346 < 0f) {
+                                phi_5847_ = -(_e3346);
                             } else {
-                                phi_5855_ = _e3330;
+                                phi_5847_ = _e3346;
                             }
-                            let _e3622 = phi_5855_;
-                            if (_e3331 < 0f) {
-                                phi_5862_ = -(_e3331);
+                            let _e3638 = phi_5847_;
+                            if (_e3347 < 0f) {
+                                phi_5854_ = -(_e3347);
                             } else {
-                                phi_5862_ = _e3331;
+                                phi_5854_ = _e3347;
                             }
-                            let _e3627 = phi_5862_;
-                            let _e3629 = (((_e3618 + _e3622) + _e3627) * 0.5f);
-                            if (_e3614 > _e3629) {
-                                phi_5869_ = _e3614;
+                            let _e3643 = phi_5854_;
+                            let _e3645 = (((_e3634 + _e3638) + _e3643) * 0.5f);
+                            if (_e3630 > _e3645) {
+                                phi_5861_ = _e3630;
                             } else {
-                                phi_5869_ = _e3629;
+                                phi_5861_ = _e3645;
                             }
-                            let _e3632 = phi_5869_;
-                            let _e3637 = local_1.member_3;
-                            let _e3650 = ((((_e3334[0] * _e3259) + (_e3334[1] * _e3262)) + (_e3334[2] * _e3265)) * 3f);
-                            let _e3651 = ((((_e3391[0] * _e3280) + (_e3391[1] * _e3283)) + (_e3391[2] * _e3286)) * 3f);
-                            if (_e3650 < _e3651) {
-                                phi_5893_ = _e3650;
+                            let _e3648 = phi_5861_;
+                            let _e3653 = local_1.member_3;
+                            let _e3666 = ((((_e3350[0] * _e3275) + (_e3350[1] * _e3278)) + (_e3350[2] * _e3281)) * 3f);
+                            let _e3667 = ((((_e3407[0] * _e3296) + (_e3407[1] * _e3299)) + (_e3407[2] * _e3302)) * 3f);
+                            if (_e3666 < _e3667) {
+                                phi_5885_ = _e3666;
                             } else {
-                                phi_5893_ = _e3651;
+                                phi_5885_ = _e3667;
                             }
-                            let _e3654 = phi_5893_;
-                            if (_e3365 < _e3388) {
-                                phi_5898_ = _e3365;
+                            let _e3670 = phi_5885_;
+                            if (_e3381 < _e3404) {
+                                phi_5890_ = _e3381;
                             } else {
-                                phi_5898_ = _e3388;
+                                phi_5890_ = _e3404;
                             }
-                            let _e3657 = phi_5898_;
-                            if (_e3654 < _e3657) {
-                                phi_5903_ = _e3654;
+                            let _e3673 = phi_5890_;
+                            if (_e3670 < _e3673) {
+                                phi_5895_ = _e3670;
                             } else {
-                                phi_5903_ = _e3657;
+                                phi_5895_ = _e3673;
                             }
-                            let _e3660 = phi_5903_;
-                            if (_e3650 > _e3651) {
-                                phi_5908_ = _e3650;
+                            let _e3676 = phi_5895_;
+                            if (_e3666 > _e3667) {
+                                phi_5900_ = _e3666;
                             } else {
-                                phi_5908_ = _e3651;
+                                phi_5900_ = _e3667;
                             }
-                            let _e3663 = phi_5908_;
-                            if (_e3365 > _e3388) {
-                                phi_5913_ = _e3365;
+                            let _e3679 = phi_5900_;
+                            if (_e3381 > _e3404) {
+                                phi_5905_ = _e3381;
                             } else {
-                                phi_5913_ = _e3388;
+                                phi_5905_ = _e3404;
                             }
-                            let _e3666 = phi_5913_;
-                            if (_e3663 > _e3666) {
-                                phi_5918_ = _e3663;
+                            let _e3682 = phi_5905_;
+                            if (_e3679 > _e3682) {
+                                phi_5910_ = _e3679;
                             } else {
-                                phi_5918_ = _e3666;
+                                phi_5910_ = _e3682;
                             }
-                            let _e3669 = phi_5918_;
-                            let _e3674 = -(_e3669);
-                            if (_e3660 > _e3674) {
-                                phi_5928_ = _e3660;
+                            let _e3685 = phi_5910_;
+                            let _e3690 = -(_e3685);
+                            if (_e3676 > _e3690) {
+                                phi_5920_ = _e3676;
                             } else {
-                                phi_5928_ = _e3674;
+                                phi_5920_ = _e3690;
                             }
-                            let _e3677 = phi_5928_;
-                            let _e3679 = ((_e3677 - ((((((_e3453 * 8f) * _e3563) * (0.000000059604645f * (524f / 64f))) + ((_e3570 * 19f) * ((_e3453 * (_e3507 + _e3561)) + (_e3507 * _e3561)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3453) * ((1f + _e3507) * (1f + _e3561))))) + ((_e815 * (((_e3632 + (_e3563 * (0.000000059604645f * 8f))) + ((_e3637 * 6f) * (_e3507 + _e3561))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3507) * (1f + _e3561))))) * (3f * 1.0001f)))) > 0f);
-                            if _e3679 {
-                                phi_6897_ = _e3679;
+                            let _e3693 = phi_5920_;
+                            let _e3695 = ((_e3693 - ((((((_e3469 * 8f) * _e3579) * (0.000000059604645f * (524f / 64f))) + ((_e3586 * 19f) * ((_e3469 * (_e3523 + _e3577)) + (_e3523 * _e3577)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3469) * ((1f + _e3523) * (1f + _e3577))))) + ((_e815 * (((_e3648 + (_e3579 * (0.000000059604645f * 8f))) + ((_e3653 * 6f) * (_e3523 + _e3577))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3523) * (1f + _e3577))))) * (3f * 1.0001f)))) > 0f);
+                            if _e3695 {
+                                phi_6889_ = _e3695;
                             } else {
-                                let _e3682 = local_1.member_1[0u];
-                                let _e3688 = local_1.member_1[1u];
-                                let _e3692 = (_e3682[0] + _e3688[0]);
-                                let _e3693 = (_e3682[1] + _e3688[1]);
-                                let _e3694 = (_e3682[2] + _e3688[2]);
-                                let _e3697 = local_1.member_2[0u];
-                                let _e3703 = local_1.member_2[1u];
-                                let _e3707 = (_e3697[0] + _e3703[0]);
-                                let _e3708 = (_e3697[1] + _e3703[1]);
-                                let _e3709 = (_e3697[2] + _e3703[2]);
-                                let _e3712 = ((_e3693 * _e3709) - (_e3694 * _e3708));
-                                let _e3715 = ((_e3694 * _e3707) - (_e3692 * _e3709));
-                                let _e3718 = ((_e3692 * _e3708) - (_e3693 * _e3707));
-                                let _e3721 = local_1.member[0u];
-                                let _e3728 = local_1.member_1[0u];
-                                let _e3734 = local_1.member_2[0u];
-                                let _e3738 = (_e3721[0] - _e3728[0]);
-                                let _e3739 = (_e3721[1] - _e3728[1]);
-                                let _e3740 = (_e3721[2] - _e3728[2]);
+                                let _e3698 = local_1.member_1[0u];
+                                let _e3704 = local_1.member_1[1u];
+                                let _e3708 = (_e3698[0] + _e3704[0]);
+                                let _e3709 = (_e3698[1] + _e3704[1]);
+                                let _e3710 = (_e3698[2] + _e3704[2]);
+                                let _e3713 = local_1.member_2[0u];
+                                let _e3719 = local_1.member_2[1u];
+                                let _e3723 = (_e3713[0] + _e3719[0]);
+                                let _e3724 = (_e3713[1] + _e3719[1]);
+                                let _e3725 = (_e3713[2] + _e3719[2]);
+                                let _e3728 = ((_e3709 * _e3725) - (_e3710 * _e3724));
+                                let _e3731 = ((_e3710 * _e3723) - (_e3708 * _e3725));
+                                let _e3734 = ((_e3708 * _e3724) - (_e3709 * _e3723));
+                                let _e3737 = local_1.member[0u];
+                                let _e3744 = local_1.member_1[0u];
+                                let _e3750 = local_1.member_2[0u];
+                                let _e3754 = (_e3737[0] - _e3744[0]);
+                                let _e3755 = (_e3737[1] - _e3744[1]);
+                                let _e3756 = (_e3737[2] - _e3744[2]);
                                 if (_e179.member == 0u) {
-                                    phi_6044_ = array<f32, 3>(_e3721[0], _e3721[1], _e3721[2]);
+                                    phi_6036_ = array<f32, 3>(_e3737[0], _e3737[1], _e3737[2]);
                                 } else {
-                                    phi_6044_ = array<f32, 3>((_e3738 - _e3734[0]), (_e3739 - _e3734[1]), (_e3740 - _e3734[2]));
+                                    phi_6036_ = array<f32, 3>((_e3754 - _e3750[0]), (_e3755 - _e3750[1]), (_e3756 - _e3750[2]));
                                 }
-                                let _e3747 = phi_6044_;
-                                let _e3748 = (_e3721[0] - _e3734[0]);
-                                let _e3749 = (_e3721[1] - _e3734[1]);
-                                let _e3750 = (_e3721[2] - _e3734[2]);
-                                let _e3753 = local_1.member[1u];
-                                let _e3760 = local_1.member_1[1u];
-                                let _e3766 = local_1.member_2[1u];
-                                let _e3770 = (_e3753[0] - _e3760[0]);
-                                let _e3771 = (_e3753[1] - _e3760[1]);
-                                let _e3772 = (_e3753[2] - _e3760[2]);
+                                let _e3763 = phi_6036_;
+                                let _e3764 = (_e3737[0] - _e3750[0]);
+                                let _e3765 = (_e3737[1] - _e3750[1]);
+                                let _e3766 = (_e3737[2] - _e3750[2]);
+                                let _e3769 = local_1.member[1u];
+                                let _e3776 = local_1.member_1[1u];
+                                let _e3782 = local_1.member_2[1u];
+                                let _e3786 = (_e3769[0] - _e3776[0]);
+                                let _e3787 = (_e3769[1] - _e3776[1]);
+                                let _e3788 = (_e3769[2] - _e3776[2]);
                                 if (_e179.member == 0u) {
-                                    phi_6109_ = array<f32, 3>(_e3753[0], _e3753[1], _e3753[2]);
+                                    phi_6101_ = array<f32, 3>(_e3769[0], _e3769[1], _e3769[2]);
                                 } else {
-                                    phi_6109_ = array<f32, 3>((_e3770 - _e3766[0]), (_e3771 - _e3766[1]), (_e3772 - _e3766[2]));
+                                    phi_6101_ = array<f32, 3>((_e3786 - _e3782[0]), (_e3787 - _e3782[1]), (_e3788 - _e3782[2]));
                                 }
-                                let _e3779 = phi_6109_;
-                                let _e3780 = (_e3753[0] - _e3766[0]);
-                                let _e3781 = (_e3753[1] - _e3766[1]);
-                                let _e3782 = (_e3753[2] - _e3766[2]);
-                                let _e3785 = local_1.member[0u];
-                                if (_e3785[0] < 0f) {
-                                    phi_6131_ = -(_e3785[0]);
+                                let _e3795 = phi_6101_;
+                                let _e3796 = (_e3769[0] - _e3782[0]);
+                                let _e3797 = (_e3769[1] - _e3782[1]);
+                                let _e3798 = (_e3769[2] - _e3782[2]);
+                                let _e3801 = local_1.member[0u];
+                                if (_e3801[0] < 0f) {
+                                    phi_6123_ = -(_e3801[0]);
                                 } else {
-                                    phi_6131_ = _e3785[0];
+                                    phi_6123_ = _e3801[0];
                                 }
-                                let _e3792 = phi_6131_;
-                                if (_e3785[1] < 0f) {
-                                    phi_6138_ = -(_e3785[1]);
+                                let _e3808 = phi_6123_;
+                                if (_e3801[1] < 0f) {
+                                    phi_6130_ = -(_e3801[1]);
                                 } else {
-                                    phi_6138_ = _e3785[1];
+                                    phi_6130_ = _e3801[1];
                                 }
-                                let _e3796 = phi_6138_;
-                                if (_e3792 > _e3796) {
-                                    phi_6143_ = _e3792;
+                                let _e3812 = phi_6130_;
+                                if (_e3808 > _e3812) {
+                                    phi_6135_ = _e3808;
                                 } else {
-                                    phi_6143_ = _e3796;
+                                    phi_6135_ = _e3812;
                                 }
-                                let _e3799 = phi_6143_;
-                                if (_e3785[2] < 0f) {
-                                    phi_6150_ = -(_e3785[2]);
+                                let _e3815 = phi_6135_;
+                                if (_e3801[2] < 0f) {
+                                    phi_6142_ = -(_e3801[2]);
                                 } else {
-                                    phi_6150_ = _e3785[2];
+                                    phi_6142_ = _e3801[2];
                                 }
-                                let _e3803 = phi_6150_;
-                                if (_e3799 > _e3803) {
-                                    phi_6155_ = _e3799;
+                                let _e3819 = phi_6142_;
+                                if (_e3815 > _e3819) {
+                                    phi_6147_ = _e3815;
                                 } else {
-                                    phi_6155_ = _e3803;
+                                    phi_6147_ = _e3819;
                                 }
-                                let _e3806 = phi_6155_;
-                                let _e3809 = local_1.member[1u];
-                                if (_e3809[0] < 0f) {
-                                    phi_6168_ = -(_e3809[0]);
+                                let _e3822 = phi_6147_;
+                                let _e3825 = local_1.member[1u];
+                                if (_e3825[0] < 0f) {
+                                    phi_6160_ = -(_e3825[0]);
                                 } else {
-                                    phi_6168_ = _e3809[0];
+                                    phi_6160_ = _e3825[0];
                                 }
-                                let _e3816 = phi_6168_;
-                                if (_e3809[1] < 0f) {
-                                    phi_6175_ = -(_e3809[1]);
+                                let _e3832 = phi_6160_;
+                                if (_e3825[1] < 0f) {
+                                    phi_6167_ = -(_e3825[1]);
                                 } else {
-                                    phi_6175_ = _e3809[1];
+                                    phi_6167_ = _e3825[1];
                                 }
-                                let _e3820 = phi_6175_;
-                                if (_e3816 > _e3820) {
-                                    phi_6180_ = _e3816;
+                                let _e3836 = phi_6167_;
+                                if (_e3832 > _e3836) {
+                                    phi_6172_ = _e3832;
                                 } else {
-                                    phi_6180_ = _e3820;
+                                    phi_6172_ = _e3836;
                                 }
-                                let _e3823 = phi_6180_;
-                                if (_e3809[2] < 0f) {
-                                    phi_6187_ = -(_e3809[2]);
+                                let _e3839 = phi_6172_;
+                                if (_e3825[2] < 0f) {
+                                    phi_6179_ = -(_e3825[2]);
                                 } else {
-                                    phi_6187_ = _e3809[2];
+                                    phi_6179_ = _e3825[2];
                                 }
-                                let _e3827 = phi_6187_;
-                                if (_e3823 > _e3827) {
-                                    phi_6192_ = _e3823;
+                                let _e3843 = phi_6179_;
+                                if (_e3839 > _e3843) {
+                                    phi_6184_ = _e3839;
                                 } else {
-                                    phi_6192_ = _e3827;
+                                    phi_6184_ = _e3843;
                                 }
-                                let _e3830 = phi_6192_;
-                                if (_e3806 > _e3830) {
-                                    phi_6197_ = _e3806;
+                                let _e3846 = phi_6184_;
+                                if (_e3822 > _e3846) {
+                                    phi_6189_ = _e3822;
                                 } else {
-                                    phi_6197_ = _e3830;
+                                    phi_6189_ = _e3846;
                                 }
-                                let _e3833 = phi_6197_;
-                                let _e3835 = local_1.member_3;
-                                let _e3839 = local_1.member_1[0u];
-                                if (_e3839[0] < 0f) {
-                                    phi_6214_ = -(_e3839[0]);
+                                let _e3849 = phi_6189_;
+                                let _e3851 = local_1.member_3;
+                                let _e3855 = local_1.member_1[0u];
+                                if (_e3855[0] < 0f) {
+                                    phi_6206_ = -(_e3855[0]);
                                 } else {
-                                    phi_6214_ = _e3839[0];
+                                    phi_6206_ = _e3855[0];
                                 }
-                                let _e3846 = phi_6214_;
-                                if (_e3839[1] < 0f) {
-                                    phi_6221_ = -(_e3839[1]);
+                                let _e3862 = phi_6206_;
+                                if (_e3855[1] < 0f) {
+                                    phi_6213_ = -(_e3855[1]);
                                 } else {
-                                    phi_6221_ = _e3839[1];
+                                    phi_6213_ = _e3855[1];
                                 }
-                                let _e3850 = phi_6221_;
-                                if (_e3846 > _e3850) {
-                                    phi_6226_ = _e3846;
+                                let _e3866 = phi_6213_;
+                                if (_e3862 > _e3866) {
+                                    phi_6218_ = _e3862;
                                 } else {
-                                    phi_6226_ = _e3850;
+                                    phi_6218_ = _e3866;
                                 }
-                                let _e3853 = phi_6226_;
-                                if (_e3839[2] < 0f) {
-                                    phi_6233_ = -(_e3839[2]);
+                                let _e3869 = phi_6218_;
+                                if (_e3855[2] < 0f) {
+                                    phi_6225_ = -(_e3855[2]);
                                 } else {
-                                    phi_6233_ = _e3839[2];
+                                    phi_6225_ = _e3855[2];
                                 }
-                                let _e3857 = phi_6233_;
-                                if (_e3853 > _e3857) {
-                                    phi_6238_ = _e3853;
+                                let _e3873 = phi_6225_;
+                                if (_e3869 > _e3873) {
+                                    phi_6230_ = _e3869;
                                 } else {
-                                    phi_6238_ = _e3857;
+                                    phi_6230_ = _e3873;
                                 }
-                                let _e3860 = phi_6238_;
-                                let _e3863 = local_1.member_1[1u];
-                                if (_e3863[0] < 0f) {
-                                    phi_6252_ = -(_e3863[0]);
+                                let _e3876 = phi_6230_;
+                                let _e3879 = local_1.member_1[1u];
+                                if (_e3879[0] < 0f) {
+                                    phi_6244_ = -(_e3879[0]);
                                 } else {
-                                    phi_6252_ = _e3863[0];
+                                    phi_6244_ = _e3879[0];
                                 }
-                                let _e3870 = phi_6252_;
-                                if (_e3863[1] < 0f) {
-                                    phi_6259_ = -(_e3863[1]);
+                                let _e3886 = phi_6244_;
+                                if (_e3879[1] < 0f) {
+                                    phi_6251_ = -(_e3879[1]);
                                 } else {
-                                    phi_6259_ = _e3863[1];
+                                    phi_6251_ = _e3879[1];
                                 }
-                                let _e3874 = phi_6259_;
-                                if (_e3870 > _e3874) {
-                                    phi_6264_ = _e3870;
+                                let _e3890 = phi_6251_;
+                                if (_e3886 > _e3890) {
+                                    phi_6256_ = _e3886;
                                 } else {
-                                    phi_6264_ = _e3874;
+                                    phi_6256_ = _e3890;
                                 }
-                                let _e3877 = phi_6264_;
-                                if (_e3863[2] < 0f) {
-                                    phi_6271_ = -(_e3863[2]);
+                                let _e3893 = phi_6256_;
+                                if (_e3879[2] < 0f) {
+                                    phi_6263_ = -(_e3879[2]);
                                 } else {
-                                    phi_6271_ = _e3863[2];
+                                    phi_6263_ = _e3879[2];
                                 }
-                                let _e3881 = phi_6271_;
-                                if (_e3877 > _e3881) {
-                                    phi_6276_ = _e3877;
+                                let _e3897 = phi_6263_;
+                                if (_e3893 > _e3897) {
+                                    phi_6268_ = _e3893;
                                 } else {
-                                    phi_6276_ = _e3881;
+                                    phi_6268_ = _e3897;
                                 }
-                                let _e3884 = phi_6276_;
-                                if (_e3860 > _e3884) {
-                                    phi_6281_ = _e3860;
+                                let _e3900 = phi_6268_;
+                                if (_e3876 > _e3900) {
+                                    phi_6273_ = _e3876;
                                 } else {
-                                    phi_6281_ = _e3884;
+                                    phi_6273_ = _e3900;
                                 }
-                                let _e3887 = phi_6281_;
-                                let _e3889 = local_1.member_3;
-                                let _e3893 = local_1.member_2[0u];
-                                if (_e3893[0] < 0f) {
-                                    phi_6298_ = -(_e3893[0]);
+                                let _e3903 = phi_6273_;
+                                let _e3905 = local_1.member_3;
+                                let _e3909 = local_1.member_2[0u];
+                                if (_e3909[0] < 0f) {
+                                    phi_6290_ = -(_e3909[0]);
                                 } else {
-                                    phi_6298_ = _e3893[0];
+                                    phi_6290_ = _e3909[0];
                                 }
-                                let _e3900 = phi_6298_;
-                                if (_e3893[1] < 0f) {
-                                    phi_6305_ = -(_e3893[1]);
+                                let _e3916 = phi_6290_;
+                                if (_e3909[1] < 0f) {
+                                    phi_6297_ = -(_e3909[1]);
                                 } else {
-                                    phi_6305_ = _e3893[1];
+                                    phi_6297_ = _e3909[1];
                                 }
-                                let _e3904 = phi_6305_;
-                                if (_e3900 > _e3904) {
-                                    phi_6310_ = _e3900;
+                                let _e3920 = phi_6297_;
+                                if (_e3916 > _e3920) {
+                                    phi_6302_ = _e3916;
                                 } else {
-                                    phi_6310_ = _e3904;
+                                    phi_6302_ = _e3920;
                                 }
-                                let _e3907 = phi_6310_;
-                                if (_e3893[2] < 0f) {
-                                    phi_6317_ = -(_e3893[2]);
+                                let _e3923 = phi_6302_;
+                                if (_e3909[2] < 0f) {
+                                    phi_6309_ = -(_e3909[2]);
                                 } else {
-                                    phi_6317_ = _e3893[2];
+                                    phi_6309_ = _e3909[2];
                                 }
-                                let _e3911 = phi_6317_;
-                                if (_e3907 > _e3911) {
-                                    phi_6322_ = _e3907;
+                                let _e3927 = phi_6309_;
+                                if (_e3923 > _e3927) {
+                                    phi_6314_ = _e3923;
                                 } else {
-                                    phi_6322_ = _e3911;
+                                    phi_6314_ = _e3927;
                                 }
-                                let _e3914 = phi_6322_;
-                                let _e3917 = local_1.member_2[1u];
-                                if (_e3917[0] < 0f) {
-                                    phi_6336_ = -(_e3917[0]);
+                                let _e3930 = phi_6314_;
+                                let _e3933 = local_1.member_2[1u];
+                                if (_e3933[0] < 0f) {
+                                    phi_6328_ = -(_e3933[0]);
                                 } else {
-                                    phi_6336_ = _e3917[0];
+                                    phi_6328_ = _e3933[0];
                                 }
-                                let _e3924 = phi_6336_;
-                                if (_e3917[1] < 0f) {
-                                    phi_6343_ = -(_e3917[1]);
+                                let _e3940 = phi_6328_;
+                                if (_e3933[1] < 0f) {
+                                    phi_6335_ = -(_e3933[1]);
                                 } else {
-                                    phi_6343_ = _e3917[1];
+                                    phi_6335_ = _e3933[1];
                                 }
-                                let _e3928 = phi_6343_;
-                                if (_e3924 > _e3928) {
-                                    phi_6348_ = _e3924;
+                                let _e3944 = phi_6335_;
+                                if (_e3940 > _e3944) {
+                                    phi_6340_ = _e3940;
                                 } else {
-                                    phi_6348_ = _e3928;
+                                    phi_6340_ = _e3944;
                                 }
-                                let _e3931 = phi_6348_;
-                                if (_e3917[2] < 0f) {
-                                    phi_6355_ = -(_e3917[2]);
+                                let _e3947 = phi_6340_;
+                                if (_e3933[2] < 0f) {
+                                    phi_6347_ = -(_e3933[2]);
                                 } else {
-                                    phi_6355_ = _e3917[2];
+                                    phi_6347_ = _e3933[2];
                                 }
-                                let _e3935 = phi_6355_;
-                                if (_e3931 > _e3935) {
-                                    phi_6360_ = _e3931;
+                                let _e3951 = phi_6347_;
+                                if (_e3947 > _e3951) {
+                                    phi_6352_ = _e3947;
                                 } else {
-                                    phi_6360_ = _e3935;
+                                    phi_6352_ = _e3951;
                                 }
-                                let _e3938 = phi_6360_;
-                                if (_e3914 > _e3938) {
-                                    phi_6365_ = _e3914;
+                                let _e3954 = phi_6352_;
+                                if (_e3930 > _e3954) {
+                                    phi_6357_ = _e3930;
                                 } else {
-                                    phi_6365_ = _e3938;
+                                    phi_6357_ = _e3954;
                                 }
-                                let _e3941 = phi_6365_;
-                                let _e3943 = local_1.member_3;
-                                let _e3947 = ((((_e3833 + _e3835) + (_e3887 + _e3889)) + (_e3941 + _e3943)) * 2f);
-                                let _e3950 = local_1.member_3;
-                                let _e3954 = (((_e815 * 1.0001f) + (_e3950 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e3957 = ((_e3715 * _e3694) - (_e3718 * _e3693));
-                                let _e3960 = ((_e3718 * _e3692) - (_e3712 * _e3694));
-                                let _e3963 = ((_e3712 * _e3693) - (_e3715 * _e3692));
-                                let _e3968 = (((_e3957 * _e3721[0]) + (_e3960 * _e3721[1])) + (_e3963 * _e3721[2]));
-                                let _e3973 = (((_e3957 * _e3738) + (_e3960 * _e3739)) + (_e3963 * _e3740));
-                                let _e3978 = (((_e3957 * _e3748) + (_e3960 * _e3749)) + (_e3963 * _e3750));
-                                let _e3986 = (((_e3957 * _e3747[0]) + (_e3960 * _e3747[1])) + (_e3963 * _e3747[2]));
-                                let _e3991 = (((_e3957 * _e3753[0]) + (_e3960 * _e3753[1])) + (_e3963 * _e3753[2]));
-                                let _e3996 = (((_e3957 * _e3770) + (_e3960 * _e3771)) + (_e3963 * _e3772));
-                                let _e4001 = (((_e3957 * _e3780) + (_e3960 * _e3781)) + (_e3963 * _e3782));
-                                let _e4009 = (((_e3957 * _e3779[0]) + (_e3960 * _e3779[1])) + (_e3963 * _e3779[2]));
-                                if (_e3968 < _e3973) {
-                                    phi_6444_ = _e3968;
+                                let _e3957 = phi_6357_;
+                                let _e3959 = local_1.member_3;
+                                let _e3963 = ((((_e3849 + _e3851) + (_e3903 + _e3905)) + (_e3957 + _e3959)) * 2f);
+                                let _e3966 = local_1.member_3;
+                                let _e3970 = (((_e815 * 1.0001f) + (_e3966 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e3973 = ((_e3731 * _e3710) - (_e3734 * _e3709));
+                                let _e3976 = ((_e3734 * _e3708) - (_e3728 * _e3710));
+                                let _e3979 = ((_e3728 * _e3709) - (_e3731 * _e3708));
+                                let _e3984 = (((_e3973 * _e3737[0]) + (_e3976 * _e3737[1])) + (_e3979 * _e3737[2]));
+                                let _e3989 = (((_e3973 * _e3754) + (_e3976 * _e3755)) + (_e3979 * _e3756));
+                                let _e3994 = (((_e3973 * _e3764) + (_e3976 * _e3765)) + (_e3979 * _e3766));
+                                let _e4002 = (((_e3973 * _e3763[0]) + (_e3976 * _e3763[1])) + (_e3979 * _e3763[2]));
+                                let _e4007 = (((_e3973 * _e3769[0]) + (_e3976 * _e3769[1])) + (_e3979 * _e3769[2]));
+                                let _e4012 = (((_e3973 * _e3786) + (_e3976 * _e3787)) + (_e3979 * _e3788));
+                                let _e4017 = (((_e3973 * _e3796) + (_e3976 * _e3797)) + (_e3979 * _e3798));
+                                let _e4025 = (((_e3973 * _e3795[0]) + (_e3976 * _e3795[1])) + (_e3979 * _e3795[2]));
+                                if (_e3984 < _e3989) {
+                                    phi_6436_ = _e3984;
                                 } else {
-                                    phi_6444_ = _e3973;
+                                    phi_6436_ = _e3989;
                                 }
-                                let _e4012 = phi_6444_;
-                                if (_e3978 < _e3986) {
-                                    phi_6449_ = _e3978;
+                                let _e4028 = phi_6436_;
+                                if (_e3994 < _e4002) {
+                                    phi_6441_ = _e3994;
                                 } else {
-                                    phi_6449_ = _e3986;
+                                    phi_6441_ = _e4002;
                                 }
-                                let _e4015 = phi_6449_;
-                                if (_e4012 < _e4015) {
-                                    phi_6454_ = _e4012;
+                                let _e4031 = phi_6441_;
+                                if (_e4028 < _e4031) {
+                                    phi_6446_ = _e4028;
                                 } else {
-                                    phi_6454_ = _e4015;
+                                    phi_6446_ = _e4031;
                                 }
-                                let _e4018 = phi_6454_;
-                                if (_e3991 < _e3996) {
-                                    phi_6459_ = _e3991;
+                                let _e4034 = phi_6446_;
+                                if (_e4007 < _e4012) {
+                                    phi_6451_ = _e4007;
                                 } else {
-                                    phi_6459_ = _e3996;
+                                    phi_6451_ = _e4012;
                                 }
-                                let _e4021 = phi_6459_;
-                                if (_e4001 < _e4009) {
-                                    phi_6464_ = _e4001;
+                                let _e4037 = phi_6451_;
+                                if (_e4017 < _e4025) {
+                                    phi_6456_ = _e4017;
                                 } else {
-                                    phi_6464_ = _e4009;
+                                    phi_6456_ = _e4025;
                                 }
-                                let _e4024 = phi_6464_;
-                                if (_e4021 < _e4024) {
-                                    phi_6469_ = _e4021;
+                                let _e4040 = phi_6456_;
+                                if (_e4037 < _e4040) {
+                                    phi_6461_ = _e4037;
                                 } else {
-                                    phi_6469_ = _e4024;
+                                    phi_6461_ = _e4040;
                                 }
-                                let _e4027 = phi_6469_;
-                                if (_e4018 < _e4027) {
-                                    phi_6474_ = _e4018;
+                                let _e4043 = phi_6461_;
+                                if (_e4034 < _e4043) {
+                                    phi_6466_ = _e4034;
                                 } else {
-                                    phi_6474_ = _e4027;
+                                    phi_6466_ = _e4043;
                                 }
-                                let _e4030 = phi_6474_;
-                                if (_e3968 > _e3973) {
-                                    phi_6479_ = _e3968;
+                                let _e4046 = phi_6466_;
+                                if (_e3984 > _e3989) {
+                                    phi_6471_ = _e3984;
                                 } else {
-                                    phi_6479_ = _e3973;
+                                    phi_6471_ = _e3989;
                                 }
-                                let _e4033 = phi_6479_;
-                                if (_e3978 > _e3986) {
-                                    phi_6484_ = _e3978;
+                                let _e4049 = phi_6471_;
+                                if (_e3994 > _e4002) {
+                                    phi_6476_ = _e3994;
                                 } else {
-                                    phi_6484_ = _e3986;
+                                    phi_6476_ = _e4002;
                                 }
-                                let _e4036 = phi_6484_;
-                                if (_e4033 > _e4036) {
-                                    phi_6489_ = _e4033;
+                                let _e4052 = phi_6476_;
+                                if (_e4049 > _e4052) {
+                                    phi_6481_ = _e4049;
                                 } else {
-                                    phi_6489_ = _e4036;
+                                    phi_6481_ = _e4052;
                                 }
-                                let _e4039 = phi_6489_;
-                                if (_e3991 > _e3996) {
-                                    phi_6494_ = _e3991;
+                                let _e4055 = phi_6481_;
+                                if (_e4007 > _e4012) {
+                                    phi_6486_ = _e4007;
                                 } else {
-                                    phi_6494_ = _e3996;
+                                    phi_6486_ = _e4012;
                                 }
-                                let _e4042 = phi_6494_;
-                                if (_e4001 > _e4009) {
-                                    phi_6499_ = _e4001;
+                                let _e4058 = phi_6486_;
+                                if (_e4017 > _e4025) {
+                                    phi_6491_ = _e4017;
                                 } else {
-                                    phi_6499_ = _e4009;
+                                    phi_6491_ = _e4025;
                                 }
-                                let _e4045 = phi_6499_;
-                                if (_e4042 > _e4045) {
-                                    phi_6504_ = _e4042;
+                                let _e4061 = phi_6491_;
+                                if (_e4058 > _e4061) {
+                                    phi_6496_ = _e4058;
                                 } else {
-                                    phi_6504_ = _e4045;
+                                    phi_6496_ = _e4061;
                                 }
-                                let _e4048 = phi_6504_;
-                                if (_e4039 > _e4048) {
-                                    phi_6509_ = _e4039;
+                                let _e4064 = phi_6496_;
+                                if (_e4055 > _e4064) {
+                                    phi_6501_ = _e4055;
                                 } else {
-                                    phi_6509_ = _e4048;
+                                    phi_6501_ = _e4064;
                                 }
-                                let _e4051 = phi_6509_;
-                                if (_e3957 < 0f) {
-                                    phi_6515_ = -(_e3957);
+                                let _e4067 = phi_6501_;
+                                if (_e3973 < 0f) {
+                                    phi_6507_ = -(_e3973);
                                 } else {
-                                    phi_6515_ = _e3957;
+                                    phi_6507_ = _e3973;
                                 }
-                                let _e4055 = phi_6515_;
-                                if (_e3960 < 0f) {
-                                    phi_6521_ = -(_e3960);
+                                let _e4071 = phi_6507_;
+                                if (_e3976 < 0f) {
+                                    phi_6513_ = -(_e3976);
                                 } else {
-                                    phi_6521_ = _e3960;
+                                    phi_6513_ = _e3976;
                                 }
-                                let _e4059 = phi_6521_;
-                                if (_e3963 < 0f) {
-                                    phi_6528_ = -(_e3963);
+                                let _e4075 = phi_6513_;
+                                if (_e3979 < 0f) {
+                                    phi_6520_ = -(_e3979);
                                 } else {
-                                    phi_6528_ = _e3963;
+                                    phi_6520_ = _e3979;
                                 }
-                                let _e4064 = phi_6528_;
-                                let _e4065 = ((_e4055 + _e4059) + _e4064);
-                                let _e4070 = -(_e4051);
-                                if (_e4030 > _e4070) {
-                                    phi_6539_ = _e4030;
+                                let _e4080 = phi_6520_;
+                                let _e4081 = ((_e4071 + _e4075) + _e4080);
+                                let _e4086 = -(_e4067);
+                                if (_e4046 > _e4086) {
+                                    phi_6531_ = _e4046;
                                 } else {
-                                    phi_6539_ = _e4070;
+                                    phi_6531_ = _e4086;
                                 }
-                                let _e4073 = phi_6539_;
-                                let _e4078 = (((_e4073 - ((_e4065 * _e3947) * (0.000000059604645f * (17f / 2f)))) - (_e4065 * _e3954)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e4081 = ((_e3715 * _e3709) - (_e3718 * _e3708));
-                                let _e4084 = ((_e3718 * _e3707) - (_e3712 * _e3709));
-                                let _e4087 = ((_e3712 * _e3708) - (_e3715 * _e3707));
-                                let _e4092 = (((_e4081 * _e3721[0]) + (_e4084 * _e3721[1])) + (_e4087 * _e3721[2]));
-                                let _e4097 = (((_e4081 * _e3738) + (_e4084 * _e3739)) + (_e4087 * _e3740));
-                                let _e4102 = (((_e4081 * _e3748) + (_e4084 * _e3749)) + (_e4087 * _e3750));
-                                let _e4110 = (((_e4081 * _e3747[0]) + (_e4084 * _e3747[1])) + (_e4087 * _e3747[2]));
-                                let _e4115 = (((_e4081 * _e3753[0]) + (_e4084 * _e3753[1])) + (_e4087 * _e3753[2]));
-                                let _e4120 = (((_e4081 * _e3770) + (_e4084 * _e3771)) + (_e4087 * _e3772));
-                                let _e4125 = (((_e4081 * _e3780) + (_e4084 * _e3781)) + (_e4087 * _e3782));
-                                let _e4133 = (((_e4081 * _e3779[0]) + (_e4084 * _e3779[1])) + (_e4087 * _e3779[2]));
-                                if (_e4092 < _e4097) {
-                                    phi_6610_ = _e4092;
+                                let _e4089 = phi_6531_;
+                                let _e4094 = (((_e4089 - ((_e4081 * _e3963) * (0.000000059604645f * (17f / 2f)))) - (_e4081 * _e3970)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e4097 = ((_e3731 * _e3725) - (_e3734 * _e3724));
+                                let _e4100 = ((_e3734 * _e3723) - (_e3728 * _e3725));
+                                let _e4103 = ((_e3728 * _e3724) - (_e3731 * _e3723));
+                                let _e4108 = (((_e4097 * _e3737[0]) + (_e4100 * _e3737[1])) + (_e4103 * _e3737[2]));
+                                let _e4113 = (((_e4097 * _e3754) + (_e4100 * _e3755)) + (_e4103 * _e3756));
+                                let _e4118 = (((_e4097 * _e3764) + (_e4100 * _e3765)) + (_e4103 * _e3766));
+                                let _e4126 = (((_e4097 * _e3763[0]) + (_e4100 * _e3763[1])) + (_e4103 * _e3763[2]));
+                                let _e4131 = (((_e4097 * _e3769[0]) + (_e4100 * _e3769[1])) + (_e4103 * _e3769[2]));
+                                let _e4136 = (((_e4097 * _e3786) + (_e4100 * _e3787)) + (_e4103 * _e3788));
+                                let _e4141 = (((_e4097 * _e3796) + (_e4100 * _e3797)) + (_e4103 * _e3798));
+                                let _e4149 = (((_e4097 * _e3795[0]) + (_e4100 * _e3795[1])) + (_e4103 * _e3795[2]));
+                                if (_e4108 < _e4113) {
+                                    phi_6602_ = _e4108;
                                 } else {
-                                    phi_6610_ = _e4097;
+                                    phi_6602_ = _e4113;
                                 }
-                                let _e4136 = phi_6610_;
-                                if (_e4102 < _e4110) {
-                                    phi_6615_ = _e4102;
+                                let _e4152 = phi_6602_;
+                                if (_e4118 < _e4126) {
+                                    phi_6607_ = _e4118;
                                 } else {
-                                    phi_6615_ = _e4110;
+                                    phi_6607_ = _e4126;
                                 }
-                                let _e4139 = phi_6615_;
-                                if (_e4136 < _e4139) {
-                                    phi_6620_ = _e4136;
+                                let _e4155 = phi_6607_;
+                                if (_e4152 < _e4155) {
+                                    phi_6612_ = _e4152;
                                 } else {
-                                    phi_6620_ = _e4139;
+                                    phi_6612_ = _e4155;
                                 }
-                                let _e4142 = phi_6620_;
-                                if (_e4115 < _e4120) {
-                                    phi_6625_ = _e4115;
+                                let _e4158 = phi_6612_;
+                                if (_e4131 < _e4136) {
+                                    phi_6617_ = _e4131;
                                 } else {
-                                    phi_6625_ = _e4120;
+                                    phi_6617_ = _e4136;
                                 }
-                                let _e4145 = phi_6625_;
-                                if (_e4125 < _e4133) {
-                                    phi_6630_ = _e4125;
+                                let _e4161 = phi_6617_;
+                                if (_e4141 < _e4149) {
+                                    phi_6622_ = _e4141;
                                 } else {
-                                    phi_6630_ = _e4133;
+                                    phi_6622_ = _e4149;
                                 }
-                                let _e4148 = phi_6630_;
-                                if (_e4145 < _e4148) {
-                                    phi_6635_ = _e4145;
+                                let _e4164 = phi_6622_;
+                                if (_e4161 < _e4164) {
+                                    phi_6627_ = _e4161;
                                 } else {
-                                    phi_6635_ = _e4148;
+                                    phi_6627_ = _e4164;
                                 }
-                                let _e4151 = phi_6635_;
-                                if (_e4142 < _e4151) {
-                                    phi_6640_ = _e4142;
+                                let _e4167 = phi_6627_;
+                                if (_e4158 < _e4167) {
+                                    phi_6632_ = _e4158;
                                 } else {
-                                    phi_6640_ = _e4151;
+                                    phi_6632_ = _e4167;
                                 }
-                                let _e4154 = phi_6640_;
-                                if (_e4092 > _e4097) {
-                                    phi_6645_ = _e4092;
+                                let _e4170 = phi_6632_;
+                                if (_e4108 > _e4113) {
+                                    phi_6637_ = _e4108;
                                 } else {
-                                    phi_6645_ = _e4097;
+                                    phi_6637_ = _e4113;
                                 }
-                                let _e4157 = phi_6645_;
-                                if (_e4102 > _e4110) {
-                                    phi_6650_ = _e4102;
+                                let _e4173 = phi_6637_;
+                                if (_e4118 > _e4126) {
+                                    phi_6642_ = _e4118;
                                 } else {
-                                    phi_6650_ = _e4110;
+                                    phi_6642_ = _e4126;
                                 }
-                                let _e4160 = phi_6650_;
-                                if (_e4157 > _e4160) {
-                                    phi_6655_ = _e4157;
+                                let _e4176 = phi_6642_;
+                                if (_e4173 > _e4176) {
+                                    phi_6647_ = _e4173;
                                 } else {
-                                    phi_6655_ = _e4160;
+                                    phi_6647_ = _e4176;
                                 }
-                                let _e4163 = phi_6655_;
-                                if (_e4115 > _e4120) {
-                                    phi_6660_ = _e4115;
+                                let _e4179 = phi_6647_;
+                                if (_e4131 > _e4136) {
+                                    phi_6652_ = _e4131;
                                 } else {
-                                    phi_6660_ = _e4120;
+                                    phi_6652_ = _e4136;
                                 }
-                                let _e4166 = phi_6660_;
-                                if (_e4125 > _e4133) {
-                                    phi_6665_ = _e4125;
+                                let _e4182 = phi_6652_;
+                                if (_e4141 > _e4149) {
+                                    phi_6657_ = _e4141;
                                 } else {
-                                    phi_6665_ = _e4133;
+                                    phi_6657_ = _e4149;
                                 }
-                                let _e4169 = phi_6665_;
-                                if (_e4166 > _e4169) {
-                                    phi_6670_ = _e4166;
+                                let _e4185 = phi_6657_;
+                                if (_e4182 > _e4185) {
+                                    phi_6662_ = _e4182;
                                 } else {
-                                    phi_6670_ = _e4169;
+                                    phi_6662_ = _e4185;
                                 }
-                                let _e4172 = phi_6670_;
-                                if (_e4163 > _e4172) {
-                                    phi_6675_ = _e4163;
+                                let _e4188 = phi_6662_;
+                                if (_e4179 > _e4188) {
+                                    phi_6667_ = _e4179;
                                 } else {
-                                    phi_6675_ = _e4172;
+                                    phi_6667_ = _e4188;
                                 }
-                                let _e4175 = phi_6675_;
-                                if (_e4081 < 0f) {
-                                    phi_6681_ = -(_e4081);
+                                let _e4191 = phi_6667_;
+                                if (_e4097 < 0f) {
+                                    phi_6673_ = -(_e4097);
                                 } else {
-                                    phi_6681_ = _e4081;
+                                    phi_6673_ = _e4097;
                                 }
-                                let _e4179 = phi_6681_;
-                                if (_e4084 < 0f) {
-                                    phi_6687_ = -(_e4084);
+                                let _e4195 = phi_6673_;
+                                if (_e4100 < 0f) {
+                                    phi_6679_ = -(_e4100);
                                 } else {
-                                    phi_6687_ = _e4084;
+                                    phi_6679_ = _e4100;
                                 }
-                                let _e4183 = phi_6687_;
-                                if (_e4087 < 0f) {
-                                    phi_6694_ = -(_e4087);
+                                let _e4199 = phi_6679_;
+                                if (_e4103 < 0f) {
+                                    phi_6686_ = -(_e4103);
                                 } else {
-                                    phi_6694_ = _e4087;
+                                    phi_6686_ = _e4103;
                                 }
-                                let _e4188 = phi_6694_;
-                                let _e4189 = ((_e4179 + _e4183) + _e4188);
-                                let _e4194 = -(_e4175);
-                                if (_e4154 > _e4194) {
-                                    phi_6705_ = _e4154;
+                                let _e4204 = phi_6686_;
+                                let _e4205 = ((_e4195 + _e4199) + _e4204);
+                                let _e4210 = -(_e4191);
+                                if (_e4170 > _e4210) {
+                                    phi_6697_ = _e4170;
                                 } else {
-                                    phi_6705_ = _e4194;
+                                    phi_6697_ = _e4210;
                                 }
-                                let _e4197 = phi_6705_;
-                                let _e4202 = (((_e4197 - ((_e4189 * _e3947) * (0.000000059604645f * (17f / 2f)))) - (_e4189 * _e3954)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e4078 > _e4202) {
-                                    phi_6715_ = _e4078;
+                                let _e4213 = phi_6697_;
+                                let _e4218 = (((_e4213 - ((_e4205 * _e3963) * (0.000000059604645f * (17f / 2f)))) - (_e4205 * _e3970)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e4094 > _e4218) {
+                                    phi_6707_ = _e4094;
                                 } else {
-                                    phi_6715_ = _e4202;
+                                    phi_6707_ = _e4218;
                                 }
-                                let _e4205 = phi_6715_;
+                                let _e4221 = phi_6707_;
                                 if (_e179.member == 0u) {
-                                    let _e4207 = (_e3707 - _e3692);
-                                    let _e4208 = (_e3708 - _e3693);
-                                    let _e4209 = (_e3709 - _e3694);
-                                    let _e4212 = ((_e3715 * _e4209) - (_e3718 * _e4208));
-                                    let _e4215 = ((_e3718 * _e4207) - (_e3712 * _e4209));
-                                    let _e4218 = ((_e3712 * _e4208) - (_e3715 * _e4207));
-                                    let _e4223 = (((_e4212 * _e3721[0]) + (_e4215 * _e3721[1])) + (_e4218 * _e3721[2]));
-                                    let _e4228 = (((_e4212 * _e3738) + (_e4215 * _e3739)) + (_e4218 * _e3740));
-                                    let _e4233 = (((_e4212 * _e3748) + (_e4215 * _e3749)) + (_e4218 * _e3750));
-                                    let _e4241 = (((_e4212 * _e3747[0]) + (_e4215 * _e3747[1])) + (_e4218 * _e3747[2]));
-                                    let _e4246 = (((_e4212 * _e3753[0]) + (_e4215 * _e3753[1])) + (_e4218 * _e3753[2]));
-                                    let _e4251 = (((_e4212 * _e3770) + (_e4215 * _e3771)) + (_e4218 * _e3772));
-                                    let _e4256 = (((_e4212 * _e3780) + (_e4215 * _e3781)) + (_e4218 * _e3782));
-                                    let _e4264 = (((_e4212 * _e3779[0]) + (_e4215 * _e3779[1])) + (_e4218 * _e3779[2]));
-                                    if (_e4223 < _e4228) {
-                                        phi_6788_ = _e4223;
+                                    let _e4223 = (_e3723 - _e3708);
+                                    let _e4224 = (_e3724 - _e3709);
+                                    let _e4225 = (_e3725 - _e3710);
+                                    let _e4228 = ((_e3731 * _e4225) - (_e3734 * _e4224));
+                                    let _e4231 = ((_e3734 * _e4223) - (_e3728 * _e4225));
+                                    let _e4234 = ((_e3728 * _e4224) - (_e3731 * _e4223));
+                                    let _e4239 = (((_e4228 * _e3737[0]) + (_e4231 * _e3737[1])) + (_e4234 * _e3737[2]));
+                                    let _e4244 = (((_e4228 * _e3754) + (_e4231 * _e3755)) + (_e4234 * _e3756));
+                                    let _e4249 = (((_e4228 * _e3764) + (_e4231 * _e3765)) + (_e4234 * _e3766));
+                                    let _e4257 = (((_e4228 * _e3763[0]) + (_e4231 * _e3763[1])) + (_e4234 * _e3763[2]));
+                                    let _e4262 = (((_e4228 * _e3769[0]) + (_e4231 * _e3769[1])) + (_e4234 * _e3769[2]));
+                                    let _e4267 = (((_e4228 * _e3786) + (_e4231 * _e3787)) + (_e4234 * _e3788));
+                                    let _e4272 = (((_e4228 * _e3796) + (_e4231 * _e3797)) + (_e4234 * _e3798));
+                                    let _e4280 = (((_e4228 * _e3795[0]) + (_e4231 * _e3795[1])) + (_e4234 * _e3795[2]));
+                                    if (_e4239 < _e4244) {
+                                        phi_6780_ = _e4239;
                                     } else {
-                                        phi_6788_ = _e4228;
+                                        phi_6780_ = _e4244;
                                     }
-                                    let _e4267 = phi_6788_;
-                                    if (_e4233 < _e4241) {
-                                        phi_6793_ = _e4233;
+                                    let _e4283 = phi_6780_;
+                                    if (_e4249 < _e4257) {
+                                        phi_6785_ = _e4249;
                                     } else {
-                                        phi_6793_ = _e4241;
+                                        phi_6785_ = _e4257;
                                     }
-                                    let _e4270 = phi_6793_;
-                                    if (_e4267 < _e4270) {
-                                        phi_6798_ = _e4267;
+                                    let _e4286 = phi_6785_;
+                                    if (_e4283 < _e4286) {
+                                        phi_6790_ = _e4283;
                                     } else {
-                                        phi_6798_ = _e4270;
+                                        phi_6790_ = _e4286;
                                     }
-                                    let _e4273 = phi_6798_;
-                                    if (_e4246 < _e4251) {
-                                        phi_6803_ = _e4246;
+                                    let _e4289 = phi_6790_;
+                                    if (_e4262 < _e4267) {
+                                        phi_6795_ = _e4262;
                                     } else {
-                                        phi_6803_ = _e4251;
+                                        phi_6795_ = _e4267;
                                     }
-                                    let _e4276 = phi_6803_;
-                                    if (_e4256 < _e4264) {
-                                        phi_6808_ = _e4256;
+                                    let _e4292 = phi_6795_;
+                                    if (_e4272 < _e4280) {
+                                        phi_6800_ = _e4272;
                                     } else {
-                                        phi_6808_ = _e4264;
+                                        phi_6800_ = _e4280;
                                     }
-                                    let _e4279 = phi_6808_;
-                                    if (_e4276 < _e4279) {
-                                        phi_6813_ = _e4276;
+                                    let _e4295 = phi_6800_;
+                                    if (_e4292 < _e4295) {
+                                        phi_6805_ = _e4292;
                                     } else {
-                                        phi_6813_ = _e4279;
+                                        phi_6805_ = _e4295;
                                     }
-                                    let _e4282 = phi_6813_;
-                                    if (_e4273 < _e4282) {
-                                        phi_6818_ = _e4273;
+                                    let _e4298 = phi_6805_;
+                                    if (_e4289 < _e4298) {
+                                        phi_6810_ = _e4289;
                                     } else {
-                                        phi_6818_ = _e4282;
+                                        phi_6810_ = _e4298;
                                     }
-                                    let _e4285 = phi_6818_;
-                                    if (_e4223 > _e4228) {
-                                        phi_6823_ = _e4223;
+                                    let _e4301 = phi_6810_;
+                                    if (_e4239 > _e4244) {
+                                        phi_6815_ = _e4239;
                                     } else {
-                                        phi_6823_ = _e4228;
+                                        phi_6815_ = _e4244;
                                     }
-                                    let _e4288 = phi_6823_;
-                                    if (_e4233 > _e4241) {
-                                        phi_6828_ = _e4233;
+                                    let _e4304 = phi_6815_;
+                                    if (_e4249 > _e4257) {
+                                        phi_6820_ = _e4249;
                                     } else {
-                                        phi_6828_ = _e4241;
+                                        phi_6820_ = _e4257;
                                     }
-                                    let _e4291 = phi_6828_;
-                                    if (_e4288 > _e4291) {
-                                        phi_6833_ = _e4288;
+                                    let _e4307 = phi_6820_;
+                                    if (_e4304 > _e4307) {
+                                        phi_6825_ = _e4304;
                                     } else {
-                                        phi_6833_ = _e4291;
+                                        phi_6825_ = _e4307;
                                     }
-                                    let _e4294 = phi_6833_;
-                                    if (_e4246 > _e4251) {
-                                        phi_6838_ = _e4246;
+                                    let _e4310 = phi_6825_;
+                                    if (_e4262 > _e4267) {
+                                        phi_6830_ = _e4262;
                                     } else {
-                                        phi_6838_ = _e4251;
+                                        phi_6830_ = _e4267;
                                     }
-                                    let _e4297 = phi_6838_;
-                                    if (_e4256 > _e4264) {
-                                        phi_6843_ = _e4256;
+                                    let _e4313 = phi_6830_;
+                                    if (_e4272 > _e4280) {
+                                        phi_6835_ = _e4272;
                                     } else {
-                                        phi_6843_ = _e4264;
+                                        phi_6835_ = _e4280;
                                     }
-                                    let _e4300 = phi_6843_;
-                                    if (_e4297 > _e4300) {
-                                        phi_6848_ = _e4297;
+                                    let _e4316 = phi_6835_;
+                                    if (_e4313 > _e4316) {
+                                        phi_6840_ = _e4313;
                                     } else {
-                                        phi_6848_ = _e4300;
+                                        phi_6840_ = _e4316;
                                     }
-                                    let _e4303 = phi_6848_;
-                                    if (_e4294 > _e4303) {
-                                        phi_6853_ = _e4294;
+                                    let _e4319 = phi_6840_;
+                                    if (_e4310 > _e4319) {
+                                        phi_6845_ = _e4310;
                                     } else {
-                                        phi_6853_ = _e4303;
+                                        phi_6845_ = _e4319;
                                     }
-                                    let _e4306 = phi_6853_;
-                                    if (_e4212 < 0f) {
-                                        phi_6859_ = -(_e4212);
+                                    let _e4322 = phi_6845_;
+                                    if (_e4228 < 0f) {
+                                        phi_6851_ = -(_e4228);
                                     } else {
-                                        phi_6859_ = _e4212;
+                                        phi_6851_ = _e4228;
                                     }
-                                    let _e4310 = phi_6859_;
-                                    if (_e4215 < 0f) {
-                                        phi_6865_ = -(_e4215);
+                                    let _e4326 = phi_6851_;
+                                    if (_e4231 < 0f) {
+                                        phi_6857_ = -(_e4231);
                                     } else {
-                                        phi_6865_ = _e4215;
+                                        phi_6857_ = _e4231;
                                     }
-                                    let _e4314 = phi_6865_;
-                                    if (_e4218 < 0f) {
-                                        phi_6872_ = -(_e4218);
+                                    let _e4330 = phi_6857_;
+                                    if (_e4234 < 0f) {
+                                        phi_6864_ = -(_e4234);
                                     } else {
-                                        phi_6872_ = _e4218;
+                                        phi_6864_ = _e4234;
                                     }
-                                    let _e4319 = phi_6872_;
-                                    let _e4320 = ((_e4310 + _e4314) + _e4319);
-                                    let _e4325 = -(_e4306);
-                                    if (_e4285 > _e4325) {
-                                        phi_6883_ = _e4285;
+                                    let _e4335 = phi_6864_;
+                                    let _e4336 = ((_e4326 + _e4330) + _e4335);
+                                    let _e4341 = -(_e4322);
+                                    if (_e4301 > _e4341) {
+                                        phi_6875_ = _e4301;
                                     } else {
-                                        phi_6883_ = _e4325;
+                                        phi_6875_ = _e4341;
                                     }
-                                    let _e4328 = phi_6883_;
-                                    let _e4333 = (((_e4328 - ((_e4320 * _e3947) * (0.000000059604645f * (17f / 2f)))) - (_e4320 * _e3954)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e4205 > _e4333) {
-                                        phi_6893_ = _e4205;
+                                    let _e4344 = phi_6875_;
+                                    let _e4349 = (((_e4344 - ((_e4336 * _e3963) * (0.000000059604645f * (17f / 2f)))) - (_e4336 * _e3970)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4221 > _e4349) {
+                                        phi_6885_ = _e4221;
                                     } else {
-                                        phi_6893_ = _e4333;
+                                        phi_6885_ = _e4349;
                                     }
-                                    let _e4336 = phi_6893_;
-                                    phi_6894_ = _e4336;
+                                    let _e4352 = phi_6885_;
+                                    phi_6886_ = _e4352;
                                 } else {
-                                    phi_6894_ = _e4205;
+                                    phi_6886_ = _e4221;
                                 }
-                                let _e4338 = phi_6894_;
-                                phi_6897_ = (_e3679 || (_e4338 > 0f));
+                                let _e4354 = phi_6886_;
+                                phi_6889_ = (_e3695 || (_e4354 > 0f));
                             }
-                            let _e4342 = phi_6897_;
-                            phi_6899_ = (_e3244 && _e4342);
+                            let _e4358 = phi_6889_;
+                            phi_6891_ = (_e3260 && _e4358);
                         } else {
-                            phi_6899_ = _e3244;
+                            phi_6891_ = _e3260;
                         }
-                        let _e4345 = phi_6899_;
-                        phi_6901_ = (_e2056 || _e4345);
+                        let _e4361 = phi_6891_;
+                        phi_6893_ = (_e2072 || _e4361);
                     }
-                    let _e4348 = phi_6901_;
-                    let _e4349 = !(_e4348);
-                    if _e4349 {
-                        let _e4351 = atomicAdd((&counters[0u]), 1u);
-                        phi_6908_ = _e4351;
+                    let _e4364 = phi_6893_;
+                    let _e4365 = !(_e4364);
+                    if _e4365 {
+                        let _e4367 = atomicAdd((&counters[0u]), 1u);
+                        phi_6900_ = _e4367;
                     } else {
-                        phi_6908_ = 0u;
+                        phi_6900_ = 0u;
                     }
-                    let _e4353 = phi_6908_;
-                    phi_6909_ = _e4353;
-                    phi_6910_ = _e4349;
+                    let _e4369 = phi_6900_;
+                    phi_6901_ = _e4369;
+                    phi_6902_ = _e4365;
                 } else {
-                    phi_6909_ = 0u;
-                    phi_6910_ = false;
+                    phi_6901_ = 0u;
+                    phi_6902_ = false;
                 }
-                let _e4355 = phi_6909_;
-                let _e4357 = phi_6910_;
-                phi_6911_ = _e4355;
-                phi_6912_ = _e4357;
-                phi_6913_ = type_9(_e147, _e150);
+                let _e4371 = phi_6901_;
+                let _e4373 = phi_6902_;
+                phi_6903_ = _e4371;
+                phi_6904_ = _e4373;
+                phi_6905_ = type_9(_e147, _e150);
             } else {
-                phi_6911_ = 0u;
-                phi_6912_ = false;
-                phi_6913_ = type_9(0u, 0u);
+                phi_6903_ = 0u;
+                phi_6904_ = false;
+                phi_6905_ = type_9(0u, 0u);
             }
-            let _e4359 = phi_6911_;
-            let _e4361 = phi_6912_;
-            let _e4363 = phi_6913_;
+            let _e4375 = phi_6903_;
+            let _e4377 = phi_6904_;
+            let _e4379 = phi_6905_;
             workgroupBarrier();
             if (_e53 == 0u) {
-                let _e4366 = atomicLoad((&counters[0u]));
-                let _e4368 = atomicLoad((&counters[1u]));
-                if (_e4366 > 0u) {
-                    let _e4371 = atomicAdd((&output.member[0u]), _e4366);
-                    if ((_e4371 + _e4366) < _e4371) {
-                        let _e4375 = atomicAdd((&output.member[2u]), 1u);
+                let _e4382 = atomicLoad((&counters[0u]));
+                let _e4384 = atomicLoad((&counters[1u]));
+                if (_e4382 > 0u) {
+                    let _e4387 = atomicAdd((&output.member[0u]), _e4382);
+                    if ((_e4387 + _e4382) < _e4387) {
+                        let _e4391 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[2u]), _e4371);
+                    atomicStore((&counters[2u]), _e4387);
                 }
-                if (_e4368 > 0u) {
-                    let _e4379 = atomicAdd((&output.member[1u]), _e4368);
-                    if ((_e4379 + _e4368) < _e4379) {
-                        let _e4383 = atomicAdd((&output.member[3u]), 1u);
+                if (_e4384 > 0u) {
+                    let _e4395 = atomicAdd((&output.member[1u]), _e4384);
+                    if ((_e4395 + _e4384) < _e4395) {
+                        let _e4399 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e4361 {
-                let _e4385 = params.member.member_1.member_3;
-                let _e4387 = atomicLoad((&counters[2u]));
-                let _e4388 = (_e4387 + _e4359);
-                if (_e4388 < _e4385) {
-                    let _e4392 = (2u * _e4388);
-                    atomicStore((&output.member[(4u + _e4392)]), _e4363.member);
-                    atomicStore((&output.member[(_e4392 + 5u)]), _e4363.member_1);
+            if _e4377 {
+                let _e4401 = params.member.member_1.member_3;
+                let _e4403 = atomicLoad((&counters[2u]));
+                let _e4404 = (_e4403 + _e4375);
+                if (_e4404 < _e4401) {
+                    let _e4408 = (2u * _e4404);
+                    atomicStore((&output.member[(4u + _e4408)]), _e4379.member);
+                    atomicStore((&output.member[(_e4408 + 5u)]), _e4379.member_1);
                 }
             }
         }

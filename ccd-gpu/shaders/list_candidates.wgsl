@@ -63,13 +63,8 @@ struct type_20 {
     member: type_19,
 }
 
-struct type_21 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
 struct type_23 {
-    member: array<type_21>,
+    member: array<vec4<u32>>,
 }
 
 struct type_25 {
@@ -87,396 +82,337 @@ struct type_29 {
     member_1: array<f32, 3>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_20;
-@group(0) @binding(2) 
-var<storage> leaves: type_23;
 @group(0) @binding(1) 
 var<storage> nodes: type_27;
 var<workgroup> columns: array<type_29, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> hits: array<u32, 2048>;
+var<workgroup> counters: array<atomic<u32>, 10>;
+var<workgroup> n_hits: array<u32, 1>;
+var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_39;
+var<storage, read_write> output: type_40;
+@group(0) @binding(2) 
+var<storage> leaves: type_23;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_35;
+var<storage> keys: type_36;
 @group(0) @binding(5) 
 var<storage> input: type_11;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_3603_: bool;
-    var phi_3604_: bool;
-    var phi_3608_: array<u32, 2>;
+    var phi_2692_: bool;
+    var phi_2693_: bool;
+    var phi_2697_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_3604_ = true;
+        phi_2693_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_3603_ = (param_1[0] > param[0]);
+            phi_2692_ = (param_1[0] > param[0]);
         } else {
-            phi_3603_ = false;
+            phi_2692_ = false;
         }
-        let _e14 = phi_3603_;
-        phi_3604_ = _e14;
+        let _e14 = phi_2692_;
+        phi_2693_ = _e14;
     }
-    let _e16 = phi_3604_;
+    let _e16 = phi_2693_;
     if _e16 {
-        phi_3608_ = param_1;
+        phi_2697_ = param_1;
     } else {
-        phi_3608_ = param;
+        phi_2697_ = param;
     }
-    let _e18 = phi_3608_;
+    let _e18 = phi_2697_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_3579_: bool;
-    var phi_3580_: bool;
-    var phi_3584_: array<u32, 2>;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2673_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_3580_ = true;
+        phi_2669_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_3579_ = (param_2[0] > param_3[0]);
+            phi_2668_ = (param_2[0] > param_3[0]);
         } else {
-            phi_3579_ = false;
+            phi_2668_ = false;
         }
-        let _e14 = phi_3579_;
-        phi_3580_ = _e14;
+        let _e14 = phi_2668_;
+        phi_2669_ = _e14;
     }
-    let _e16 = phi_3580_;
+    let _e16 = phi_2669_;
     if _e16 {
-        phi_3584_ = param_3;
+        phi_2673_ = param_3;
     } else {
-        phi_3584_ = param_2;
+        phi_2673_ = param_2;
     }
-    let _e18 = phi_3584_;
+    let _e18 = phi_2673_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_3555_: bool;
-    var phi_3556_: bool;
-    var phi_3560_: array<u32, 2>;
+    var phi_2644_: bool;
+    var phi_2645_: bool;
+    var phi_2649_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_3556_ = true;
+        phi_2645_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_3555_ = (param_5[0] > param_4[0]);
+            phi_2644_ = (param_5[0] > param_4[0]);
         } else {
-            phi_3555_ = false;
+            phi_2644_ = false;
         }
-        let _e14 = phi_3555_;
-        phi_3556_ = _e14;
+        let _e14 = phi_2644_;
+        phi_2645_ = _e14;
     }
-    let _e16 = phi_3556_;
+    let _e16 = phi_2645_;
     if _e16 {
-        phi_3560_ = param_5;
+        phi_2649_ = param_5;
     } else {
-        phi_3560_ = param_4;
+        phi_2649_ = param_4;
     }
-    let _e18 = phi_3560_;
+    let _e18 = phi_2649_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_3531_: bool;
-    var phi_3532_: bool;
-    var phi_3536_: array<u32, 2>;
+    var phi_2620_: bool;
+    var phi_2621_: bool;
+    var phi_2625_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_3532_ = true;
+        phi_2621_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_3531_ = (param_6[0] > param_7[0]);
+            phi_2620_ = (param_6[0] > param_7[0]);
         } else {
-            phi_3531_ = false;
+            phi_2620_ = false;
         }
-        let _e14 = phi_3531_;
-        phi_3532_ = _e14;
+        let _e14 = phi_2620_;
+        phi_2621_ = _e14;
     }
-    let _e16 = phi_3532_;
+    let _e16 = phi_2621_;
     if _e16 {
-        phi_3536_ = param_7;
+        phi_2625_ = param_7;
     } else {
-        phi_3536_ = param_6;
+        phi_2625_ = param_6;
     }
-    let _e18 = phi_3536_;
+    let _e18 = phi_2625_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_3507_: bool;
-    var phi_3508_: bool;
-    var phi_3512_: array<u32, 2>;
+    var phi_2596_: bool;
+    var phi_2597_: bool;
+    var phi_2601_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_3508_ = true;
+        phi_2597_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_3507_ = (param_9[0] > param_8[0]);
+            phi_2596_ = (param_9[0] > param_8[0]);
         } else {
-            phi_3507_ = false;
+            phi_2596_ = false;
         }
-        let _e14 = phi_3507_;
-        phi_3508_ = _e14;
+        let _e14 = phi_2596_;
+        phi_2597_ = _e14;
     }
-    let _e16 = phi_3508_;
+    let _e16 = phi_2597_;
     if _e16 {
-        phi_3512_ = param_9;
+        phi_2601_ = param_9;
     } else {
-        phi_3512_ = param_8;
+        phi_2601_ = param_8;
     }
-    let _e18 = phi_3512_;
+    let _e18 = phi_2601_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_3483_: bool;
-    var phi_3484_: bool;
-    var phi_3488_: array<u32, 2>;
+    var phi_2572_: bool;
+    var phi_2573_: bool;
+    var phi_2577_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_3484_ = true;
+        phi_2573_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_3483_ = (param_10[0] > param_11[0]);
+            phi_2572_ = (param_10[0] > param_11[0]);
         } else {
-            phi_3483_ = false;
+            phi_2572_ = false;
         }
-        let _e14 = phi_3483_;
-        phi_3484_ = _e14;
+        let _e14 = phi_2572_;
+        phi_2573_ = _e14;
     }
-    let _e16 = phi_3484_;
+    let _e16 = phi_2573_;
     if _e16 {
-        phi_3488_ = param_11;
+        phi_2577_ = param_11;
     } else {
-        phi_3488_ = param_10;
+        phi_2577_ = param_10;
     }
-    let _e18 = phi_3488_;
+    let _e18 = phi_2577_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_182_: u32;
-    var phi_194_: array<u32, 2>;
-    var phi_238_: u32;
-    var phi_239_: u32;
-    var phi_247_: u32;
-    var phi_263_: u32;
-    var phi_286_: u32;
-    var phi_287_: u32;
-    var phi_290_: type_9;
-    var phi_291_: type_9;
-    var phi_314_: type_9;
-    var phi_361_: u32;
-    var phi_362_: u32;
-    var phi_370_: u32;
-    var phi_384_: u32;
-    var phi_474_: array<u32, 2>;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_677_: type_29;
-    var phi_683_: bool;
-    var phi_692_: type_9;
-    var phi_695_: u32;
-    var phi_693_: type_9;
-    var phi_718_: type_9;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_790_: bool;
-    var phi_808_: u32;
-    var phi_809_: u32;
-    var phi_810_: u32;
-    var phi_696_: u32;
-    var phi_813_: type_9;
-    var phi_816_: u32;
-    var phi_814_: type_9;
-    var phi_839_: type_9;
-    var phi_959_: bool;
-    var phi_965_: bool;
-    var phi_933_: bool;
-    var phi_940_: bool;
-    var phi_948_: bool;
-    var phi_967_: bool;
-    var phi_971_: bool;
-    var phi_972_: bool;
-    var phi_1016_: bool;
-    var phi_1017_: bool;
-    var phi_1024_: bool;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1178_: u32;
-    var phi_1179_: u32;
-    var phi_1180_: u32;
-    var phi_1181_: u32;
-    var phi_1184_: type_15;
-    var phi_1187_: u32;
-    var phi_1189_: u32;
-    var phi_1210_: bool;
-    var phi_1216_: type_16;
-    var phi_1185_: type_15;
-    var phi_1230_: type_16;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1301_: bool;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1311_: u32;
-    var phi_1312_: u32;
-    var phi_1313_: u32;
-    var phi_1314_: u32;
-    var phi_1315_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: u32;
-    var phi_1316_: bool;
+    var phi_191_: u32;
+    var phi_240_: u32;
+    var phi_241_: u32;
+    var phi_249_: u32;
+    var phi_265_: u32;
+    var phi_288_: u32;
+    var phi_289_: u32;
+    var phi_292_: type_9;
+    var phi_293_: type_9;
+    var phi_318_: type_9;
+    var phi_365_: u32;
+    var phi_366_: u32;
+    var phi_374_: u32;
+    var phi_388_: u32;
+    var phi_431_: array<u32, 2>;
+    var phi_491_: array<u32, 2>;
+    var phi_652_: bool;
+    var phi_690_: type_29;
+    var phi_696_: bool;
+    var phi_719_: u32;
+    var phi_722_: type_9;
+    var phi_725_: u32;
+    var phi_723_: type_9;
+    var phi_748_: type_9;
+    var phi_726_: u32;
     var local: u32;
-    var local_1: u32;
-    var phi_1364_: bool;
-    var phi_1365_: bool;
+    var phi_937_: u32;
+    var phi_943_: type_9;
+    var phi_946_: u32;
+    var phi_944_: type_9;
+    var phi_969_: type_9;
+    var phi_993_: bool;
+    var phi_994_: bool;
+    var phi_995_: bool;
+    var phi_999_: bool;
+    var phi_1007_: bool;
+    var phi_1015_: u32;
+    var phi_947_: u32;
+    var phi_1016_: u32;
+    var phi_1026_: type_9;
+    var phi_1052_: u32;
+    var phi_1055_: type_9;
+    var phi_1058_: type_9;
+    var phi_1056_: type_9;
+    var phi_1083_: type_9;
+    var phi_1100_: type_9;
+    var phi_1103_: type_9;
+    var phi_1104_: type_9;
+    var phi_1126_: type_9;
+    var phi_1160_: type_9;
+    var phi_1161_: bool;
+    var phi_1101_: type_9;
+    var phi_1162_: bool;
+    var phi_1170_: u32;
+    var phi_1173_: type_9;
+    var phi_1174_: type_9;
+    var phi_1199_: type_9;
+    var phi_1354_: bool;
+    var phi_1360_: bool;
+    var phi_1332_: bool;
+    var phi_1339_: bool;
+    var phi_1347_: bool;
+    var phi_1362_: bool;
     var phi_1366_: bool;
     var phi_1367_: bool;
-    var phi_1371_: bool;
-    var phi_1372_: bool;
-    var phi_1376_: bool;
-    var phi_1380_: bool;
-    var phi_1381_: bool;
-    var phi_1385_: bool;
-    var phi_1386_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1515_: bool;
-    var phi_1516_: bool;
-    var phi_1609_: bool;
-    var phi_1610_: bool;
+    var phi_1408_: bool;
+    var phi_1409_: bool;
+    var phi_1416_: bool;
+    var phi_1530_: bool;
+    var phi_1531_: bool;
+    var phi_1566_: u32;
+    var phi_1567_: u32;
+    var phi_1568_: u32;
+    var phi_1569_: u32;
+    var phi_1572_: type_15;
+    var phi_1575_: u32;
+    var phi_1577_: u32;
+    var phi_1598_: bool;
+    var phi_1604_: type_16;
+    var phi_1573_: type_15;
+    var phi_1618_: type_16;
+    var phi_1686_: bool;
+    var phi_1687_: bool;
+    var phi_1688_: bool;
+    var phi_1689_: bool;
+    var phi_1693_: bool;
+    var phi_1694_: bool;
+    var phi_1699_: u32;
+    var phi_1700_: u32;
+    var phi_1701_: u32;
+    var phi_1702_: u32;
+    var phi_1703_: bool;
+    var phi_1576_: u32;
+    var phi_1578_: u32;
     var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1798_: bool;
-    var phi_1799_: bool;
-    var phi_1894_: bool;
-    var phi_1895_: bool;
-    var phi_1988_: bool;
-    var phi_1989_: bool;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_1995_: bool;
-    var phi_1999_: bool;
-    var phi_2000_: bool;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
-    var phi_2003_: bool;
-    var phi_2007_: bool;
-    var phi_2023_: type_9;
-    var phi_2028_: type_9;
-    var phi_2066_: u32;
-    var phi_2067_: bool;
-    var phi_817_: u32;
-    var phi_2068_: bool;
-    var phi_2075_: u32;
-    var phi_2078_: type_9;
-    var phi_2079_: type_9;
-    var phi_2102_: type_9;
-    var phi_2230_: bool;
-    var phi_2236_: bool;
-    var phi_2204_: bool;
-    var phi_2211_: bool;
-    var phi_2219_: bool;
-    var phi_2238_: bool;
-    var phi_2242_: bool;
-    var phi_2243_: bool;
-    var phi_2287_: bool;
-    var phi_2288_: bool;
-    var phi_2295_: bool;
-    var phi_2411_: bool;
-    var phi_2412_: bool;
-    var phi_2449_: u32;
-    var phi_2450_: u32;
-    var phi_2451_: u32;
-    var phi_2452_: u32;
-    var phi_2455_: type_15;
-    var phi_2458_: u32;
-    var phi_2460_: u32;
-    var phi_2481_: bool;
-    var phi_2487_: type_16;
-    var phi_2456_: type_15;
-    var phi_2501_: type_16;
-    var phi_2569_: bool;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2572_: bool;
-    var phi_2576_: bool;
-    var phi_2577_: bool;
-    var phi_2582_: u32;
-    var phi_2583_: u32;
-    var phi_2584_: u32;
-    var phi_2585_: u32;
-    var phi_2586_: bool;
-    var phi_2459_: u32;
-    var phi_2461_: u32;
-    var phi_2587_: bool;
+    var local_1: u32;
     var local_2: u32;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1764_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1895_: bool;
+    var phi_1896_: bool;
+    var phi_1983_: bool;
+    var phi_1984_: bool;
+    var phi_2072_: bool;
+    var phi_2073_: bool;
+    var phi_2160_: bool;
+    var phi_2161_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2338_: bool;
+    var phi_2339_: bool;
+    var phi_2343_: bool;
+    var phi_2344_: bool;
+    var phi_2345_: bool;
+    var phi_2349_: bool;
+    var phi_2350_: bool;
+    var phi_2351_: bool;
+    var phi_2352_: bool;
+    var phi_2353_: bool;
+    var phi_2357_: bool;
+    var phi_2373_: bool;
+    var phi_2374_: bool;
+    var phi_2410_: type_9;
+    var phi_2411_: type_9;
+    var phi_2434_: type_9;
+    var phi_2458_: u32;
+    var phi_2510_: type_9;
+    var phi_2515_: type_9;
+    var phi_2529_: bool;
+    var phi_2530_: bool;
+    var phi_1059_: type_9;
     var local_3: u32;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2637_: bool;
-    var phi_2638_: bool;
-    var phi_2642_: bool;
-    var phi_2643_: bool;
-    var phi_2647_: bool;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2656_: bool;
-    var phi_2657_: bool;
-    var phi_2661_: bool;
-    var phi_2662_: bool;
-    var phi_2786_: bool;
-    var phi_2787_: bool;
-    var phi_2880_: bool;
-    var phi_2881_: bool;
-    var phi_2975_: bool;
-    var phi_2976_: bool;
-    var phi_3069_: bool;
-    var phi_3070_: bool;
-    var phi_3165_: bool;
-    var phi_3166_: bool;
-    var phi_3259_: bool;
-    var phi_3260_: bool;
-    var phi_3264_: bool;
-    var phi_3265_: bool;
-    var phi_3266_: bool;
-    var phi_3270_: bool;
-    var phi_3271_: bool;
-    var phi_3272_: bool;
-    var phi_3273_: bool;
-    var phi_3274_: bool;
-    var phi_3278_: bool;
-    var phi_3293_: bool;
-    var phi_3294_: bool;
-    var phi_3345_: type_9;
-    var phi_3346_: type_9;
-    var phi_3369_: type_9;
-    var phi_3392_: u32;
-    var phi_3443_: type_9;
-    var phi_3448_: type_9;
-    var phi_3463_: bool;
-    var phi_3464_: bool;
     var local_4: u32;
+    var local_5: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -484,1474 +420,1054 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e49 = id_2;
-    let _e50 = n_2;
-    let _e51 = lane_2;
-    let _e63 = ((_e49.y * _e50.x) + _e49.x);
-    let _e66 = (_e50.x * _e50.y);
-    let _e69 = params.member.member_1.member_3;
-    let _e72 = params.member.member_1.member_2;
-    let _e74 = input.member[0u];
-    if (_e72 < _e74) {
-        phi_182_ = _e72;
+    let _e50 = id_2;
+    let _e51 = n_2;
+    let _e52 = lane_2;
+    let _e64 = ((_e50.y * _e51.x) + _e50.x);
+    let _e67 = (_e51.x * _e51.y);
+    let _e69 = params.member.member;
+    let _e72 = params.member.member_2.member_1;
+    let _e75 = params.member.member_1.member_2;
+    let _e77 = input.member[0u];
+    if (_e75 < _e77) {
+        phi_191_ = _e75;
     } else {
-        phi_182_ = _e74;
+        phi_191_ = _e77;
     }
-    let _e77 = phi_182_;
-    let _e78 = (_e51 / 32u);
-    let _e79 = (_e51 % 32u);
-    let _e82 = params.member.member_2.member_1;
-    if (_e82 == 0u) {
-        phi_194_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_194_ = array<u32, 2>(1u, 1u);
+    let _e80 = phi_191_;
+    if (_e52 == 0u) {
+        atomicStore((&counters[9u]), 0u);
     }
-    let _e85 = phi_194_;
-    let _e90 = params.member.member_1.member_1;
-    if (_e77 > _e90) {
-        let _e94 = params.member.member_1.member_1;
-        let _e95 = (_e77 - _e94);
-        let _e98 = params.member.member_2.member_3;
-        if (_e98 == 0u) {
+    let _e85 = params.member.member_1.member_1;
+    if (_e80 > _e85) {
+        let _e89 = params.member.member_1.member_1;
+        let _e90 = (_e80 - _e89);
+        let _e93 = params.member.member_2.member_3;
+        if (_e93 == 0u) {
             return;
         }
-        let _e100 = (_e95 / _e98);
-        if (_e98 == 0u) {
+        let _e95 = (_e90 / _e93);
+        if (_e93 == 0u) {
             return;
         }
-        if ((_e95 % _e98) > 0u) {
-            phi_238_ = (_e100 + 1u);
+        if ((_e90 % _e93) > 0u) {
+            phi_240_ = (_e95 + 1u);
         } else {
-            phi_238_ = _e100;
+            phi_240_ = _e95;
         }
-        let _e106 = phi_238_;
-        phi_239_ = _e106;
+        let _e101 = phi_240_;
+        phi_241_ = _e101;
     } else {
-        phi_239_ = 0u;
+        phi_241_ = 0u;
     }
-    let _e108 = phi_239_;
-    let _e111 = params.member.member_2.member_4;
-    if (_e111 < _e108) {
-        phi_247_ = _e111;
+    let _e103 = phi_241_;
+    let _e106 = params.member.member_2.member_4;
+    if (_e106 < _e103) {
+        phi_249_ = _e106;
     } else {
-        phi_247_ = _e108;
+        phi_249_ = _e103;
     }
-    let _e114 = phi_247_;
-    let _e115 = (_e114 / 4u);
-    if ((_e114 % 4u) > 0u) {
-        phi_263_ = (_e115 + 1u);
+    let _e109 = phi_249_;
+    let _e110 = (_e109 / 4u);
+    if ((_e109 % 4u) > 0u) {
+        phi_265_ = (_e110 + 1u);
     } else {
-        phi_263_ = _e115;
+        phi_265_ = _e110;
     }
-    let _e120 = phi_263_;
-    if (_e120 > _e63) {
-        let _e122 = (_e120 - _e63);
-        if (_e66 == 0u) {
+    let _e115 = phi_265_;
+    if (_e115 > _e64) {
+        let _e117 = (_e115 - _e64);
+        if (_e67 == 0u) {
             return;
         }
-        let _e124 = (_e122 / _e66);
-        if (_e66 == 0u) {
+        let _e119 = (_e117 / _e67);
+        if (_e67 == 0u) {
             return;
         }
-        if ((_e122 % _e66) > 0u) {
-            phi_286_ = (_e124 + 1u);
+        if ((_e117 % _e67) > 0u) {
+            phi_288_ = (_e119 + 1u);
         } else {
-            phi_286_ = _e124;
+            phi_288_ = _e119;
         }
-        let _e130 = phi_286_;
-        phi_287_ = _e130;
+        let _e125 = phi_288_;
+        phi_289_ = _e125;
     } else {
-        phi_287_ = 0u;
+        phi_289_ = 0u;
     }
-    let _e132 = phi_287_;
-    phi_290_ = type_9(0u, _e132);
+    let _e127 = phi_289_;
+    phi_292_ = type_9(0u, _e127);
     loop {
-        let _e135 = phi_290_;
-        if (_e135.member < _e135.member_1) {
-            phi_291_ = type_9((_e135.member + 1u), _e135.member_1);
-            phi_314_ = type_9(1u, _e135.member);
+        let _e130 = phi_292_;
+        if (_e130.member < _e130.member_1) {
+            phi_293_ = type_9((_e130.member + 1u), _e130.member_1);
+            phi_318_ = type_9(1u, _e130.member);
         } else {
-            phi_291_ = _e135;
-            phi_314_ = type_9(0u, type_9().member_1);
+            phi_293_ = _e130;
+            phi_318_ = type_9(0u, type_9().member_1);
         }
-        let _e147 = phi_291_;
-        let _e149 = phi_314_;
-        let _e153 = (bitcast<i32>(_e149.member) != 0i);
-        if _e153 {
-            let _e158 = (((_e63 + (_e149.member_1 * _e66)) * 4u) + (_e51 / 32u));
-            let _e161 = params.member.member_1.member_1;
-            if (_e77 > _e161) {
-                let _e165 = params.member.member_1.member_1;
-                let _e166 = (_e77 - _e165);
-                let _e169 = params.member.member_2.member_3;
-                if (_e169 == 0u) {
+        let _e142 = phi_293_;
+        let _e144 = phi_318_;
+        let _e148 = (bitcast<i32>(_e144.member) != 0i);
+        if _e148 {
+            let _e153 = (((_e64 + (_e144.member_1 * _e67)) * 4u) + (_e52 / 32u));
+            let _e156 = params.member.member_1.member_1;
+            if (_e80 > _e156) {
+                let _e160 = params.member.member_1.member_1;
+                let _e161 = (_e80 - _e160);
+                let _e164 = params.member.member_2.member_3;
+                if (_e164 == 0u) {
                     return;
                 }
-                let _e171 = (_e166 / _e169);
-                if (_e169 == 0u) {
+                let _e166 = (_e161 / _e164);
+                if (_e164 == 0u) {
                     return;
                 }
-                if ((_e166 % _e169) > 0u) {
-                    phi_361_ = (_e171 + 1u);
+                if ((_e161 % _e164) > 0u) {
+                    phi_365_ = (_e166 + 1u);
                 } else {
-                    phi_361_ = _e171;
+                    phi_365_ = _e166;
                 }
-                let _e177 = phi_361_;
-                phi_362_ = _e177;
+                let _e172 = phi_365_;
+                phi_366_ = _e172;
             } else {
-                phi_362_ = 0u;
+                phi_366_ = 0u;
             }
-            let _e179 = phi_362_;
-            let _e182 = params.member.member_2.member_4;
-            if (_e182 < _e179) {
-                phi_370_ = _e182;
+            let _e174 = phi_366_;
+            let _e177 = params.member.member_2.member_4;
+            if (_e177 < _e174) {
+                phi_374_ = _e177;
             } else {
-                phi_370_ = _e179;
+                phi_374_ = _e174;
             }
-            let _e185 = phi_370_;
-            let _e186 = (_e158 < _e185);
-            let _e189 = params.member.member_1.member_1;
-            let _e192 = params.member.member_2.member_3;
-            if _e186 {
-                phi_384_ = (_e158 * _e192);
+            let _e180 = phi_374_;
+            let _e181 = (_e153 < _e180);
+            let _e184 = params.member.member_1.member_1;
+            let _e187 = params.member.member_2.member_3;
+            if _e181 {
+                phi_388_ = (_e153 * _e187);
             } else {
-                phi_384_ = 0u;
+                phi_388_ = 0u;
             }
-            let _e195 = phi_384_;
-            let _e197 = (2u * (_e189 + _e195));
-            let _e200 = input.member[(4u + _e197)];
-            let _e203 = input.member[(_e197 + 5u)];
-            if (_e51 < 8u) {
-                atomicStore((&counters[_e51]), 0u);
+            let _e190 = phi_388_;
+            let _e192 = (2u * (_e184 + _e190));
+            let _e195 = input.member[(4u + _e192)];
+            let _e198 = input.member[(_e192 + 5u)];
+            if (_e52 <= 7u) {
+                atomicStore((&counters[_e52]), 0u);
             }
             workgroupBarrier();
-            let _e211 = params.member.member_2.member[0u][_e85[0]];
-            let _e212 = (_e211 + (_e200 * 32u));
-            let _e218 = params.member.member_2.member[0u][_e85[1]];
-            let _e219 = (_e218 + (_e203 * 32u));
-            if (_e79 == 0u) {
-                firsts[(2u * _e78)] = _e212;
-                firsts[((2u * _e78) + 1u)] = _e219;
-            }
-            let _e228 = params.member.member_2.member_1;
-            if (_e228 == 0u) {
-                phi_474_ = array<u32, 2>(0u, 2u);
+            if (_e72 == 0u) {
+                phi_431_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_474_ = array<u32, 2>(1u, 1u);
+                phi_431_ = array<u32, 2>(1u, 1u);
             }
-            let _e231 = phi_474_;
-            let _e234 = (_e51 / 32u);
-            let _e235 = (_e51 % 32u);
-            let _e237 = params.member.member_2.member_2;
-            let _e241 = params.member.member_2.member[_e237][_e231[0]];
-            let _e244 = nodes.member[(_e241 + _e200)];
-            let _e258 = params.member.member_2.member_2;
-            let _e262 = params.member.member_2.member[_e258][_e231[1]];
-            let _e265 = nodes.member[(_e262 + _e203)];
-            let _e279 = params.member.member_2.member_2;
-            let _e286 = params.member.member_2.member[(_e279 - 1u)][_e231[0]];
-            let _e289 = nodes.member[(_e286 + ((_e200 * 32u) + _e235))];
-            let _e306 = params.member.member_2.member_2;
-            let _e313 = params.member.member_2.member[(_e306 - 1u)][_e231[1]];
-            let _e316 = nodes.member[(_e313 + ((_e203 * 32u) + _e235))];
-            if _e186 {
-                if ((((((_e316.member.x <= _e244.member_1.y) && (_e244.member.x <= _e316.member_1.y)) && (_e316.member.y <= _e244.member_2.x)) && (_e244.member.y <= _e316.member_2.x)) && (_e316.member_1.x <= _e244.member_2.y)) && (_e244.member_1.x <= _e316.member_2.y)) {
-                    let _e342 = atomicAdd((&counters[_e234]), 1u);
-                    let _e343 = ((_e234 * 32u) + _e342);
-                    columns[_e343] = type_29(array<f32, 3>(_e316.member.x, _e316.member.y, _e316.member_1.x), array<f32, 3>(_e316.member_1.y, _e316.member_2.x, _e316.member_2.y));
-                    names[_e343] = _e235;
+            let _e203 = phi_431_;
+            if ((_e52 % 32u) == 0u) {
+                let _e209 = (_e52 / 32u);
+                let _e215 = params.member.member_2.member[0u][_e203[0]];
+                firsts[(2u * _e209)] = (_e215 + (_e195 * 32u));
+                let _e224 = params.member.member_2.member[0u][_e203[1]];
+                firsts[((2u * _e209) + 1u)] = (_e224 + (_e198 * 32u));
+            }
+            let _e229 = params.member.member_2.member_1;
+            if (_e229 == 0u) {
+                phi_491_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_491_ = array<u32, 2>(1u, 1u);
+            }
+            let _e232 = phi_491_;
+            let _e235 = (_e52 / 32u);
+            let _e236 = (_e52 % 32u);
+            let _e238 = params.member.member_2.member_2;
+            let _e242 = params.member.member_2.member[_e238][_e232[0]];
+            let _e245 = nodes.member[(_e242 + _e195)];
+            let _e259 = params.member.member_2.member_2;
+            let _e263 = params.member.member_2.member[_e259][_e232[1]];
+            let _e266 = nodes.member[(_e263 + _e198)];
+            let _e280 = params.member.member_2.member_2;
+            let _e287 = params.member.member_2.member[(_e280 - 1u)][_e232[0]];
+            let _e290 = nodes.member[(_e287 + ((_e195 * 32u) + _e236))];
+            let _e307 = params.member.member_2.member_2;
+            let _e314 = params.member.member_2.member[(_e307 - 1u)][_e232[1]];
+            let _e317 = nodes.member[(_e314 + ((_e198 * 32u) + _e236))];
+            if _e181 {
+                phi_652_ = ((((((_e290.member.x <= _e266.member_1.y) && (_e266.member.x <= _e290.member_1.y)) && (_e290.member.y <= _e266.member_2.x)) && (_e266.member.y <= _e290.member_2.x)) && (_e290.member_1.x <= _e266.member_2.y)) && (_e266.member_1.x <= _e290.member_2.y));
+            } else {
+                phi_652_ = false;
+            }
+            let _e342 = phi_652_;
+            if _e181 {
+                if ((((((_e317.member.x <= _e245.member_1.y) && (_e245.member.x <= _e317.member_1.y)) && (_e317.member.y <= _e245.member_2.x)) && (_e245.member.y <= _e317.member_2.x)) && (_e317.member_1.x <= _e245.member_2.y)) && (_e245.member_1.x <= _e317.member_2.y)) {
+                    let _e356 = atomicAdd((&counters[_e235]), 1u);
+                    let _e357 = ((_e235 * 32u) + _e356);
+                    columns[_e357] = type_29(array<f32, 3>(_e317.member.x, _e317.member.y, _e317.member_1.x), array<f32, 3>(_e317.member_1.y, _e317.member_2.x, _e317.member_2.y));
+                    names[_e357] = _e236;
                 }
             }
+            if _e342 {
+                phi_690_ = type_29(array<f32, 3>(_e290.member.x, _e290.member.y, _e290.member_1.x), array<f32, 3>(_e290.member_1.y, _e290.member_2.x, _e290.member_2.y));
+            } else {
+                phi_690_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            }
+            let _e364 = phi_690_;
             workgroupBarrier();
-            if _e186 {
-                if ((((((_e289.member.x <= _e265.member_1.y) && (_e265.member.x <= _e289.member_1.y)) && (_e289.member.y <= _e265.member_2.x)) && (_e265.member.y <= _e289.member_2.x)) && (_e289.member_1.x <= _e265.member_2.y)) && (_e265.member_1.x <= _e289.member_2.y)) {
-                    phi_672_ = false;
-                } else {
-                    phi_672_ = true;
-                }
-                let _e361 = phi_672_;
-                phi_673_ = _e361;
+            if (_e72 == 1u) {
+                phi_696_ = (_e195 == _e198);
             } else {
-                phi_673_ = true;
+                phi_696_ = false;
             }
-            let _e363 = phi_673_;
-            if _e363 {
-                phi_677_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e368 = phi_696_;
+            let _e369 = (_e52 / 32u);
+            let _e371 = (_e369 * 32u);
+            let _e373 = atomicLoad((&counters[_e369]));
+            let _e374 = (_e373 / 4u);
+            if ((_e373 % 4u) > 0u) {
+                phi_719_ = (_e374 + 1u);
             } else {
-                phi_677_ = type_29(array<f32, 3>(_e289.member.x, _e289.member.y, _e289.member_1.x), array<f32, 3>(_e289.member_1.y, _e289.member_2.x, _e289.member_2.y));
+                phi_719_ = _e374;
             }
-            let _e365 = phi_677_;
-            if (_e85[0] == _e85[1]) {
-                phi_683_ = (_e200 == _e203);
-            } else {
-                phi_683_ = false;
-            }
-            let _e369 = phi_683_;
-            let _e370 = (_e51 / 32u);
-            let _e371 = (_e51 % 32u);
-            let _e373 = atomicLoad((&counters[_e370]));
-            phi_692_ = type_9(0u, _e373);
-            phi_695_ = 0u;
+            let _e379 = phi_719_;
+            phi_722_ = type_9(0u, _e379);
+            phi_725_ = 0u;
             loop {
-                let _e376 = phi_692_;
-                let _e378 = phi_695_;
-                local_4 = _e378;
-                if (_e376.member < _e376.member_1) {
-                    phi_693_ = type_9((_e376.member + 1u), _e376.member_1);
-                    phi_718_ = type_9(1u, _e376.member);
+                let _e382 = phi_722_;
+                let _e384 = phi_725_;
+                local = _e384;
+                local_3 = _e384;
+                if (_e382.member < _e382.member_1) {
+                    phi_723_ = type_9((_e382.member + 1u), _e382.member_1);
+                    phi_748_ = type_9(1u, _e382.member);
                 } else {
-                    phi_693_ = _e376;
-                    phi_718_ = type_9(0u, type_9().member_1);
+                    phi_723_ = _e382;
+                    phi_748_ = type_9(0u, type_9().member_1);
                 }
-                let _e390 = phi_693_;
-                let _e392 = phi_718_;
-                let _e396 = (bitcast<i32>(_e392.member) != 0i);
-                if _e396 {
-                    let _e400 = names[((_e370 * 32u) + _e392.member_1)];
-                    let _e404 = columns[((_e370 * 32u) + _e392.member_1)];
-                    if ((((((_e365.member[0] <= _e404.member_1[0]) && (_e404.member[0] <= _e365.member_1[0])) && (_e365.member[1] <= _e404.member_1[1])) && (_e404.member[1] <= _e365.member_1[1])) && (_e365.member[2] <= _e404.member_1[2])) && (_e404.member[2] <= _e365.member_1[2])) {
-                        if _e369 {
-                            let _e436 = (_e371 < _e400);
-                            if _e436 {
-                                phi_784_ = bool();
-                            } else {
-                                phi_784_ = false;
-                            }
-                            let _e438 = phi_784_;
-                            phi_785_ = _e438;
-                            phi_786_ = _e436;
-                        } else {
-                            phi_785_ = bool();
-                            phi_786_ = true;
-                        }
-                        let _e440 = phi_785_;
-                        let _e442 = phi_786_;
-                        if _e442 {
-                            phi_790_ = true;
-                        } else {
-                            phi_790_ = _e440;
-                        }
-                        let _e444 = phi_790_;
-                        if _e444 {
-                            let _e446 = atomicAdd((&counters[4u]), 1u);
-                            if (_e446 < 2048u) {
-                                hits[_e446] = (((_e370 << bitcast<u32>(10i)) | (_e371 << bitcast<u32>(5i))) | _e400);
-                                phi_808_ = _e378;
-                            } else {
-                                phi_808_ = (_e378 | (1u << bitcast<u32>((_e392.member_1 & 31u))));
-                            }
-                            let _e460 = phi_808_;
-                            phi_809_ = _e460;
-                        } else {
-                            phi_809_ = _e378;
-                        }
-                        let _e462 = phi_809_;
-                        phi_810_ = _e462;
-                    } else {
-                        phi_810_ = _e378;
-                    }
-                    let _e464 = phi_810_;
-                    phi_696_ = _e464;
+                let _e396 = phi_723_;
+                let _e398 = phi_748_;
+                let _e402 = (bitcast<i32>(_e398.member) != 0i);
+                if _e402 {
+                    let _e403 = (4u * _e398.member_1);
+                    let _e406 = columns[(_e371 + _e403)];
+                    let _e445 = columns[((_e371 + _e403) + 1u)];
+                    let _e486 = columns[((_e371 + _e403) + 2u)];
+                    let _e527 = columns[((_e371 + _e403) + 3u)];
+                    phi_726_ = (_e384 | ((((select(0u, 1u, ((((((_e364.member[0] <= _e406.member_1[0]) && (_e406.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e406.member_1[1])) && (_e406.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e406.member_1[2])) && (_e406.member[2] <= _e364.member_1[2]))) << bitcast<u32>((_e403 & 31u))) | (select(0u, 1u, ((((((_e364.member[0] <= _e445.member_1[0]) && (_e445.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e445.member_1[1])) && (_e445.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e445.member_1[2])) && (_e445.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e486.member_1[0]) && (_e486.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e486.member_1[1])) && (_e486.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e486.member_1[2])) && (_e486.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 3u) & 31u)))));
                 } else {
-                    phi_696_ = u32();
+                    phi_726_ = u32();
                 }
-                let _e466 = phi_696_;
+                let _e567 = phi_726_;
                 continue;
                 continuing {
-                    phi_692_ = _e390;
-                    phi_695_ = _e466;
-                    break if !(_e396);
+                    phi_722_ = _e396;
+                    phi_725_ = _e567;
+                    break if !(_e402);
                 }
             }
-            phi_813_ = type_9(0u, 32u);
-            let _e2026 = local_4;
-            phi_816_ = _e2026;
-            loop {
-                let _e469 = phi_813_;
-                let _e471 = phi_816_;
-                if (_e469.member < _e469.member_1) {
-                    phi_814_ = type_9((_e469.member + 1u), _e469.member_1);
-                    phi_839_ = type_9(1u, _e469.member);
-                } else {
-                    phi_814_ = _e469;
-                    phi_839_ = type_9(0u, type_9().member_1);
-                }
-                let _e483 = phi_814_;
-                let _e485 = phi_839_;
-                if (bitcast<i32>(_e485.member) != 0i) {
-                    if (_e471 == 0u) {
-                        phi_2066_ = u32();
-                        phi_2067_ = false;
+            if (_e373 < 32u) {
+                let _e575 = local;
+                phi_937_ = (_e575 & ((1u << bitcast<u32>((_e373 & 31u))) - 1u));
+            } else {
+                let _e1501 = local_3;
+                phi_937_ = _e1501;
+            }
+            let _e578 = phi_937_;
+            if _e368 {
+                phi_943_ = type_9(0u, _e373);
+                phi_946_ = _e578;
+                loop {
+                    let _e581 = phi_943_;
+                    let _e583 = phi_946_;
+                    local_4 = _e583;
+                    if (_e581.member < _e581.member_1) {
+                        phi_944_ = type_9((_e581.member + 1u), _e581.member_1);
+                        phi_969_ = type_9(1u, _e581.member);
                     } else {
-                        let _e496 = names[((_e78 * 32u) + select(firstTrailingBit(_e471), 32u, (_e471 == 0u)))];
-                        let _e499 = (_e212 + _e79);
-                        let _e500 = (_e219 + _e496);
-                        let _e502 = leaves.member[_e499];
-                        let _e504 = leaves.member[_e500];
-                        let _e506 = nodes.member[_e499];
-                        let _e520 = nodes.member[_e500];
-                        let _e535 = params.member.member.member_1;
-                        if ((_e535 & 1u) != 0u) {
-                            if (_e82 == 0u) {
-                                if (_e504.member[0] == _e502.member[0]) {
-                                    phi_933_ = true;
-                                } else {
-                                    phi_933_ = (_e504.member[0] == _e502.member[0]);
-                                }
-                                let _e563 = phi_933_;
-                                if (_e504.member[1] == _e502.member[0]) {
-                                    phi_940_ = true;
-                                } else {
-                                    phi_940_ = (_e504.member[1] == _e502.member[0]);
-                                }
-                                let _e568 = phi_940_;
-                                if (_e504.member[2] == _e502.member[0]) {
-                                    phi_948_ = true;
-                                } else {
-                                    phi_948_ = (_e504.member[2] == _e502.member[0]);
-                                }
-                                let _e574 = phi_948_;
-                                phi_967_ = ((_e563 || _e568) || _e574);
+                        phi_944_ = _e581;
+                        phi_969_ = type_9(0u, type_9().member_1);
+                    }
+                    let _e595 = phi_944_;
+                    let _e597 = phi_969_;
+                    let _e601 = (bitcast<i32>(_e597.member) != 0i);
+                    if _e601 {
+                        let _e604 = names[(_e371 + _e597.member_1)];
+                        if _e368 {
+                            let _e605 = ((_e52 % 32u) < _e604);
+                            if _e605 {
+                                phi_993_ = bool();
                             } else {
-                                if (_e504.member[0] == _e502.member[0]) {
-                                    phi_959_ = true;
-                                } else {
-                                    phi_959_ = (_e504.member[0] == _e502.member[1]);
-                                }
-                                let _e550 = phi_959_;
-                                if (_e504.member[1] == _e502.member[0]) {
-                                    phi_965_ = true;
-                                } else {
-                                    phi_965_ = (_e504.member[1] == _e502.member[1]);
-                                }
-                                let _e554 = phi_965_;
-                                phi_967_ = (_e550 || _e554);
+                                phi_993_ = false;
                             }
-                            let _e577 = phi_967_;
-                            if _e577 {
-                                phi_971_ = false;
-                            } else {
-                                phi_971_ = true;
-                            }
-                            let _e579 = phi_971_;
-                            phi_972_ = _e579;
+                            let _e607 = phi_993_;
+                            phi_994_ = _e607;
+                            phi_995_ = _e605;
                         } else {
-                            phi_972_ = true;
+                            phi_994_ = bool();
+                            phi_995_ = true;
                         }
-                        let _e581 = phi_972_;
-                        if _e581 {
-                            let _e583 = params.member.member.member_1;
-                            if ((_e583 & 2u) != 0u) {
-                                let _e589 = bodies.member[_e502.member[0]];
-                                let _e593 = bodies.member[_e504.member[0]];
-                                if ((_e589 / 4u) != (_e593 / 4u)) {
-                                    phi_1017_ = true;
-                                } else {
-                                    if ((_e589 & 2u) == 0u) {
-                                        phi_1016_ = false;
-                                    } else {
-                                        phi_1016_ = true;
-                                    }
-                                    let _e600 = phi_1016_;
-                                    phi_1017_ = _e600;
-                                }
-                                let _e602 = phi_1017_;
-                                if _e602 {
-                                    phi_1024_ = (((_e589 & _e593) & 1u) == 0u);
-                                } else {
-                                    phi_1024_ = false;
-                                }
-                                let _e607 = phi_1024_;
-                                if _e607 {
-                                    let _e609 = params.member.member.member_1;
-                                    if ((_e609 & 4u) != 0u) {
-                                        let _e614 = params.member.member.member[0u];
-                                        let _e616 = bodies.member[_e614];
-                                        let _e619 = bodies.member[(_e614 + 1u)];
-                                        let _e624 = ((_e614 + 4u) + (2u * (_e589 >> bitcast<u32>(2i))));
-                                        let _e629 = ((_e614 + 4u) + (2u * (_e593 >> bitcast<u32>(2i))));
-                                        let _e631 = bodies.member[_e624];
-                                        let _e633 = bodies.member[_e629];
-                                        let _e642 = bodies.member[((((_e614 + 4u) + (2u * _e616)) + (_e631 * _e619)) + (_e633 / 32u))];
-                                        let _e645 = bodies.member[(_e624 + 1u)];
-                                        let _e648 = bodies.member[(_e629 + 1u)];
-                                        if (_e645 == _e648) {
-                                            if (((_e642 >> bitcast<u32>(((_e633 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_1140_ = true;
-                                            } else {
-                                                phi_1140_ = ((_e589 >> bitcast<u32>(2i)) == (_e593 >> bitcast<u32>(2i)));
-                                            }
-                                            let _e662 = phi_1140_;
-                                            phi_1141_ = _e662;
+                        let _e609 = phi_994_;
+                        let _e611 = phi_995_;
+                        if _e611 {
+                            phi_999_ = true;
+                        } else {
+                            phi_999_ = _e609;
+                        }
+                        let _e613 = phi_999_;
+                        if _e613 {
+                            phi_1007_ = false;
+                        } else {
+                            phi_1007_ = true;
+                        }
+                        let _e615 = phi_1007_;
+                        if _e615 {
+                            phi_1015_ = (_e583 & ~((1u << bitcast<u32>((_e597.member_1 & 31u)))));
+                        } else {
+                            phi_1015_ = _e583;
+                        }
+                        let _e622 = phi_1015_;
+                        phi_947_ = _e622;
+                    } else {
+                        phi_947_ = u32();
+                    }
+                    let _e624 = phi_947_;
+                    continue;
+                    continuing {
+                        phi_943_ = _e595;
+                        phi_946_ = _e624;
+                        break if !(_e601);
+                    }
+                }
+                let _e1515 = local_4;
+                phi_1016_ = _e1515;
+            } else {
+                phi_1016_ = _e578;
+            }
+            let _e627 = phi_1016_;
+            let _e629 = countOneBits(_e627);
+            if (_e629 > 0u) {
+                let _e632 = atomicAdd((&counters[4u]), _e629);
+                phi_1026_ = type_9(_e627, _e632);
+            } else {
+                phi_1026_ = type_9(_e627, 0u);
+            }
+            let _e635 = phi_1026_;
+            workgroupBarrier();
+            if (_e52 == 0u) {
+                let _e638 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e638;
+            }
+            let _e641 = workgroupUniformLoad((&n_hits[0u]));
+            let _e642 = (_e641 / 512u);
+            if ((_e641 % 512u) > 0u) {
+                phi_1052_ = (_e642 + 1u);
+            } else {
+                phi_1052_ = _e642;
+            }
+            let _e647 = phi_1052_;
+            phi_1055_ = type_9(0u, _e647);
+            phi_1058_ = _e635;
+            loop {
+                let _e650 = phi_1055_;
+                let _e652 = phi_1058_;
+                if (_e650.member < _e650.member_1) {
+                    phi_1056_ = type_9((_e650.member + 1u), _e650.member_1);
+                    phi_1083_ = type_9(1u, _e650.member);
+                } else {
+                    phi_1056_ = _e650;
+                    phi_1083_ = type_9(0u, type_9().member_1);
+                }
+                let _e664 = phi_1056_;
+                let _e666 = phi_1083_;
+                let _e670 = (bitcast<i32>(_e666.member) != 0i);
+                if _e670 {
+                    let _e671 = (_e52 / 32u);
+                    let _e673 = (_e666.member_1 * 512u);
+                    phi_1100_ = _e652;
+                    phi_1103_ = type_9(0u, countOneBits(_e652.member));
+                    loop {
+                        let _e678 = phi_1100_;
+                        let _e680 = phi_1103_;
+                        local_5 = _e678;
+                        if (_e680.member < _e680.member_1) {
+                            phi_1104_ = type_9((_e680.member + 1u), _e680.member_1);
+                            phi_1126_ = type_9(1u, _e680.member);
+                        } else {
+                            phi_1104_ = _e680;
+                            phi_1126_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e692 = phi_1104_;
+                        let _e694 = phi_1126_;
+                        if (bitcast<i32>(_e694.member) != 0i) {
+                            let _e699 = (_e678.member_1 - _e673);
+                            if (_e699 >= 512u) {
+                                phi_1160_ = type_9();
+                                phi_1161_ = false;
+                            } else {
+                                let _e708 = names[((_e671 * 32u) + select(firstTrailingBit(_e678.member), 32u, (_e678.member == 0u)))];
+                                hits[_e699] = (((_e671 << bitcast<u32>(10i)) | ((_e52 % 32u) << bitcast<u32>(5i))) | _e708);
+                                phi_1160_ = type_9((_e678.member & (_e678.member - 1u)), (_e678.member_1 + 1u));
+                                phi_1161_ = true;
+                            }
+                            let _e724 = phi_1160_;
+                            let _e726 = phi_1161_;
+                            phi_1101_ = _e724;
+                            phi_1162_ = _e726;
+                        } else {
+                            phi_1101_ = type_9();
+                            phi_1162_ = false;
+                        }
+                        let _e728 = phi_1101_;
+                        let _e730 = phi_1162_;
+                        continue;
+                        continuing {
+                            phi_1100_ = _e728;
+                            phi_1103_ = _e692;
+                            break if !(_e730);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e733 = n_hits[0u];
+                    let _e734 = (_e733 - _e673);
+                    if (512u < _e734) {
+                        phi_1170_ = 512u;
+                    } else {
+                        phi_1170_ = _e734;
+                    }
+                    let _e737 = phi_1170_;
+                    phi_1173_ = type_9(0u, 4u);
+                    loop {
+                        let _e739 = phi_1173_;
+                        if (_e739.member < _e739.member_1) {
+                            phi_1174_ = type_9((_e739.member + 1u), _e739.member_1);
+                            phi_1199_ = type_9(1u, _e739.member);
+                        } else {
+                            phi_1174_ = _e739;
+                            phi_1199_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e751 = phi_1174_;
+                        let _e753 = phi_1199_;
+                        if (bitcast<i32>(_e753.member) != 0i) {
+                            let _e759 = (_e52 + (_e753.member_1 * 128u));
+                            if (_e759 >= _e737) {
+                                phi_2373_ = false;
+                            } else {
+                                let _e762 = hits[_e759];
+                                let _e765 = ((_e762 >> bitcast<u32>(10i)) & 3u);
+                                let _e772 = firsts[(2u * _e765)];
+                                let _e777 = firsts[((2u * _e765) + 1u)];
+                                let _e780 = leaves.member[(_e772 + ((_e762 >> bitcast<u32>(5i)) & 31u))];
+                                let _e786 = leaves.member[(_e777 + (_e762 & 31u))];
+                                let _e793 = ((_e762 >> bitcast<u32>(10i)) & 3u);
+                                let _e800 = firsts[(2u * _e793)];
+                                let _e805 = firsts[((2u * _e793) + 1u)];
+                                let _e808 = nodes.member[(_e800 + ((_e762 >> bitcast<u32>(5i)) & 31u))];
+                                let _e822 = nodes.member[(_e805 + (_e762 & 31u))];
+                                if ((_e69.member_1 & 1u) != 0u) {
+                                    if (_e72 == 0u) {
+                                        if (_e786.x == _e780.x) {
+                                            phi_1332_ = true;
                                         } else {
-                                            phi_1141_ = false;
+                                            phi_1332_ = (_e786.x == _e780.x);
                                         }
-                                        let _e664 = phi_1141_;
-                                        if _e664 {
-                                            let _e669 = bodies.member[(_e614 + 2u)];
-                                            let _e672 = bodies.member[(_e614 + 3u)];
-                                            let _e673 = (_e672 + _e614);
-                                            if (_e82 == 1u) {
-                                                if (_e504.member_1 < _e502.member_1) {
-                                                    phi_1178_ = _e502.member_1;
-                                                    phi_1179_ = _e504.member_1;
-                                                } else {
-                                                    phi_1178_ = _e504.member_1;
-                                                    phi_1179_ = _e502.member_1;
-                                                }
-                                                let _e677 = phi_1178_;
-                                                let _e679 = phi_1179_;
-                                                phi_1180_ = _e677;
-                                                phi_1181_ = _e679;
+                                        let _e851 = phi_1332_;
+                                        if (_e786.y == _e780.x) {
+                                            phi_1339_ = true;
+                                        } else {
+                                            phi_1339_ = (_e786.y == _e780.x);
+                                        }
+                                        let _e855 = phi_1339_;
+                                        if (_e786.z == _e780.x) {
+                                            phi_1347_ = true;
+                                        } else {
+                                            phi_1347_ = (_e786.z == _e780.x);
+                                        }
+                                        let _e860 = phi_1347_;
+                                        phi_1362_ = ((_e851 || _e855) || _e860);
+                                    } else {
+                                        if (_e786.x == _e780.x) {
+                                            phi_1354_ = true;
+                                        } else {
+                                            phi_1354_ = (_e786.x == _e780.y);
+                                        }
+                                        let _e842 = phi_1354_;
+                                        if (_e786.y == _e780.x) {
+                                            phi_1360_ = true;
+                                        } else {
+                                            phi_1360_ = (_e786.y == _e780.y);
+                                        }
+                                        let _e846 = phi_1360_;
+                                        phi_1362_ = (_e842 || _e846);
+                                    }
+                                    let _e863 = phi_1362_;
+                                    if _e863 {
+                                        phi_1366_ = false;
+                                    } else {
+                                        phi_1366_ = true;
+                                    }
+                                    let _e865 = phi_1366_;
+                                    phi_1367_ = _e865;
+                                } else {
+                                    phi_1367_ = true;
+                                }
+                                let _e867 = phi_1367_;
+                                if _e867 {
+                                    if ((_e69.member_1 & 2u) != 0u) {
+                                        let _e872 = bodies.member[_e780.x];
+                                        let _e874 = bodies.member[_e786.x];
+                                        if ((_e872 / 4u) != (_e874 / 4u)) {
+                                            phi_1409_ = true;
+                                        } else {
+                                            if ((_e872 & 2u) == 0u) {
+                                                phi_1408_ = false;
                                             } else {
-                                                phi_1180_ = _e504.member_1;
-                                                phi_1181_ = _e502.member_1;
+                                                phi_1408_ = true;
                                             }
-                                            let _e681 = phi_1180_;
-                                            let _e683 = phi_1181_;
-                                            phi_1184_ = type_15(0i, 32i);
-                                            phi_1187_ = _e669;
-                                            phi_1189_ = 0u;
-                                            loop {
-                                                let _e685 = phi_1184_;
-                                                let _e687 = phi_1187_;
-                                                let _e689 = phi_1189_;
-                                                local = _e689;
-                                                local_1 = _e689;
-                                                if (_e685.member < _e685.member_1) {
-                                                    let _e696 = (_e685.member + 1i);
-                                                    if ((false == (_e696 > _e685.member)) != false) {
-                                                        phi_1210_ = true;
+                                            let _e881 = phi_1408_;
+                                            phi_1409_ = _e881;
+                                        }
+                                        let _e883 = phi_1409_;
+                                        if _e883 {
+                                            phi_1416_ = (((_e872 & _e874) & 1u) == 0u);
+                                        } else {
+                                            phi_1416_ = false;
+                                        }
+                                        let _e888 = phi_1416_;
+                                        if _e888 {
+                                            if ((_e69.member_1 & 4u) != 0u) {
+                                                let _e895 = bodies.member[_e69.member[0]];
+                                                let _e898 = bodies.member[(_e69.member[0] + 1u)];
+                                                let _e903 = ((_e69.member[0] + 4u) + (2u * (_e872 >> bitcast<u32>(2i))));
+                                                let _e908 = ((_e69.member[0] + 4u) + (2u * (_e874 >> bitcast<u32>(2i))));
+                                                let _e910 = bodies.member[_e903];
+                                                let _e912 = bodies.member[_e908];
+                                                let _e921 = bodies.member[((((_e69.member[0] + 4u) + (2u * _e895)) + (_e910 * _e898)) + (_e912 / 32u))];
+                                                let _e924 = bodies.member[(_e903 + 1u)];
+                                                let _e927 = bodies.member[(_e908 + 1u)];
+                                                if (_e924 == _e927) {
+                                                    if (((_e921 >> bitcast<u32>(((_e912 % 32u) & 31u))) & 1u) == 1u) {
+                                                        phi_1530_ = true;
                                                     } else {
-                                                        phi_1210_ = false;
+                                                        phi_1530_ = ((_e872 >> bitcast<u32>(2i)) == (_e874 >> bitcast<u32>(2i)));
                                                     }
-                                                    let _e701 = phi_1210_;
-                                                    if _e701 {
-                                                        phi_1216_ = type_16(0u, type_16().member_1);
-                                                    } else {
-                                                        phi_1216_ = type_16(1u, _e696);
-                                                    }
-                                                    let _e706 = phi_1216_;
-                                                    phi_1185_ = type_15(_e706.member_1, _e685.member_1);
-                                                    phi_1230_ = type_16(1u, _e685.member);
+                                                    let _e941 = phi_1530_;
+                                                    phi_1531_ = _e941;
                                                 } else {
-                                                    phi_1185_ = _e685;
-                                                    phi_1230_ = type_16(0u, type_16().member_1);
+                                                    phi_1531_ = false;
                                                 }
-                                                let _e712 = phi_1185_;
-                                                let _e714 = phi_1230_;
-                                                if (bitcast<i32>(_e714.member) != 0i) {
-                                                    if (_e689 >= _e687) {
-                                                        phi_1313_ = u32();
-                                                        phi_1314_ = u32();
-                                                        phi_1315_ = false;
-                                                    } else {
-                                                        let _e721 = (_e689 + ((_e687 - _e689) / 2u));
-                                                        let _e723 = (_e673 + (3u * _e721));
-                                                        let _e725 = bodies.member[_e723];
-                                                        let _e728 = bodies.member[(_e723 + 1u)];
-                                                        let _e731 = bodies.member[(_e723 + 2u)];
-                                                        if (_e725 < _e82) {
-                                                            phi_1306_ = true;
+                                                let _e943 = phi_1531_;
+                                                if _e943 {
+                                                    let _e946 = bodies.member[(_e69.member[0] + 2u)];
+                                                    let _e949 = bodies.member[(_e69.member[0] + 3u)];
+                                                    let _e950 = (_e949 + _e69.member[0]);
+                                                    if (_e72 == 1u) {
+                                                        if (_e786.w < _e780.w) {
+                                                            phi_1566_ = _e780.w;
+                                                            phi_1567_ = _e786.w;
                                                         } else {
-                                                            if (_e725 == _e82) {
-                                                                if (_e728 < _e683) {
-                                                                    phi_1300_ = false;
+                                                            phi_1566_ = _e786.w;
+                                                            phi_1567_ = _e780.w;
+                                                        }
+                                                        let _e954 = phi_1566_;
+                                                        let _e956 = phi_1567_;
+                                                        phi_1568_ = _e954;
+                                                        phi_1569_ = _e956;
+                                                    } else {
+                                                        phi_1568_ = _e786.w;
+                                                        phi_1569_ = _e780.w;
+                                                    }
+                                                    let _e958 = phi_1568_;
+                                                    let _e960 = phi_1569_;
+                                                    phi_1572_ = type_15(0i, 32i);
+                                                    phi_1575_ = _e946;
+                                                    phi_1577_ = 0u;
+                                                    loop {
+                                                        let _e962 = phi_1572_;
+                                                        let _e964 = phi_1575_;
+                                                        let _e966 = phi_1577_;
+                                                        local_1 = _e966;
+                                                        local_2 = _e966;
+                                                        if (_e962.member < _e962.member_1) {
+                                                            let _e973 = (_e962.member + 1i);
+                                                            if ((false == (_e973 > _e962.member)) != false) {
+                                                                phi_1598_ = true;
+                                                            } else {
+                                                                phi_1598_ = false;
+                                                            }
+                                                            let _e978 = phi_1598_;
+                                                            if _e978 {
+                                                                phi_1604_ = type_16(0u, type_16().member_1);
+                                                            } else {
+                                                                phi_1604_ = type_16(1u, _e973);
+                                                            }
+                                                            let _e983 = phi_1604_;
+                                                            phi_1573_ = type_15(_e983.member_1, _e962.member_1);
+                                                            phi_1618_ = type_16(1u, _e962.member);
+                                                        } else {
+                                                            phi_1573_ = _e962;
+                                                            phi_1618_ = type_16(0u, type_16().member_1);
+                                                        }
+                                                        let _e989 = phi_1573_;
+                                                        let _e991 = phi_1618_;
+                                                        if (bitcast<i32>(_e991.member) != 0i) {
+                                                            if (_e966 >= _e964) {
+                                                                phi_1701_ = u32();
+                                                                phi_1702_ = u32();
+                                                                phi_1703_ = false;
+                                                            } else {
+                                                                let _e998 = (_e966 + ((_e964 - _e966) / 2u));
+                                                                let _e1000 = (_e950 + (3u * _e998));
+                                                                let _e1002 = bodies.member[_e1000];
+                                                                let _e1005 = bodies.member[(_e1000 + 1u)];
+                                                                let _e1008 = bodies.member[(_e1000 + 2u)];
+                                                                if (_e1002 < _e72) {
+                                                                    phi_1694_ = true;
                                                                 } else {
-                                                                    if (_e728 == _e683) {
-                                                                        if (_e731 < _e681) {
-                                                                            phi_1298_ = false;
+                                                                    if (_e1002 == _e72) {
+                                                                        if (_e1005 < _e960) {
+                                                                            phi_1688_ = false;
                                                                         } else {
-                                                                            phi_1298_ = true;
+                                                                            if (_e1005 == _e960) {
+                                                                                if (_e1008 < _e958) {
+                                                                                    phi_1686_ = false;
+                                                                                } else {
+                                                                                    phi_1686_ = true;
+                                                                                }
+                                                                                let _e1015 = phi_1686_;
+                                                                                phi_1687_ = _e1015;
+                                                                            } else {
+                                                                                phi_1687_ = true;
+                                                                            }
+                                                                            let _e1017 = phi_1687_;
+                                                                            phi_1688_ = _e1017;
                                                                         }
-                                                                        let _e738 = phi_1298_;
-                                                                        phi_1299_ = _e738;
+                                                                        let _e1019 = phi_1688_;
+                                                                        phi_1689_ = _e1019;
                                                                     } else {
-                                                                        phi_1299_ = true;
+                                                                        phi_1689_ = true;
                                                                     }
-                                                                    let _e740 = phi_1299_;
-                                                                    phi_1300_ = _e740;
+                                                                    let _e1021 = phi_1689_;
+                                                                    if _e1021 {
+                                                                        phi_1693_ = false;
+                                                                    } else {
+                                                                        phi_1693_ = true;
+                                                                    }
+                                                                    let _e1023 = phi_1693_;
+                                                                    phi_1694_ = _e1023;
                                                                 }
-                                                                let _e742 = phi_1300_;
-                                                                phi_1301_ = _e742;
-                                                            } else {
-                                                                phi_1301_ = true;
-                                                            }
-                                                            let _e744 = phi_1301_;
-                                                            if _e744 {
-                                                                phi_1305_ = false;
-                                                            } else {
-                                                                phi_1305_ = true;
-                                                            }
-                                                            let _e746 = phi_1305_;
-                                                            phi_1306_ = _e746;
-                                                        }
-                                                        let _e748 = phi_1306_;
-                                                        if _e748 {
-                                                            phi_1311_ = _e687;
-                                                            phi_1312_ = (_e721 + 1u);
-                                                        } else {
-                                                            phi_1311_ = _e721;
-                                                            phi_1312_ = _e689;
-                                                        }
-                                                        let _e751 = phi_1311_;
-                                                        let _e753 = phi_1312_;
-                                                        phi_1313_ = _e751;
-                                                        phi_1314_ = _e753;
-                                                        phi_1315_ = true;
-                                                    }
-                                                    let _e755 = phi_1313_;
-                                                    let _e757 = phi_1314_;
-                                                    let _e759 = phi_1315_;
-                                                    phi_1188_ = _e755;
-                                                    phi_1190_ = _e757;
-                                                    phi_1316_ = _e759;
-                                                } else {
-                                                    phi_1188_ = u32();
-                                                    phi_1190_ = u32();
-                                                    phi_1316_ = false;
-                                                }
-                                                let _e761 = phi_1188_;
-                                                let _e763 = phi_1190_;
-                                                let _e765 = phi_1316_;
-                                                continue;
-                                                continuing {
-                                                    phi_1184_ = _e712;
-                                                    phi_1187_ = _e761;
-                                                    phi_1189_ = _e763;
-                                                    break if !(_e765);
-                                                }
-                                            }
-                                            let _e768 = local;
-                                            if (_e768 < _e669) {
-                                                let _e771 = local_1;
-                                                let _e773 = (_e673 + (3u * _e771));
-                                                let _e775 = bodies.member[_e773];
-                                                if (_e775 == _e82) {
-                                                    let _e779 = bodies.member[(_e773 + 1u)];
-                                                    if (_e779 == _e683) {
-                                                        let _e783 = bodies.member[(_e773 + 2u)];
-                                                        phi_1364_ = (_e783 == _e681);
-                                                        phi_1365_ = false;
-                                                    } else {
-                                                        phi_1364_ = bool();
-                                                        phi_1365_ = true;
-                                                    }
-                                                    let _e786 = phi_1364_;
-                                                    let _e788 = phi_1365_;
-                                                    phi_1366_ = _e786;
-                                                    phi_1367_ = _e788;
-                                                } else {
-                                                    phi_1366_ = bool();
-                                                    phi_1367_ = true;
-                                                }
-                                                let _e790 = phi_1366_;
-                                                let _e792 = phi_1367_;
-                                                if _e792 {
-                                                    phi_1371_ = false;
-                                                } else {
-                                                    phi_1371_ = _e790;
-                                                }
-                                                let _e794 = phi_1371_;
-                                                phi_1372_ = _e794;
-                                            } else {
-                                                phi_1372_ = false;
-                                            }
-                                            let _e796 = phi_1372_;
-                                            phi_1376_ = _e796;
-                                        } else {
-                                            phi_1376_ = true;
-                                        }
-                                        let _e798 = phi_1376_;
-                                        if _e798 {
-                                            phi_1380_ = false;
-                                        } else {
-                                            phi_1380_ = true;
-                                        }
-                                        let _e800 = phi_1380_;
-                                        phi_1381_ = _e800;
-                                    } else {
-                                        phi_1381_ = true;
-                                    }
-                                    let _e802 = phi_1381_;
-                                    if _e802 {
-                                        phi_1385_ = false;
-                                    } else {
-                                        phi_1385_ = true;
-                                    }
-                                    let _e804 = phi_1385_;
-                                    phi_1386_ = _e804;
-                                } else {
-                                    phi_1386_ = true;
-                                }
-                                let _e806 = phi_1386_;
-                                if _e806 {
-                                    phi_1390_ = false;
-                                } else {
-                                    phi_1390_ = true;
-                                }
-                                let _e808 = phi_1390_;
-                                phi_1391_ = _e808;
-                            } else {
-                                phi_1391_ = true;
-                            }
-                            let _e810 = phi_1391_;
-                            if _e810 {
-                                let _e812 = params.member.member.member_1;
-                                if ((_e812 & 32u) != 0u) {
-                                    let _e816 = params.member.member.member_6;
-                                    let _e833 = (((((_e506.member_1.y - _e520.member.x) > _e816) && ((_e520.member_1.y - _e506.member.x) > _e816)) && (((_e506.member_2.x - _e520.member.y) > _e816) && ((_e520.member_2.x - _e506.member.y) > _e816))) && (((_e506.member_2.y - _e520.member_1.x) > _e816) && ((_e520.member_2.y - _e506.member_1.x) > _e816)));
-                                    if _e833 {
-                                        phi_1993_ = bool();
-                                    } else {
-                                        let _e837 = keys.member[_e502.member[0]];
-                                        let _e842 = keys.member[_e502.member[1]];
-                                        let _e844 = function_5(_e837[0], _e842[0]);
-                                        let _e848 = keys.member[_e502.member[2]];
-                                        let _e850 = function_5(_e844, _e848[0]);
-                                        let _e854 = keys.member[_e504.member[0]];
-                                        let _e859 = keys.member[_e504.member[1]];
-                                        let _e861 = function_4(_e854[3], _e859[3]);
-                                        let _e865 = keys.member[_e504.member[2]];
-                                        let _e867 = function_4(_e861, _e865[3]);
-                                        if (_e850[1] > _e867[1]) {
-                                            phi_1516_ = true;
-                                        } else {
-                                            if (_e850[1] == _e867[1]) {
-                                                phi_1515_ = (_e850[0] > _e867[0]);
-                                            } else {
-                                                phi_1515_ = false;
-                                            }
-                                            let _e878 = phi_1515_;
-                                            phi_1516_ = _e878;
-                                        }
-                                        let _e880 = phi_1516_;
-                                        let _e885 = keys.member[_e504.member[0]];
-                                        let _e890 = keys.member[_e504.member[1]];
-                                        let _e892 = function_5(_e885[0], _e890[0]);
-                                        let _e896 = keys.member[_e504.member[2]];
-                                        let _e898 = function_5(_e892, _e896[0]);
-                                        let _e902 = keys.member[_e502.member[0]];
-                                        let _e907 = keys.member[_e502.member[1]];
-                                        let _e909 = function_4(_e902[3], _e907[3]);
-                                        let _e913 = keys.member[_e502.member[2]];
-                                        let _e915 = function_4(_e909, _e913[3]);
-                                        if (_e898[1] > _e915[1]) {
-                                            phi_1610_ = true;
-                                        } else {
-                                            if (_e898[1] == _e915[1]) {
-                                                phi_1609_ = (_e898[0] > _e915[0]);
-                                            } else {
-                                                phi_1609_ = false;
-                                            }
-                                            let _e926 = phi_1609_;
-                                            phi_1610_ = _e926;
-                                        }
-                                        let _e928 = phi_1610_;
-                                        let _e934 = keys.member[_e502.member[0]];
-                                        let _e939 = keys.member[_e502.member[1]];
-                                        let _e941 = function_3(_e934[1], _e939[1]);
-                                        let _e945 = keys.member[_e502.member[2]];
-                                        let _e947 = function_3(_e941, _e945[1]);
-                                        let _e951 = keys.member[_e504.member[0]];
-                                        let _e956 = keys.member[_e504.member[1]];
-                                        let _e958 = function_2(_e951[4], _e956[4]);
-                                        let _e962 = keys.member[_e504.member[2]];
-                                        let _e964 = function_2(_e958, _e962[4]);
-                                        if (_e947[1] > _e964[1]) {
-                                            phi_1705_ = true;
-                                        } else {
-                                            if (_e947[1] == _e964[1]) {
-                                                phi_1704_ = (_e947[0] > _e964[0]);
-                                            } else {
-                                                phi_1704_ = false;
-                                            }
-                                            let _e975 = phi_1704_;
-                                            phi_1705_ = _e975;
-                                        }
-                                        let _e977 = phi_1705_;
-                                        let _e982 = keys.member[_e504.member[0]];
-                                        let _e987 = keys.member[_e504.member[1]];
-                                        let _e989 = function_3(_e982[1], _e987[1]);
-                                        let _e993 = keys.member[_e504.member[2]];
-                                        let _e995 = function_3(_e989, _e993[1]);
-                                        let _e999 = keys.member[_e502.member[0]];
-                                        let _e1004 = keys.member[_e502.member[1]];
-                                        let _e1006 = function_2(_e999[4], _e1004[4]);
-                                        let _e1010 = keys.member[_e502.member[2]];
-                                        let _e1012 = function_2(_e1006, _e1010[4]);
-                                        if (_e995[1] > _e1012[1]) {
-                                            phi_1799_ = true;
-                                        } else {
-                                            if (_e995[1] == _e1012[1]) {
-                                                phi_1798_ = (_e995[0] > _e1012[0]);
-                                            } else {
-                                                phi_1798_ = false;
-                                            }
-                                            let _e1023 = phi_1798_;
-                                            phi_1799_ = _e1023;
-                                        }
-                                        let _e1025 = phi_1799_;
-                                        let _e1032 = keys.member[_e502.member[0]];
-                                        let _e1037 = keys.member[_e502.member[1]];
-                                        let _e1039 = function_1(_e1032[2], _e1037[2]);
-                                        let _e1043 = keys.member[_e502.member[2]];
-                                        let _e1045 = function_1(_e1039, _e1043[2]);
-                                        let _e1049 = keys.member[_e504.member[0]];
-                                        let _e1054 = keys.member[_e504.member[1]];
-                                        let _e1056 = function_(_e1049[5], _e1054[5]);
-                                        let _e1060 = keys.member[_e504.member[2]];
-                                        let _e1062 = function_(_e1056, _e1060[5]);
-                                        if (_e1045[1] > _e1062[1]) {
-                                            phi_1895_ = true;
-                                        } else {
-                                            if (_e1045[1] == _e1062[1]) {
-                                                phi_1894_ = (_e1045[0] > _e1062[0]);
-                                            } else {
-                                                phi_1894_ = false;
-                                            }
-                                            let _e1073 = phi_1894_;
-                                            phi_1895_ = _e1073;
-                                        }
-                                        let _e1075 = phi_1895_;
-                                        let _e1080 = keys.member[_e504.member[0]];
-                                        let _e1085 = keys.member[_e504.member[1]];
-                                        let _e1087 = function_1(_e1080[2], _e1085[2]);
-                                        let _e1091 = keys.member[_e504.member[2]];
-                                        let _e1093 = function_1(_e1087, _e1091[2]);
-                                        let _e1097 = keys.member[_e502.member[0]];
-                                        let _e1102 = keys.member[_e502.member[1]];
-                                        let _e1104 = function_(_e1097[5], _e1102[5]);
-                                        let _e1108 = keys.member[_e502.member[2]];
-                                        let _e1110 = function_(_e1104, _e1108[5]);
-                                        if (_e1093[1] > _e1110[1]) {
-                                            phi_1989_ = true;
-                                        } else {
-                                            if (_e1093[1] == _e1110[1]) {
-                                                phi_1988_ = (_e1093[0] > _e1110[0]);
-                                            } else {
-                                                phi_1988_ = false;
-                                            }
-                                            let _e1121 = phi_1988_;
-                                            phi_1989_ = _e1121;
-                                        }
-                                        let _e1123 = phi_1989_;
-                                        phi_1993_ = (((!(_e880) && !(_e928)) && (!(_e977) && !(_e1025))) && (!(_e1075) && !(_e1123)));
-                                    }
-                                    let _e1128 = phi_1993_;
-                                    phi_1994_ = _e1128;
-                                    phi_1995_ = _e833;
-                                } else {
-                                    phi_1994_ = bool();
-                                    phi_1995_ = true;
-                                }
-                                let _e1130 = phi_1994_;
-                                let _e1132 = phi_1995_;
-                                if _e1132 {
-                                    phi_1999_ = false;
-                                } else {
-                                    phi_1999_ = true;
-                                }
-                                let _e1134 = phi_1999_;
-                                phi_2000_ = _e1130;
-                                phi_2001_ = _e1134;
-                            } else {
-                                phi_2000_ = false;
-                                phi_2001_ = true;
-                            }
-                            let _e1136 = phi_2000_;
-                            let _e1138 = phi_2001_;
-                            phi_2002_ = _e1136;
-                            phi_2003_ = _e1138;
-                        } else {
-                            phi_2002_ = false;
-                            phi_2003_ = true;
-                        }
-                        let _e1140 = phi_2002_;
-                        let _e1142 = phi_2003_;
-                        if _e1142 {
-                            phi_2007_ = _e1140;
-                        } else {
-                            phi_2007_ = true;
-                        }
-                        let _e1144 = phi_2007_;
-                        if _e1144 {
-                            if (_e85[0] == _e85[1]) {
-                                if (_e502.member_1 < _e504.member_1) {
-                                    phi_2023_ = type_9(_e502.member_1, _e504.member_1);
-                                } else {
-                                    phi_2023_ = type_9(_e504.member_1, _e502.member_1);
-                                }
-                                let _e1153 = phi_2023_;
-                                phi_2028_ = _e1153;
-                            } else {
-                                phi_2028_ = type_9(_e502.member_1, _e504.member_1);
-                            }
-                            let _e1155 = phi_2028_;
-                            let _e1159 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1159 + 1u) < _e1159) {
-                                let _e1163 = atomicAdd((&output.member[2u]), 1u);
-                            }
-                            if (_e1159 < _e69) {
-                                let _e1165 = (2u * _e1159);
-                                atomicStore((&output.member[(4u + _e1165)]), _e1155.member);
-                                atomicStore((&output.member[(_e1165 + 5u)]), _e1155.member_1);
-                            }
-                            let _e1171 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1171 + 1u) < _e1171) {
-                                let _e1175 = atomicAdd((&output.member[3u]), 1u);
-                            }
-                        }
-                        phi_2066_ = (_e471 & (_e471 - 1u));
-                        phi_2067_ = true;
-                    }
-                    let _e1177 = phi_2066_;
-                    let _e1179 = phi_2067_;
-                    phi_817_ = _e1177;
-                    phi_2068_ = _e1179;
-                } else {
-                    phi_817_ = u32();
-                    phi_2068_ = false;
-                }
-                let _e1181 = phi_817_;
-                let _e1183 = phi_2068_;
-                continue;
-                continuing {
-                    phi_813_ = _e483;
-                    phi_816_ = _e1181;
-                    break if !(_e1183);
-                }
-            }
-            workgroupBarrier();
-            let _e1186 = atomicLoad((&counters[4u]));
-            if (2048u < _e1186) {
-                phi_2075_ = 2048u;
-            } else {
-                phi_2075_ = _e1186;
-            }
-            let _e1189 = phi_2075_;
-            phi_2078_ = type_9(0u, 16u);
-            loop {
-                let _e1191 = phi_2078_;
-                if (_e1191.member < _e1191.member_1) {
-                    phi_2079_ = type_9((_e1191.member + 1u), _e1191.member_1);
-                    phi_2102_ = type_9(1u, _e1191.member);
-                } else {
-                    phi_2079_ = _e1191;
-                    phi_2102_ = type_9(0u, type_9().member_1);
-                }
-                let _e1203 = phi_2079_;
-                let _e1205 = phi_2102_;
-                if (bitcast<i32>(_e1205.member) != 0i) {
-                    let _e1211 = (_e51 + (_e1205.member_1 * 128u));
-                    if (_e1211 >= _e1189) {
-                        phi_3293_ = false;
-                    } else {
-                        let _e1214 = hits[_e1211];
-                        let _e1217 = ((_e1214 >> bitcast<u32>(10i)) & 3u);
-                        let _e1224 = firsts[(2u * _e1217)];
-                        let _e1225 = (_e1224 + ((_e1214 >> bitcast<u32>(5i)) & 31u));
-                        let _e1229 = firsts[((2u * _e1217) + 1u)];
-                        let _e1230 = (_e1229 + (_e1214 & 31u));
-                        let _e1232 = leaves.member[_e1225];
-                        let _e1234 = leaves.member[_e1230];
-                        let _e1236 = nodes.member[_e1225];
-                        let _e1250 = nodes.member[_e1230];
-                        let _e1265 = params.member.member.member_1;
-                        if ((_e1265 & 1u) != 0u) {
-                            if (_e82 == 0u) {
-                                if (_e1234.member[0] == _e1232.member[0]) {
-                                    phi_2204_ = true;
-                                } else {
-                                    phi_2204_ = (_e1234.member[0] == _e1232.member[0]);
-                                }
-                                let _e1293 = phi_2204_;
-                                if (_e1234.member[1] == _e1232.member[0]) {
-                                    phi_2211_ = true;
-                                } else {
-                                    phi_2211_ = (_e1234.member[1] == _e1232.member[0]);
-                                }
-                                let _e1298 = phi_2211_;
-                                if (_e1234.member[2] == _e1232.member[0]) {
-                                    phi_2219_ = true;
-                                } else {
-                                    phi_2219_ = (_e1234.member[2] == _e1232.member[0]);
-                                }
-                                let _e1304 = phi_2219_;
-                                phi_2238_ = ((_e1293 || _e1298) || _e1304);
-                            } else {
-                                if (_e1234.member[0] == _e1232.member[0]) {
-                                    phi_2230_ = true;
-                                } else {
-                                    phi_2230_ = (_e1234.member[0] == _e1232.member[1]);
-                                }
-                                let _e1280 = phi_2230_;
-                                if (_e1234.member[1] == _e1232.member[0]) {
-                                    phi_2236_ = true;
-                                } else {
-                                    phi_2236_ = (_e1234.member[1] == _e1232.member[1]);
-                                }
-                                let _e1284 = phi_2236_;
-                                phi_2238_ = (_e1280 || _e1284);
-                            }
-                            let _e1307 = phi_2238_;
-                            if _e1307 {
-                                phi_2242_ = false;
-                            } else {
-                                phi_2242_ = true;
-                            }
-                            let _e1309 = phi_2242_;
-                            phi_2243_ = _e1309;
-                        } else {
-                            phi_2243_ = true;
-                        }
-                        let _e1311 = phi_2243_;
-                        if _e1311 {
-                            let _e1313 = params.member.member.member_1;
-                            if ((_e1313 & 2u) != 0u) {
-                                let _e1319 = bodies.member[_e1232.member[0]];
-                                let _e1323 = bodies.member[_e1234.member[0]];
-                                if ((_e1319 / 4u) != (_e1323 / 4u)) {
-                                    phi_2288_ = true;
-                                } else {
-                                    if ((_e1319 & 2u) == 0u) {
-                                        phi_2287_ = false;
-                                    } else {
-                                        phi_2287_ = true;
-                                    }
-                                    let _e1330 = phi_2287_;
-                                    phi_2288_ = _e1330;
-                                }
-                                let _e1332 = phi_2288_;
-                                if _e1332 {
-                                    phi_2295_ = (((_e1319 & _e1323) & 1u) == 0u);
-                                } else {
-                                    phi_2295_ = false;
-                                }
-                                let _e1337 = phi_2295_;
-                                if _e1337 {
-                                    let _e1339 = params.member.member.member_1;
-                                    if ((_e1339 & 4u) != 0u) {
-                                        let _e1344 = params.member.member.member[0u];
-                                        let _e1346 = bodies.member[_e1344];
-                                        let _e1349 = bodies.member[(_e1344 + 1u)];
-                                        let _e1354 = ((_e1344 + 4u) + (2u * (_e1319 >> bitcast<u32>(2i))));
-                                        let _e1359 = ((_e1344 + 4u) + (2u * (_e1323 >> bitcast<u32>(2i))));
-                                        let _e1361 = bodies.member[_e1354];
-                                        let _e1363 = bodies.member[_e1359];
-                                        let _e1372 = bodies.member[((((_e1344 + 4u) + (2u * _e1346)) + (_e1361 * _e1349)) + (_e1363 / 32u))];
-                                        let _e1375 = bodies.member[(_e1354 + 1u)];
-                                        let _e1378 = bodies.member[(_e1359 + 1u)];
-                                        if (_e1375 == _e1378) {
-                                            if (((_e1372 >> bitcast<u32>(((_e1363 % 32u) & 31u))) & 1u) == 1u) {
-                                                phi_2411_ = true;
-                                            } else {
-                                                phi_2411_ = ((_e1319 >> bitcast<u32>(2i)) == (_e1323 >> bitcast<u32>(2i)));
-                                            }
-                                            let _e1392 = phi_2411_;
-                                            phi_2412_ = _e1392;
-                                        } else {
-                                            phi_2412_ = false;
-                                        }
-                                        let _e1394 = phi_2412_;
-                                        if _e1394 {
-                                            let _e1399 = bodies.member[(_e1344 + 2u)];
-                                            let _e1402 = bodies.member[(_e1344 + 3u)];
-                                            let _e1403 = (_e1402 + _e1344);
-                                            if (_e82 == 1u) {
-                                                if (_e1234.member_1 < _e1232.member_1) {
-                                                    phi_2449_ = _e1232.member_1;
-                                                    phi_2450_ = _e1234.member_1;
-                                                } else {
-                                                    phi_2449_ = _e1234.member_1;
-                                                    phi_2450_ = _e1232.member_1;
-                                                }
-                                                let _e1407 = phi_2449_;
-                                                let _e1409 = phi_2450_;
-                                                phi_2451_ = _e1407;
-                                                phi_2452_ = _e1409;
-                                            } else {
-                                                phi_2451_ = _e1234.member_1;
-                                                phi_2452_ = _e1232.member_1;
-                                            }
-                                            let _e1411 = phi_2451_;
-                                            let _e1413 = phi_2452_;
-                                            phi_2455_ = type_15(0i, 32i);
-                                            phi_2458_ = _e1399;
-                                            phi_2460_ = 0u;
-                                            loop {
-                                                let _e1415 = phi_2455_;
-                                                let _e1417 = phi_2458_;
-                                                let _e1419 = phi_2460_;
-                                                local_2 = _e1419;
-                                                local_3 = _e1419;
-                                                if (_e1415.member < _e1415.member_1) {
-                                                    let _e1426 = (_e1415.member + 1i);
-                                                    if ((false == (_e1426 > _e1415.member)) != false) {
-                                                        phi_2481_ = true;
-                                                    } else {
-                                                        phi_2481_ = false;
-                                                    }
-                                                    let _e1431 = phi_2481_;
-                                                    if _e1431 {
-                                                        phi_2487_ = type_16(0u, type_16().member_1);
-                                                    } else {
-                                                        phi_2487_ = type_16(1u, _e1426);
-                                                    }
-                                                    let _e1436 = phi_2487_;
-                                                    phi_2456_ = type_15(_e1436.member_1, _e1415.member_1);
-                                                    phi_2501_ = type_16(1u, _e1415.member);
-                                                } else {
-                                                    phi_2456_ = _e1415;
-                                                    phi_2501_ = type_16(0u, type_16().member_1);
-                                                }
-                                                let _e1442 = phi_2456_;
-                                                let _e1444 = phi_2501_;
-                                                if (bitcast<i32>(_e1444.member) != 0i) {
-                                                    if (_e1419 >= _e1417) {
-                                                        phi_2584_ = u32();
-                                                        phi_2585_ = u32();
-                                                        phi_2586_ = false;
-                                                    } else {
-                                                        let _e1451 = (_e1419 + ((_e1417 - _e1419) / 2u));
-                                                        let _e1453 = (_e1403 + (3u * _e1451));
-                                                        let _e1455 = bodies.member[_e1453];
-                                                        let _e1458 = bodies.member[(_e1453 + 1u)];
-                                                        let _e1461 = bodies.member[(_e1453 + 2u)];
-                                                        if (_e1455 < _e82) {
-                                                            phi_2577_ = true;
-                                                        } else {
-                                                            if (_e1455 == _e82) {
-                                                                if (_e1458 < _e1413) {
-                                                                    phi_2571_ = false;
+                                                                let _e1025 = phi_1694_;
+                                                                if _e1025 {
+                                                                    phi_1699_ = _e964;
+                                                                    phi_1700_ = (_e998 + 1u);
                                                                 } else {
-                                                                    if (_e1458 == _e1413) {
-                                                                        if (_e1461 < _e1411) {
-                                                                            phi_2569_ = false;
-                                                                        } else {
-                                                                            phi_2569_ = true;
-                                                                        }
-                                                                        let _e1468 = phi_2569_;
-                                                                        phi_2570_ = _e1468;
-                                                                    } else {
-                                                                        phi_2570_ = true;
-                                                                    }
-                                                                    let _e1470 = phi_2570_;
-                                                                    phi_2571_ = _e1470;
+                                                                    phi_1699_ = _e998;
+                                                                    phi_1700_ = _e966;
                                                                 }
-                                                                let _e1472 = phi_2571_;
-                                                                phi_2572_ = _e1472;
-                                                            } else {
-                                                                phi_2572_ = true;
+                                                                let _e1028 = phi_1699_;
+                                                                let _e1030 = phi_1700_;
+                                                                phi_1701_ = _e1028;
+                                                                phi_1702_ = _e1030;
+                                                                phi_1703_ = true;
                                                             }
-                                                            let _e1474 = phi_2572_;
-                                                            if _e1474 {
-                                                                phi_2576_ = false;
-                                                            } else {
-                                                                phi_2576_ = true;
-                                                            }
-                                                            let _e1476 = phi_2576_;
-                                                            phi_2577_ = _e1476;
-                                                        }
-                                                        let _e1478 = phi_2577_;
-                                                        if _e1478 {
-                                                            phi_2582_ = _e1417;
-                                                            phi_2583_ = (_e1451 + 1u);
+                                                            let _e1032 = phi_1701_;
+                                                            let _e1034 = phi_1702_;
+                                                            let _e1036 = phi_1703_;
+                                                            phi_1576_ = _e1032;
+                                                            phi_1578_ = _e1034;
+                                                            phi_1704_ = _e1036;
                                                         } else {
-                                                            phi_2582_ = _e1451;
-                                                            phi_2583_ = _e1419;
+                                                            phi_1576_ = u32();
+                                                            phi_1578_ = u32();
+                                                            phi_1704_ = false;
                                                         }
-                                                        let _e1481 = phi_2582_;
-                                                        let _e1483 = phi_2583_;
-                                                        phi_2584_ = _e1481;
-                                                        phi_2585_ = _e1483;
-                                                        phi_2586_ = true;
+                                                        let _e1038 = phi_1576_;
+                                                        let _e1040 = phi_1578_;
+                                                        let _e1042 = phi_1704_;
+                                                        continue;
+                                                        continuing {
+                                                            phi_1572_ = _e989;
+                                                            phi_1575_ = _e1038;
+                                                            phi_1577_ = _e1040;
+                                                            break if !(_e1042);
+                                                        }
                                                     }
-                                                    let _e1485 = phi_2584_;
-                                                    let _e1487 = phi_2585_;
-                                                    let _e1489 = phi_2586_;
-                                                    phi_2459_ = _e1485;
-                                                    phi_2461_ = _e1487;
-                                                    phi_2587_ = _e1489;
-                                                } else {
-                                                    phi_2459_ = u32();
-                                                    phi_2461_ = u32();
-                                                    phi_2587_ = false;
-                                                }
-                                                let _e1491 = phi_2459_;
-                                                let _e1493 = phi_2461_;
-                                                let _e1495 = phi_2587_;
-                                                continue;
-                                                continuing {
-                                                    phi_2455_ = _e1442;
-                                                    phi_2458_ = _e1491;
-                                                    phi_2460_ = _e1493;
-                                                    break if !(_e1495);
-                                                }
-                                            }
-                                            let _e1498 = local_2;
-                                            if (_e1498 < _e1399) {
-                                                let _e1501 = local_3;
-                                                let _e1503 = (_e1403 + (3u * _e1501));
-                                                let _e1505 = bodies.member[_e1503];
-                                                if (_e1505 == _e82) {
-                                                    let _e1509 = bodies.member[(_e1503 + 1u)];
-                                                    if (_e1509 == _e1413) {
-                                                        let _e1513 = bodies.member[(_e1503 + 2u)];
-                                                        phi_2635_ = (_e1513 == _e1411);
-                                                        phi_2636_ = false;
+                                                    let _e1045 = local_1;
+                                                    if (_e1045 < _e946) {
+                                                        let _e1048 = local_2;
+                                                        let _e1050 = (_e950 + (3u * _e1048));
+                                                        let _e1052 = bodies.member[_e1050];
+                                                        if (_e1052 == _e72) {
+                                                            let _e1056 = bodies.member[(_e1050 + 1u)];
+                                                            if (_e1056 == _e960) {
+                                                                let _e1060 = bodies.member[(_e1050 + 2u)];
+                                                                phi_1752_ = (_e1060 == _e958);
+                                                                phi_1753_ = false;
+                                                            } else {
+                                                                phi_1752_ = bool();
+                                                                phi_1753_ = true;
+                                                            }
+                                                            let _e1063 = phi_1752_;
+                                                            let _e1065 = phi_1753_;
+                                                            phi_1754_ = _e1063;
+                                                            phi_1755_ = _e1065;
+                                                        } else {
+                                                            phi_1754_ = bool();
+                                                            phi_1755_ = true;
+                                                        }
+                                                        let _e1067 = phi_1754_;
+                                                        let _e1069 = phi_1755_;
+                                                        if _e1069 {
+                                                            phi_1759_ = false;
+                                                        } else {
+                                                            phi_1759_ = _e1067;
+                                                        }
+                                                        let _e1071 = phi_1759_;
+                                                        phi_1760_ = _e1071;
                                                     } else {
-                                                        phi_2635_ = bool();
-                                                        phi_2636_ = true;
+                                                        phi_1760_ = false;
                                                     }
-                                                    let _e1516 = phi_2635_;
-                                                    let _e1518 = phi_2636_;
-                                                    phi_2637_ = _e1516;
-                                                    phi_2638_ = _e1518;
+                                                    let _e1073 = phi_1760_;
+                                                    phi_1764_ = _e1073;
                                                 } else {
-                                                    phi_2637_ = bool();
-                                                    phi_2638_ = true;
+                                                    phi_1764_ = true;
                                                 }
-                                                let _e1520 = phi_2637_;
-                                                let _e1522 = phi_2638_;
-                                                if _e1522 {
-                                                    phi_2642_ = false;
+                                                let _e1075 = phi_1764_;
+                                                if _e1075 {
+                                                    phi_1768_ = false;
                                                 } else {
-                                                    phi_2642_ = _e1520;
+                                                    phi_1768_ = true;
                                                 }
-                                                let _e1524 = phi_2642_;
-                                                phi_2643_ = _e1524;
+                                                let _e1077 = phi_1768_;
+                                                phi_1769_ = _e1077;
                                             } else {
-                                                phi_2643_ = false;
+                                                phi_1769_ = true;
                                             }
-                                            let _e1526 = phi_2643_;
-                                            phi_2647_ = _e1526;
+                                            let _e1079 = phi_1769_;
+                                            if _e1079 {
+                                                phi_1773_ = false;
+                                            } else {
+                                                phi_1773_ = true;
+                                            }
+                                            let _e1081 = phi_1773_;
+                                            phi_1774_ = _e1081;
                                         } else {
-                                            phi_2647_ = true;
+                                            phi_1774_ = true;
                                         }
-                                        let _e1528 = phi_2647_;
-                                        if _e1528 {
-                                            phi_2651_ = false;
+                                        let _e1083 = phi_1774_;
+                                        if _e1083 {
+                                            phi_1778_ = false;
                                         } else {
-                                            phi_2651_ = true;
+                                            phi_1778_ = true;
                                         }
-                                        let _e1530 = phi_2651_;
-                                        phi_2652_ = _e1530;
+                                        let _e1085 = phi_1778_;
+                                        phi_1779_ = _e1085;
                                     } else {
-                                        phi_2652_ = true;
+                                        phi_1779_ = true;
                                     }
-                                    let _e1532 = phi_2652_;
-                                    if _e1532 {
-                                        phi_2656_ = false;
+                                    let _e1087 = phi_1779_;
+                                    if _e1087 {
+                                        if ((_e69.member_1 & 32u) != 0u) {
+                                            let _e1108 = (((((_e808.member_1.y - _e822.member.x) > _e69.member_6) && ((_e822.member_1.y - _e808.member.x) > _e69.member_6)) && (((_e808.member_2.x - _e822.member.y) > _e69.member_6) && ((_e822.member_2.x - _e808.member.y) > _e69.member_6))) && (((_e808.member_2.y - _e822.member_1.x) > _e69.member_6) && ((_e822.member_2.y - _e808.member_1.x) > _e69.member_6)));
+                                            if _e1108 {
+                                                phi_2343_ = bool();
+                                            } else {
+                                                let _e1110 = keys.member[_e780.x];
+                                                let _e1113 = keys.member[_e780.y];
+                                                let _e1115 = function_5(_e1110[0], _e1113[0]);
+                                                let _e1117 = keys.member[_e780.z];
+                                                let _e1119 = function_5(_e1115, _e1117[0]);
+                                                let _e1121 = keys.member[_e786.x];
+                                                let _e1124 = keys.member[_e786.y];
+                                                let _e1126 = function_4(_e1121[3], _e1124[3]);
+                                                let _e1128 = keys.member[_e786.z];
+                                                let _e1130 = function_4(_e1126, _e1128[3]);
+                                                if (_e1119[1] > _e1130[1]) {
+                                                    phi_1896_ = true;
+                                                } else {
+                                                    if (_e1119[1] == _e1130[1]) {
+                                                        phi_1895_ = (_e1119[0] > _e1130[0]);
+                                                    } else {
+                                                        phi_1895_ = false;
+                                                    }
+                                                    let _e1141 = phi_1895_;
+                                                    phi_1896_ = _e1141;
+                                                }
+                                                let _e1143 = phi_1896_;
+                                                let _e1146 = keys.member[_e786.x];
+                                                let _e1149 = keys.member[_e786.y];
+                                                let _e1151 = function_5(_e1146[0], _e1149[0]);
+                                                let _e1153 = keys.member[_e786.z];
+                                                let _e1155 = function_5(_e1151, _e1153[0]);
+                                                let _e1157 = keys.member[_e780.x];
+                                                let _e1160 = keys.member[_e780.y];
+                                                let _e1162 = function_4(_e1157[3], _e1160[3]);
+                                                let _e1164 = keys.member[_e780.z];
+                                                let _e1166 = function_4(_e1162, _e1164[3]);
+                                                if (_e1155[1] > _e1166[1]) {
+                                                    phi_1984_ = true;
+                                                } else {
+                                                    if (_e1155[1] == _e1166[1]) {
+                                                        phi_1983_ = (_e1155[0] > _e1166[0]);
+                                                    } else {
+                                                        phi_1983_ = false;
+                                                    }
+                                                    let _e1177 = phi_1983_;
+                                                    phi_1984_ = _e1177;
+                                                }
+                                                let _e1179 = phi_1984_;
+                                                let _e1183 = keys.member[_e780.x];
+                                                let _e1186 = keys.member[_e780.y];
+                                                let _e1188 = function_3(_e1183[1], _e1186[1]);
+                                                let _e1190 = keys.member[_e780.z];
+                                                let _e1192 = function_3(_e1188, _e1190[1]);
+                                                let _e1194 = keys.member[_e786.x];
+                                                let _e1197 = keys.member[_e786.y];
+                                                let _e1199 = function_2(_e1194[4], _e1197[4]);
+                                                let _e1201 = keys.member[_e786.z];
+                                                let _e1203 = function_2(_e1199, _e1201[4]);
+                                                if (_e1192[1] > _e1203[1]) {
+                                                    phi_2073_ = true;
+                                                } else {
+                                                    if (_e1192[1] == _e1203[1]) {
+                                                        phi_2072_ = (_e1192[0] > _e1203[0]);
+                                                    } else {
+                                                        phi_2072_ = false;
+                                                    }
+                                                    let _e1214 = phi_2072_;
+                                                    phi_2073_ = _e1214;
+                                                }
+                                                let _e1216 = phi_2073_;
+                                                let _e1219 = keys.member[_e786.x];
+                                                let _e1222 = keys.member[_e786.y];
+                                                let _e1224 = function_3(_e1219[1], _e1222[1]);
+                                                let _e1226 = keys.member[_e786.z];
+                                                let _e1228 = function_3(_e1224, _e1226[1]);
+                                                let _e1230 = keys.member[_e780.x];
+                                                let _e1233 = keys.member[_e780.y];
+                                                let _e1235 = function_2(_e1230[4], _e1233[4]);
+                                                let _e1237 = keys.member[_e780.z];
+                                                let _e1239 = function_2(_e1235, _e1237[4]);
+                                                if (_e1228[1] > _e1239[1]) {
+                                                    phi_2161_ = true;
+                                                } else {
+                                                    if (_e1228[1] == _e1239[1]) {
+                                                        phi_2160_ = (_e1228[0] > _e1239[0]);
+                                                    } else {
+                                                        phi_2160_ = false;
+                                                    }
+                                                    let _e1250 = phi_2160_;
+                                                    phi_2161_ = _e1250;
+                                                }
+                                                let _e1252 = phi_2161_;
+                                                let _e1257 = keys.member[_e780.x];
+                                                let _e1260 = keys.member[_e780.y];
+                                                let _e1262 = function_1(_e1257[2], _e1260[2]);
+                                                let _e1264 = keys.member[_e780.z];
+                                                let _e1266 = function_1(_e1262, _e1264[2]);
+                                                let _e1268 = keys.member[_e786.x];
+                                                let _e1271 = keys.member[_e786.y];
+                                                let _e1273 = function_(_e1268[5], _e1271[5]);
+                                                let _e1275 = keys.member[_e786.z];
+                                                let _e1277 = function_(_e1273, _e1275[5]);
+                                                if (_e1266[1] > _e1277[1]) {
+                                                    phi_2251_ = true;
+                                                } else {
+                                                    if (_e1266[1] == _e1277[1]) {
+                                                        phi_2250_ = (_e1266[0] > _e1277[0]);
+                                                    } else {
+                                                        phi_2250_ = false;
+                                                    }
+                                                    let _e1288 = phi_2250_;
+                                                    phi_2251_ = _e1288;
+                                                }
+                                                let _e1290 = phi_2251_;
+                                                let _e1293 = keys.member[_e786.x];
+                                                let _e1296 = keys.member[_e786.y];
+                                                let _e1298 = function_1(_e1293[2], _e1296[2]);
+                                                let _e1300 = keys.member[_e786.z];
+                                                let _e1302 = function_1(_e1298, _e1300[2]);
+                                                let _e1304 = keys.member[_e780.x];
+                                                let _e1307 = keys.member[_e780.y];
+                                                let _e1309 = function_(_e1304[5], _e1307[5]);
+                                                let _e1311 = keys.member[_e780.z];
+                                                let _e1313 = function_(_e1309, _e1311[5]);
+                                                if (_e1302[1] > _e1313[1]) {
+                                                    phi_2339_ = true;
+                                                } else {
+                                                    if (_e1302[1] == _e1313[1]) {
+                                                        phi_2338_ = (_e1302[0] > _e1313[0]);
+                                                    } else {
+                                                        phi_2338_ = false;
+                                                    }
+                                                    let _e1324 = phi_2338_;
+                                                    phi_2339_ = _e1324;
+                                                }
+                                                let _e1326 = phi_2339_;
+                                                phi_2343_ = (((!(_e1143) && !(_e1179)) && (!(_e1216) && !(_e1252))) && (!(_e1290) && !(_e1326)));
+                                            }
+                                            let _e1331 = phi_2343_;
+                                            phi_2344_ = _e1331;
+                                            phi_2345_ = _e1108;
+                                        } else {
+                                            phi_2344_ = bool();
+                                            phi_2345_ = true;
+                                        }
+                                        let _e1333 = phi_2344_;
+                                        let _e1335 = phi_2345_;
+                                        if _e1335 {
+                                            phi_2349_ = false;
+                                        } else {
+                                            phi_2349_ = true;
+                                        }
+                                        let _e1337 = phi_2349_;
+                                        phi_2350_ = _e1333;
+                                        phi_2351_ = _e1337;
                                     } else {
-                                        phi_2656_ = true;
+                                        phi_2350_ = false;
+                                        phi_2351_ = true;
                                     }
-                                    let _e1534 = phi_2656_;
-                                    phi_2657_ = _e1534;
+                                    let _e1339 = phi_2350_;
+                                    let _e1341 = phi_2351_;
+                                    phi_2352_ = _e1339;
+                                    phi_2353_ = _e1341;
                                 } else {
-                                    phi_2657_ = true;
+                                    phi_2352_ = false;
+                                    phi_2353_ = true;
                                 }
-                                let _e1536 = phi_2657_;
-                                if _e1536 {
-                                    phi_2661_ = false;
+                                let _e1343 = phi_2352_;
+                                let _e1345 = phi_2353_;
+                                if _e1345 {
+                                    phi_2357_ = _e1343;
                                 } else {
-                                    phi_2661_ = true;
+                                    phi_2357_ = true;
                                 }
-                                let _e1538 = phi_2661_;
-                                phi_2662_ = _e1538;
-                            } else {
-                                phi_2662_ = true;
+                                let _e1347 = phi_2357_;
+                                if _e1347 {
+                                    let _e1349 = atomicAdd((&counters[9u]), 1u);
+                                }
+                                if _e1347 {
+                                    let _e1351 = atomicAdd((&counters[7u]), 1u);
+                                    hits[_e759] = ((2147483648u | (_e1351 << bitcast<u32>(12i))) | _e762);
+                                }
+                                phi_2373_ = true;
                             }
-                            let _e1540 = phi_2662_;
-                            if _e1540 {
-                                let _e1542 = params.member.member.member_1;
-                                if ((_e1542 & 32u) != 0u) {
-                                    let _e1546 = params.member.member.member_6;
-                                    let _e1563 = (((((_e1236.member_1.y - _e1250.member.x) > _e1546) && ((_e1250.member_1.y - _e1236.member.x) > _e1546)) && (((_e1236.member_2.x - _e1250.member.y) > _e1546) && ((_e1250.member_2.x - _e1236.member.y) > _e1546))) && (((_e1236.member_2.y - _e1250.member_1.x) > _e1546) && ((_e1250.member_2.y - _e1236.member_1.x) > _e1546)));
-                                    if _e1563 {
-                                        phi_3264_ = bool();
-                                    } else {
-                                        let _e1567 = keys.member[_e1232.member[0]];
-                                        let _e1572 = keys.member[_e1232.member[1]];
-                                        let _e1574 = function_5(_e1567[0], _e1572[0]);
-                                        let _e1578 = keys.member[_e1232.member[2]];
-                                        let _e1580 = function_5(_e1574, _e1578[0]);
-                                        let _e1584 = keys.member[_e1234.member[0]];
-                                        let _e1589 = keys.member[_e1234.member[1]];
-                                        let _e1591 = function_4(_e1584[3], _e1589[3]);
-                                        let _e1595 = keys.member[_e1234.member[2]];
-                                        let _e1597 = function_4(_e1591, _e1595[3]);
-                                        if (_e1580[1] > _e1597[1]) {
-                                            phi_2787_ = true;
-                                        } else {
-                                            if (_e1580[1] == _e1597[1]) {
-                                                phi_2786_ = (_e1580[0] > _e1597[0]);
-                                            } else {
-                                                phi_2786_ = false;
-                                            }
-                                            let _e1608 = phi_2786_;
-                                            phi_2787_ = _e1608;
-                                        }
-                                        let _e1610 = phi_2787_;
-                                        let _e1615 = keys.member[_e1234.member[0]];
-                                        let _e1620 = keys.member[_e1234.member[1]];
-                                        let _e1622 = function_5(_e1615[0], _e1620[0]);
-                                        let _e1626 = keys.member[_e1234.member[2]];
-                                        let _e1628 = function_5(_e1622, _e1626[0]);
-                                        let _e1632 = keys.member[_e1232.member[0]];
-                                        let _e1637 = keys.member[_e1232.member[1]];
-                                        let _e1639 = function_4(_e1632[3], _e1637[3]);
-                                        let _e1643 = keys.member[_e1232.member[2]];
-                                        let _e1645 = function_4(_e1639, _e1643[3]);
-                                        if (_e1628[1] > _e1645[1]) {
-                                            phi_2881_ = true;
-                                        } else {
-                                            if (_e1628[1] == _e1645[1]) {
-                                                phi_2880_ = (_e1628[0] > _e1645[0]);
-                                            } else {
-                                                phi_2880_ = false;
-                                            }
-                                            let _e1656 = phi_2880_;
-                                            phi_2881_ = _e1656;
-                                        }
-                                        let _e1658 = phi_2881_;
-                                        let _e1664 = keys.member[_e1232.member[0]];
-                                        let _e1669 = keys.member[_e1232.member[1]];
-                                        let _e1671 = function_3(_e1664[1], _e1669[1]);
-                                        let _e1675 = keys.member[_e1232.member[2]];
-                                        let _e1677 = function_3(_e1671, _e1675[1]);
-                                        let _e1681 = keys.member[_e1234.member[0]];
-                                        let _e1686 = keys.member[_e1234.member[1]];
-                                        let _e1688 = function_2(_e1681[4], _e1686[4]);
-                                        let _e1692 = keys.member[_e1234.member[2]];
-                                        let _e1694 = function_2(_e1688, _e1692[4]);
-                                        if (_e1677[1] > _e1694[1]) {
-                                            phi_2976_ = true;
-                                        } else {
-                                            if (_e1677[1] == _e1694[1]) {
-                                                phi_2975_ = (_e1677[0] > _e1694[0]);
-                                            } else {
-                                                phi_2975_ = false;
-                                            }
-                                            let _e1705 = phi_2975_;
-                                            phi_2976_ = _e1705;
-                                        }
-                                        let _e1707 = phi_2976_;
-                                        let _e1712 = keys.member[_e1234.member[0]];
-                                        let _e1717 = keys.member[_e1234.member[1]];
-                                        let _e1719 = function_3(_e1712[1], _e1717[1]);
-                                        let _e1723 = keys.member[_e1234.member[2]];
-                                        let _e1725 = function_3(_e1719, _e1723[1]);
-                                        let _e1729 = keys.member[_e1232.member[0]];
-                                        let _e1734 = keys.member[_e1232.member[1]];
-                                        let _e1736 = function_2(_e1729[4], _e1734[4]);
-                                        let _e1740 = keys.member[_e1232.member[2]];
-                                        let _e1742 = function_2(_e1736, _e1740[4]);
-                                        if (_e1725[1] > _e1742[1]) {
-                                            phi_3070_ = true;
-                                        } else {
-                                            if (_e1725[1] == _e1742[1]) {
-                                                phi_3069_ = (_e1725[0] > _e1742[0]);
-                                            } else {
-                                                phi_3069_ = false;
-                                            }
-                                            let _e1753 = phi_3069_;
-                                            phi_3070_ = _e1753;
-                                        }
-                                        let _e1755 = phi_3070_;
-                                        let _e1762 = keys.member[_e1232.member[0]];
-                                        let _e1767 = keys.member[_e1232.member[1]];
-                                        let _e1769 = function_1(_e1762[2], _e1767[2]);
-                                        let _e1773 = keys.member[_e1232.member[2]];
-                                        let _e1775 = function_1(_e1769, _e1773[2]);
-                                        let _e1779 = keys.member[_e1234.member[0]];
-                                        let _e1784 = keys.member[_e1234.member[1]];
-                                        let _e1786 = function_(_e1779[5], _e1784[5]);
-                                        let _e1790 = keys.member[_e1234.member[2]];
-                                        let _e1792 = function_(_e1786, _e1790[5]);
-                                        if (_e1775[1] > _e1792[1]) {
-                                            phi_3166_ = true;
-                                        } else {
-                                            if (_e1775[1] == _e1792[1]) {
-                                                phi_3165_ = (_e1775[0] > _e1792[0]);
-                                            } else {
-                                                phi_3165_ = false;
-                                            }
-                                            let _e1803 = phi_3165_;
-                                            phi_3166_ = _e1803;
-                                        }
-                                        let _e1805 = phi_3166_;
-                                        let _e1810 = keys.member[_e1234.member[0]];
-                                        let _e1815 = keys.member[_e1234.member[1]];
-                                        let _e1817 = function_1(_e1810[2], _e1815[2]);
-                                        let _e1821 = keys.member[_e1234.member[2]];
-                                        let _e1823 = function_1(_e1817, _e1821[2]);
-                                        let _e1827 = keys.member[_e1232.member[0]];
-                                        let _e1832 = keys.member[_e1232.member[1]];
-                                        let _e1834 = function_(_e1827[5], _e1832[5]);
-                                        let _e1838 = keys.member[_e1232.member[2]];
-                                        let _e1840 = function_(_e1834, _e1838[5]);
-                                        if (_e1823[1] > _e1840[1]) {
-                                            phi_3260_ = true;
-                                        } else {
-                                            if (_e1823[1] == _e1840[1]) {
-                                                phi_3259_ = (_e1823[0] > _e1840[0]);
-                                            } else {
-                                                phi_3259_ = false;
-                                            }
-                                            let _e1851 = phi_3259_;
-                                            phi_3260_ = _e1851;
-                                        }
-                                        let _e1853 = phi_3260_;
-                                        phi_3264_ = (((!(_e1610) && !(_e1658)) && (!(_e1707) && !(_e1755))) && (!(_e1805) && !(_e1853)));
-                                    }
-                                    let _e1858 = phi_3264_;
-                                    phi_3265_ = _e1858;
-                                    phi_3266_ = _e1563;
-                                } else {
-                                    phi_3265_ = bool();
-                                    phi_3266_ = true;
-                                }
-                                let _e1860 = phi_3265_;
-                                let _e1862 = phi_3266_;
-                                if _e1862 {
-                                    phi_3270_ = false;
-                                } else {
-                                    phi_3270_ = true;
-                                }
-                                let _e1864 = phi_3270_;
-                                phi_3271_ = _e1860;
-                                phi_3272_ = _e1864;
-                            } else {
-                                phi_3271_ = false;
-                                phi_3272_ = true;
-                            }
-                            let _e1866 = phi_3271_;
-                            let _e1868 = phi_3272_;
-                            phi_3273_ = _e1866;
-                            phi_3274_ = _e1868;
+                            let _e1358 = phi_2373_;
+                            phi_2374_ = _e1358;
                         } else {
-                            phi_3273_ = false;
-                            phi_3274_ = true;
+                            phi_2374_ = false;
                         }
-                        let _e1870 = phi_3273_;
-                        let _e1872 = phi_3274_;
-                        if _e1872 {
-                            phi_3278_ = _e1870;
-                        } else {
-                            phi_3278_ = true;
+                        let _e1360 = phi_2374_;
+                        continue;
+                        continuing {
+                            phi_1173_ = _e751;
+                            break if !(_e1360);
                         }
-                        let _e1874 = phi_3278_;
-                        if _e1874 {
-                            let _e1876 = atomicAdd((&counters[7u]), 1u);
-                            let _e1878 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1211] = ((2147483648u | (_e1878 << bitcast<u32>(12i))) | _e1214);
-                        }
-                        phi_3293_ = true;
                     }
-                    let _e1885 = phi_3293_;
-                    phi_3294_ = _e1885;
+                    let _e1364 = params.member.member_1.member_3;
+                    workgroupBarrier();
+                    if (_e52 == 0u) {
+                        let _e1367 = atomicLoad((&counters[7u]));
+                        if (_e1367 > 0u) {
+                            let _e1370 = atomicAdd((&output.member[0u]), _e1367);
+                            if ((_e1370 + _e1367) < _e1370) {
+                                let _e1374 = atomicAdd((&output.member[2u]), 1u);
+                            }
+                            atomicStore((&counters[8u]), _e1370);
+                        }
+                        atomicStore((&counters[5u]), 0u);
+                        atomicStore((&counters[6u]), 0u);
+                        atomicStore((&counters[7u]), 0u);
+                    }
+                    workgroupBarrier();
+                    let _e1380 = atomicLoad((&counters[8u]));
+                    phi_2410_ = type_9(0u, 4u);
+                    loop {
+                        let _e1382 = phi_2410_;
+                        if (_e1382.member < _e1382.member_1) {
+                            phi_2411_ = type_9((_e1382.member + 1u), _e1382.member_1);
+                            phi_2434_ = type_9(1u, _e1382.member);
+                        } else {
+                            phi_2411_ = _e1382;
+                            phi_2434_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e1394 = phi_2411_;
+                        let _e1396 = phi_2434_;
+                        if (bitcast<i32>(_e1396.member) != 0i) {
+                            let _e1402 = (_e52 + (_e1396.member_1 * 128u));
+                            if (_e1402 >= _e737) {
+                                phi_2529_ = false;
+                            } else {
+                                let _e1405 = hits[_e1402];
+                                if ((_e1405 & 2147483648u) == 0u) {
+                                    phi_2458_ = 4294967295u;
+                                } else {
+                                    phi_2458_ = ((_e1405 & 2147483647u) >> bitcast<u32>(12i));
+                                }
+                                let _e1412 = phi_2458_;
+                                if (_e1412 != 4294967295u) {
+                                    let _e1416 = ((_e1405 >> bitcast<u32>(10i)) & 3u);
+                                    let _e1423 = firsts[(2u * _e1416)];
+                                    let _e1428 = firsts[((2u * _e1416) + 1u)];
+                                    let _e1431 = leaves.member[(_e1423 + ((_e1405 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1434 = leaves.member[(_e1428 + (_e1405 & 31u))];
+                                    let _e1436 = (_e1380 + _e1412);
+                                    if (_e72 == 1u) {
+                                        if (_e1431.w < _e1434.w) {
+                                            phi_2510_ = type_9(_e1431.w, _e1434.w);
+                                        } else {
+                                            phi_2510_ = type_9(_e1434.w, _e1431.w);
+                                        }
+                                        let _e1443 = phi_2510_;
+                                        phi_2515_ = _e1443;
+                                    } else {
+                                        phi_2515_ = type_9(_e1431.w, _e1434.w);
+                                    }
+                                    let _e1445 = phi_2515_;
+                                    if (_e1436 < _e1364) {
+                                        let _e1449 = (2u * _e1436);
+                                        atomicStore((&output.member[(4u + _e1449)]), _e1445.member);
+                                        atomicStore((&output.member[(_e1449 + 5u)]), _e1445.member_1);
+                                    }
+                                }
+                                phi_2529_ = true;
+                            }
+                            let _e1455 = phi_2529_;
+                            phi_2530_ = _e1455;
+                        } else {
+                            phi_2530_ = false;
+                        }
+                        let _e1457 = phi_2530_;
+                        continue;
+                        continuing {
+                            phi_2410_ = _e1394;
+                            break if !(_e1457);
+                        }
+                    }
+                    workgroupBarrier();
+                    let _e1620 = local_5;
+                    phi_1059_ = _e1620;
                 } else {
-                    phi_3294_ = false;
+                    phi_1059_ = type_9();
                 }
-                let _e1887 = phi_3294_;
+                let _e1460 = phi_1059_;
                 continue;
                 continuing {
-                    phi_2078_ = _e1203;
-                    break if !(_e1887);
+                    phi_1055_ = _e664;
+                    phi_1058_ = _e1460;
+                    break if !(_e670);
                 }
             }
-            workgroupBarrier();
-            if (_e51 == 0u) {
-                let _e1891 = atomicLoad((&counters[5u]));
-                if (_e1891 > 0u) {
-                    let _e1894 = atomicAdd((&output.member[0u]), _e1891);
-                    if ((_e1894 + _e1891) < _e1894) {
-                        let _e1898 = atomicAdd((&output.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[6u]), _e1894);
-                }
-            }
-            workgroupBarrier();
-            let _e1901 = atomicLoad((&counters[6u]));
-            if (_e51 == 0u) {
-                let _e1904 = atomicLoad((&counters[7u]));
-                if (_e1904 > 0u) {
-                    let _e1907 = atomicAdd((&output.member[1u]), _e1904);
-                    if ((_e1907 + _e1904) < _e1907) {
-                        let _e1911 = atomicAdd((&output.member[3u]), 1u);
-                    }
-                }
-            }
-            phi_3345_ = type_9(0u, 16u);
-            loop {
-                let _e1913 = phi_3345_;
-                if (_e1913.member < _e1913.member_1) {
-                    phi_3346_ = type_9((_e1913.member + 1u), _e1913.member_1);
-                    phi_3369_ = type_9(1u, _e1913.member);
-                } else {
-                    phi_3346_ = _e1913;
-                    phi_3369_ = type_9(0u, type_9().member_1);
-                }
-                let _e1925 = phi_3346_;
-                let _e1927 = phi_3369_;
-                if (bitcast<i32>(_e1927.member) != 0i) {
-                    let _e1933 = (_e51 + (_e1927.member_1 * 128u));
-                    if (_e1933 >= _e1189) {
-                        phi_3463_ = false;
-                    } else {
-                        let _e1936 = hits[_e1933];
-                        if ((_e1936 & 2147483648u) == 0u) {
-                            phi_3392_ = 4294967295u;
-                        } else {
-                            phi_3392_ = ((_e1936 & 2147483647u) >> bitcast<u32>(12i));
-                        }
-                        let _e1943 = phi_3392_;
-                        if (_e1943 != 4294967295u) {
-                            let _e1947 = ((_e1936 >> bitcast<u32>(10i)) & 3u);
-                            let _e1954 = firsts[(2u * _e1947)];
-                            let _e1959 = firsts[((2u * _e1947) + 1u)];
-                            let _e1962 = leaves.member[(_e1954 + ((_e1936 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1964 = leaves.member[(_e1959 + (_e1936 & 31u))];
-                            if (_e85[0] == _e85[1]) {
-                                if (_e1962.member_1 < _e1964.member_1) {
-                                    phi_3443_ = type_9(_e1962.member_1, _e1964.member_1);
-                                } else {
-                                    phi_3443_ = type_9(_e1964.member_1, _e1962.member_1);
-                                }
-                                let _e1973 = phi_3443_;
-                                phi_3448_ = _e1973;
-                            } else {
-                                phi_3448_ = type_9(_e1962.member_1, _e1964.member_1);
-                            }
-                            let _e1975 = phi_3448_;
-                            let _e1978 = (_e1901 + _e1943);
-                            if (_e1978 < _e69) {
-                                let _e1980 = (2u * _e1978);
-                                atomicStore((&output.member[(4u + _e1980)]), _e1975.member);
-                                atomicStore((&output.member[(_e1980 + 5u)]), _e1975.member_1);
-                            }
-                        }
-                        phi_3463_ = true;
-                    }
-                    let _e1986 = phi_3463_;
-                    phi_3464_ = _e1986;
-                } else {
-                    phi_3464_ = false;
-                }
-                let _e1988 = phi_3464_;
-                continue;
-                continuing {
-                    phi_3345_ = _e1925;
-                    break if !(_e1988);
-                }
-            }
-            workgroupBarrier();
         }
         continue;
         continuing {
-            phi_290_ = _e147;
-            break if !(_e153);
+            phi_292_ = _e142;
+            break if !(_e148);
+        }
+    }
+    if (_e52 == 0u) {
+        let _e1465 = atomicLoad((&counters[9u]));
+        if (_e1465 > 0u) {
+            let _e1468 = atomicAdd((&output.member[1u]), _e1465);
+            if ((_e1468 + _e1465) < _e1468) {
+                let _e1472 = atomicAdd((&output.member[3u]), 1u);
+            }
         }
     }
     return;

@@ -4,7 +4,7 @@
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::node_numbering;
 use ccd_core::backend::kernel::memory::{Stored, at, put};
-use ccd_core::backend::layout::{Branch, Cluster, Leaf, WideNode};
+use ccd_core::backend::layout::{Branch, Cluster, Leaf, Path, WideNode};
 use ccd_core::math::obb::Obb;
 use spirv_std::glam::{UVec4, Vec2, Vec4};
 
@@ -47,6 +47,29 @@ pub fn box_at(boxes: &[BoxWords], i: usize) -> Aabb {
 #[inline(always)]
 pub fn leaf_words(leaf: &Leaf) -> UVec4 {
     UVec4::new(leaf.vertices[0], leaf.vertices[1], leaf.vertices[2], leaf.id)
+}
+
+/// Leaf `i`.
+#[inline(always)]
+pub fn leaf_at(leaves: &[UVec4], i: usize) -> Leaf {
+    let w = at(leaves, i);
+    Leaf { vertices: [w.x, w.y, w.z], id: w.w }
+}
+
+/// A [`Path`].
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct PathWords {
+    t0: Vec4,
+    t1: Vec4,
+}
+
+impl Stored<Path> for PathWords {
+    #[inline(always)]
+    fn load(slice: &[Self], i: usize) -> Path {
+        let PathWords { t0, t1 } = at(slice, i);
+        Path { t0: [t0.x, t0.y, t0.z, t0.w], t1: [t1.x, t1.y, t1.z, t1.w] }
+    }
 }
 
 /// Branch `i`.

@@ -1,22 +1,22 @@
 //! The cascade of filters, written once for one number and for lanes: what `f32` certifies about
 //! candidates before any is decided.
 
-use crate::kernel::memory::at;
+use crate::kernel::memory::Stored;
 use crate::layout::Path;
 use crate::math::real::{Mask, Num};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
-use crate::narrow_phase::separating_direction::beside;
+use crate::narrow_phase::separating_direction::{axis_separated, beside};
 
 /// Whether the features of a query over `patch` may come within `min_distance`; `false` is certain.
 /// Of two edges, the lesser id is the first.
 ///
 /// `error`: how far a coordinate of a path may be from the true one.
 #[inline(always)]
-pub fn may_touch(
+pub fn may_touch<P: Stored<Path>>(
     patch: Patch,
     ids: [u32; 4],
-    paths: &[Path],
+    paths: &[P],
     error: f32,
     min_distance: f32,
 ) -> bool {
@@ -24,11 +24,76 @@ pub fn may_touch(
     !apart(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
 }
 
+/// The filters of [`may_touch`] one by one, for those who gather what one leaves before the next,
+/// behind a cheaper one: whether no axis keeps the features apart, by their boxes at both ends.
+#[inline(always)]
+pub fn near_on_axes<P: Stored<Path>>(
+    patch: Patch,
+    ids: [u32; 4],
+    paths: &[P],
+    error: f32,
+    min_distance: f32,
+) -> bool {
+    let (x0, x1) = ends(ids, paths);
+    // 1.0001 covers the rounding of this line and of the gap; of either operand of a gap less than
+    // the smallest normal number is flushed.
+    let needed = (min_distance + 2.0 * error) * 1.0001 + 8.0 * f32::MIN_POSITIVE;
+    let ((a0, b0), (a1, b1)) = (boxes(patch, &x0), boxes(patch, &x1));
+    !axis_separated(&a0, &a1, &b0, &b1, needed)
+}
+
+/// The second: whether a look at the whole step leaves them.
+#[inline(always)]
+pub fn near_throughout<P: Stored<Path>>(
+    patch: Patch,
+    ids: [u32; 4],
+    paths: &[P],
+    error: f32,
+    min_distance: f32,
+) -> bool {
+    let (x0, x1) = ends(ids, paths);
+    !apart_throughout(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
+}
+
+/// The third: whether a look at each half of the step does.
+#[inline(always)]
+pub fn near_in_halves<P: Stored<Path>>(
+    patch: Patch,
+    ids: [u32; 4],
+    paths: &[P],
+    error: f32,
+    min_distance: f32,
+) -> bool {
+    let (x0, x1) = ends(ids, paths);
+    !apart_in_halves(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
+}
+
+/// The boxes `[min, max]` of both features of a query at one time.
+#[inline(always)]
+fn boxes(patch: Patch, x: &[[f32; 3]; 4]) -> ([[f32; 3]; 2], [[f32; 3]; 2]) {
+    match patch {
+        Patch::Triangle => {
+            let [low, high] = hull(x[1], x[2]);
+            ([x[0], x[0]], [hull(low, x[3])[0], hull(high, x[3])[1]])
+        }
+        Patch::Parallelogram => (hull(x[0], x[1]), hull(x[2], x[3])),
+    }
+}
+
+/// The box of two points.
+#[inline(always)]
+fn hull(p: [f32; 3], q: [f32; 3]) -> [[f32; 3]; 2] {
+    [
+        [p[0].min(q[0]), p[1].min(q[1]), p[2].min(q[2])],
+        [p[0].max(q[0]), p[1].max(q[1]), p[2].max(q[2])],
+    ]
+}
+
 /// Positions of four vertices at both ends.
 #[inline(always)]
-pub fn ends(ids: [u32; 4], paths: &[Path]) -> ([[f32; 3]; 4], [[f32; 3]; 4]) {
-    let (p, q) = (at(paths, ids[0] as usize), at(paths, ids[1] as usize));
-    let (r, s) = (at(paths, ids[2] as usize), at(paths, ids[3] as usize));
+pub fn ends<P: Stored<Path>>(ids: [u32; 4], paths: &[P]) -> ([[f32; 3]; 4], [[f32; 3]; 4]) {
+    let (p, q) = (P::load(paths, ids[0] as usize), P::load(paths, ids[1] as usize));
+    let (r, s) = (P::load(paths, ids[2] as usize), P::load(paths, ids[3] as usize));
     (
         [three(p.t0), three(q.t0), three(r.t0), three(s.t0)],
         [three(p.t1), three(q.t1), three(r.t1), three(s.t1)],

@@ -2,7 +2,7 @@
 
 use super::cascade::ends;
 use crate::broad_phase::placement::given;
-use crate::kernel::memory::at;
+use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
@@ -153,11 +153,11 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
 /// open in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if
 /// paths are not exact.
 #[inline(always)]
-pub fn narrow(
+pub fn narrow<P: Stored<Path>>(
     pair: Pair,
     frame: &Frame,
     args: &IntegerDecision,
-    paths: &[Path],
+    paths: &[P],
     positions: &[u32],
     elements: &[u32],
 ) -> Verdicts {
@@ -226,11 +226,11 @@ fn time_of(units: u32) -> [u32; 2] {
 
 /// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`].
 #[inline(always)]
-pub fn wide(
+pub fn wide<P: Stored<Path>>(
     kind: u32,
     pair: Pair,
     frame: &Frame,
-    paths: &[Path],
+    paths: &[P],
     positions: &[[f64; 3]],
     elements: &[u32],
 ) -> Verdicts {
@@ -242,10 +242,10 @@ pub fn wide(
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-pub(super) fn wide_ends(
+pub(super) fn wide_ends<P: Stored<Path>>(
     ids: [u32; 4],
     frame: &Frame,
-    paths: &[Path],
+    paths: &[P],
     positions: &[[f64; 3]],
 ) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
     if frame.has(Frame::FLAG_EXACT) {

@@ -1,155 +1,207 @@
 //! From pairs of blocks to candidates, or to candidates that pass the filters: pairs of boxes as in
 //! `block_pairs`, then one hit a thread.
 //!
+//! Of ten candidates a filter leaves one to six. So there are three, the cheapest first, and what
+//! one leaves is gathered before the next, lest a thread that is done wait for its neighbours.
+//!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{HITS, KEPT, SHARE, Teams};
+use super::block_pairs::{FIRST, Hits, KEPT, SECOND, Teams, WANTED, each};
 use crate::entry::kernel;
-use crate::records::{BoxWords, box_at};
-use crate::workgroup::{add_shared, append, barrier, count, get, length, set, write_pair};
+use crate::records::{BoxWords, PathWords, box_at, leaf_at};
+use crate::workgroup::{add_shared, barrier, count, get, length, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
     NOT_KEPT, POOL, THREADS, WIDTH, keep, kept, sets, slot, unpack,
 };
 use ccd_core::backend::broad_phase::candidate::wanted;
-use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Leaf, Pair, VERTEX_FACE};
 use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::relative_motion::Patch;
+use spirv_std::glam::UVec4;
 
-/// A word of `counters` besides those of `block_pairs`: hits that are candidates.
-const WANTED: u32 = 7;
+impl<const N: usize> Teams<'_, N> {
+    /// Boxes of the teams' pairs of blocks that overlap.
+    #[inline(always)]
+    fn hits_of_leaves(&mut self, kind: u32, input: &[u32], len: u32, round: u32) -> Hits {
+        let (pair, some) = self.pair(input, len, round);
+        self.clear();
+        let [set_a, set_b] = sets(kind);
+        if self.t.lane % WIDTH == 0 {
+            let (args, team) = (&self.params.args, self.t.lane / WIDTH);
+            set(self.firsts, 2 * team, slot(args, 0, set_a, pair.a * WIDTH) as u32);
+            set(self.firsts, 2 * team + 1, slot(args, 0, set_b, pair.b * WIDTH) as u32);
+        }
+        let row = self.gather(pair, some);
+        self.test(row, kind == EDGE_EDGE && pair.a == pair.b, true, 0)
+    }
 
-macro_rules! leaf_entry {
-    ($(#[$doc:meta])* $name:ident, $kind:ident, $may_touch:ident [$($paths:ident)?]) => {
+    /// Where the two leaves of a hit are.
+    #[inline(always)]
+    fn places(&self, hit: u32) -> [usize; 2] {
+        let [team, i, j] = unpack(hit);
+        let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
+        [a as usize, b as usize]
+    }
+
+    /// The two leaves of a hit.
+    #[inline(always)]
+    fn leaves(&self, hit: u32, leaves: &[UVec4]) -> [Leaf; 2] {
+        let [p, q] = self.places(hit);
+        [leaf_at(leaves, p), leaf_at(leaves, q)]
+    }
+
+    /// Whether a hit is a candidate; counts it.
+    #[inline(always)]
+    fn is_candidate(
+        &mut self,
+        hit: u32,
+        [a, b]: [&Leaf; 2],
+        (frame, kind): (&Frame, u32),
+        (bodies, keys): (&[u32], &[[[u32; 2]; 6]]),
+    ) -> bool {
+        let [p, q] = self.places(hit);
+        let both = [&box_at(self.nodes, p), &box_at(self.nodes, q)];
+        let is_wanted = wanted(frame, kind, a, b, both, bodies, keys);
+        if is_wanted {
+            add_shared(self.counters, WANTED, 1);
+        }
+        is_wanted
+    }
+
+    /// Keeps hit `h` of the pool.
+    #[inline(always)]
+    fn keep(&mut self, h: u32, hit: u32) {
+        let to = add_shared(self.counters, KEPT, 1);
+        set(self.hits, h, keep(hit, to));
+    }
+
+    /// Appends those of the first `n` hits of the pool that were kept to `list`, as pairs of ids.
+    #[inline(always)]
+    fn write_kept(&mut self, kind: u32, n: u32, leaves: &[UVec4], list: &mut [u32]) {
+        let capacity = self.params.dispatch.capacity_out;
+        let base = self.reserve(list);
+        each!(h < n, self.t.lane, {
+            let hit = get(self.hits, h);
+            let to = kept(hit);
+            if to != NOT_KEPT {
+                let [a, b] = self.leaves(hit, leaves);
+                write_pair(list, capacity, base + to, ids(kind == EDGE_EDGE, a.id, b.id));
+            }
+        });
+        barrier();
+    }
+
+    /// Adds the workgroup's candidates to the second word of `list`: they themselves need not be
+    /// written.
+    #[inline(always)]
+    fn count_candidates(&self, list: &mut [u32]) {
+        if self.t.lane == 0 {
+            let n = get(self.counters, WANTED);
+            if n > 0 {
+                count(list, 1, n);
+            }
+        }
+    }
+}
+
+kernel! {
+    /// From pairs of nodes of level 1 to candidates, as pairs of ids.
+    list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
+        ranges: [u32; 1], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
+        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], bodies: [u32],
+        keys: [[[u32; 2]; 6]], input: [u32], mut output: [u32]) {
+        // A copy: what is read of the record in a loop would be read again and again.
+        let (frame, kind) = (&{ params.frame }, params.args.kind);
+        let len = length(input, params.dispatch.capacity_in);
+        let mut teams =
+            Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts };
+        teams.begin();
+        for round in 0..teams.rounds(len) {
+            let mut found = teams.hits_of_leaves(kind, input, len, round);
+            for pass in 0..teams.number(&mut found) {
+                let n = teams.fill(&mut found, pass);
+                each!(h < n, t.lane, {
+                    let hit = get(teams.hits, h);
+                    let [a, b] = teams.leaves(hit, leaves);
+                    if teams.is_candidate(hit, [&a, &b], (frame, kind), (bodies, keys)) {
+                        teams.keep(h, hit);
+                    }
+                });
+                teams.write_kept(kind, n, leaves, output);
+            }
+        }
+        teams.count_candidates(output);
+    }
+}
+
+macro_rules! filter {
+    ($(#[$doc:meta])* $name:ident, $kind:ident) => {
         kernel! {
             $(#[$doc])*
             $name[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-                ranges: [u32; 1], counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8];
-                nodes: [BoxWords], leaves: [Leaf], bodies: [u32], keys: [[[u32; 2]; 6]],
-                $($paths: [Path],)? input: [u32], mut output: [u32]) {
-                let (frame, capacity) = (&params.frame, params.dispatch.capacity_out);
+                ranges: [u32; 1], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
+                left: [u32; 512], firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4],
+                bodies: [u32], keys: [[[u32; 2]; 6]], paths: [PathWords], input: [u32],
+                mut output: [u32]) {
+                let frame = &{ params.frame };
+                let (error, min_distance) = (frame.path_error, frame.min_distance);
                 let len = length(input, params.dispatch.capacity_in);
-                let (lane, team, i) = (t.lane, t.lane / WIDTH, t.lane % WIDTH);
-                let kind = $kind(params);
-                let [set_a, set_b] = sets(kind);
-                let mut teams =
-                    Teams { t, params, nodes, columns, names, ranges, counters, hits, firsts };
+                let mut teams = Teams {
+                    t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts,
+                };
+                teams.begin();
                 for round in 0..teams.rounds(len) {
-                    let (pair, some) = teams.pair(input, len, round);
-                    teams.clear();
-                    let (first_a, first_b) = (
-                        slot(&params.args, 0, set_a, pair.a * WIDTH) as u32,
-                        slot(&params.args, 0, set_b, pair.b * WIDTH) as u32,
-                    );
-                    if i == 0 {
-                        set(teams.firsts, 2 * team, first_a);
-                        set(teams.firsts, 2 * team + 1, first_b);
-                    }
-                    let row = teams.gather(pair, some);
-                    let same = set_a == set_b && pair.a == pair.b;
-                    let mut beyond = teams.test(row, same, true, 0);
-                    for _ in 0..WIDTH {
-                        if beyond == 0 {
-                            break;
-                        }
-                        let j = get(teams.names, team * WIDTH + beyond.trailing_zeros());
-                        beyond &= beyond - 1;
-                        // Not filtered, which is allowed: filters only save work.
-                        let (p, q) = ((first_a + i) as usize, (first_b + j) as usize);
-                        let (a, b) = (at(leaves, p), at(leaves, q));
-                        let both = [&box_at(nodes, p), &box_at(nodes, q)];
-                        if wanted(frame, kind, &a, &b, both, bodies, keys) {
-                            append(output, capacity, ids(set_a == set_b, a.id, b.id));
-                            count(output, 1, 1);
-                        }
-                    }
-                    barrier();
-                    let n_hits = get(teams.counters, HITS).min(POOL);
-                    for s in 0..SHARE {
-                        let h = lane + s * THREADS;
-                        if h >= n_hits {
-                            break;
-                        }
-                        let hit = get(teams.hits, h);
-                        let [p, q] = teams.leaves_of(hit);
-                        let (a, b) = (at(leaves, p), at(leaves, q));
-                        let both = [&box_at(nodes, p), &box_at(nodes, q)];
-                        if wanted(frame, kind, &a, &b, both, bodies, keys) {
-                            add_shared(teams.counters, WANTED, 1);
-                            if $may_touch(&a, &b, frame, $($paths)?) {
-                                let to = add_shared(teams.counters, KEPT, 1);
-                                set(teams.hits, h, keep(hit, to));
+                    let mut found = teams.hits_of_leaves($kind, input, len, round);
+                    for pass in 0..teams.number(&mut found) {
+                        let n = teams.fill(&mut found, pass);
+                        each!(h < n, t.lane, {
+                            let hit = get(teams.hits, h);
+                            let [a, b] = teams.leaves(hit, leaves);
+                            if teams.is_candidate(hit, [&a, &b], (frame, $kind), (bodies, keys)) {
+                                let (patch, ids) = query($kind, &a, &b);
+                                if cascade::near_on_axes(patch, ids, paths, error, min_distance) {
+                                    set(left, add_shared(teams.counters, FIRST, 1), hit);
+                                }
                             }
-                        }
+                        });
+                        barrier();
+                        let n = get(teams.counters, FIRST);
+                        each!(h < n, t.lane, {
+                            let hit = get(left, h);
+                            let [a, b] = teams.leaves(hit, leaves);
+                            let (patch, ids) = query($kind, &a, &b);
+                            if cascade::near_throughout(patch, ids, paths, error, min_distance) {
+                                set(teams.hits, add_shared(teams.counters, SECOND, 1), hit);
+                            }
+                        });
+                        barrier();
+                        let n = get(teams.counters, SECOND);
+                        each!(h < n, t.lane, {
+                            let hit = get(teams.hits, h);
+                            let [a, b] = teams.leaves(hit, leaves);
+                            let (patch, ids) = query($kind, &a, &b);
+                            if cascade::near_in_halves(patch, ids, paths, error, min_distance) {
+                                teams.keep(h, hit);
+                            }
+                        });
+                        teams.write_kept($kind, n, leaves, output);
                     }
-                    let base = teams.reserve(output);
-                    // The candidates themselves need not be written; their number is the second
-                    // word of the list.
-                    if lane == 0 {
-                        let n = get(teams.counters, WANTED);
-                        if n > 0 {
-                            count(output, 1, n);
-                        }
-                    }
-                    for s in 0..SHARE {
-                        let h = lane + s * THREADS;
-                        if h >= n_hits {
-                            break;
-                        }
-                        let hit = get(teams.hits, h);
-                        let to = kept(hit);
-                        if to != NOT_KEPT {
-                            let [p, q] = teams.leaves_of(hit);
-                            let (a, b) = (at(leaves, p), at(leaves, q));
-                            let pair = ids(set_a == set_b, a.id, b.id);
-                            write_pair(output, capacity, base + to, pair);
-                        }
-                    }
-                    barrier();
                 }
+                teams.count_candidates(output);
             }
         }
     };
 }
 
-impl<const N: usize> Teams<'_, N> {
-    /// Where the two leaves of a hit are.
-    #[inline(always)]
-    fn leaves_of(&self, hit: u32) -> [usize; 2] {
-        let [team, i, j] = unpack(hit);
-        let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
-        [a as usize, b as usize]
-    }
-}
-
-leaf_entry!(
-    /// From pairs of nodes of level 1 to candidates, as pairs of ids.
-    list_candidates, any_kind, all []
-);
-leaf_entry!(
+filter!(
     /// From pairs of nodes of level 1 to the vertex-face candidates that may touch.
-    filter_vertex_face, vertex_face_kind, may_touch_vertex_face [paths]
+    filter_vertex_face, VERTEX_FACE
 );
-leaf_entry!(
+filter!(
     /// From pairs of nodes of level 1 to the edge-edge candidates that may touch.
-    filter_edge_edge, edge_edge_kind, may_touch_edge_edge [paths]
+    filter_edge_edge, EDGE_EDGE
 );
-
-#[inline(always)]
-fn any_kind(params: &Params<Blocks>) -> u32 {
-    params.args.kind
-}
-
-#[inline(always)]
-fn vertex_face_kind(_params: &Params<Blocks>) -> u32 {
-    0
-}
-
-#[inline(always)]
-fn edge_edge_kind(_params: &Params<Blocks>) -> u32 {
-    1
-}
 
 /// Ids of a pair; within one set the lesser first.
 #[inline(always)]
@@ -157,23 +209,16 @@ fn ids(one_set: bool, a: u32, b: u32) -> Pair {
     if one_set { Pair::ordered(a, b) } else { Pair { a, b } }
 }
 
+/// The query of two leaves. The lesser edge enters the arithmetic first, so no result depends on
+/// the order of leaves.
 #[inline(always)]
-fn all(_a: &Leaf, _b: &Leaf, _frame: &Frame) -> bool {
-    true
-}
-
-#[inline(always)]
-fn may_touch_vertex_face(a: &Leaf, b: &Leaf, frame: &Frame, paths: &[Path]) -> bool {
-    let ids = [a.vertices[0], b.vertices[0], b.vertices[1], b.vertices[2]];
-    cascade::may_touch(Patch::Triangle, ids, paths, frame.path_error, frame.min_distance)
-}
-
-/// Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
-/// leaves.
-#[inline(always)]
-fn may_touch_edge_edge(a: &Leaf, b: &Leaf, frame: &Frame, paths: &[Path]) -> bool {
-    let (first, second) = if a.id < b.id { (*a, *b) } else { (*b, *a) };
-    let ([p, q, _], [r, s, _]) = (first.vertices, second.vertices);
-    let ids = [p, q, r, s];
-    cascade::may_touch(Patch::Parallelogram, ids, paths, frame.path_error, frame.min_distance)
+fn query(kind: u32, a: &Leaf, b: &Leaf) -> (Patch, [u32; 4]) {
+    let (p, q) = (a.vertices, b.vertices);
+    if kind == VERTEX_FACE {
+        (Patch::Triangle, [p[0], q[0], q[1], q[2]])
+    } else if a.id < b.id {
+        (Patch::Parallelogram, [p[0], p[1], q[0], q[1]])
+    } else {
+        (Patch::Parallelogram, [q[0], q[1], p[0], p[1]])
+    }
 }

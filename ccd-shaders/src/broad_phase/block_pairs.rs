@@ -3,12 +3,14 @@
 //!
 //! A thread holds one child of the first node; the children of the second that reach into the first
 //! are gathered in workgroup memory, and every thread whose child reaches into the second tests it
-//! against all of them. The hits of all teams are then worked on together, one a thread.
+//! against all of them. The hits of all teams are numbered, and worked on together, one a thread: as
+//! many at once as the pool takes, which is small, because a device runs as many workgroups at a
+//! time as their memory allows.
 
 use crate::entry::{Thread, kernel};
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{
-    add_shared, append, barrier, count, get, length, read_pair, set, write_pair,
+    add_shared, barrier, count, get, get_uniform, length, read_pair, set, write_pair,
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
@@ -17,13 +19,27 @@ use ccd_core::backend::broad_phase::block_bvh::{
 use ccd_core::backend::broad_phase::worlds::{meet, range};
 use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Pair, Params};
 
-/// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list,
-/// hits that are candidates.
-pub(super) const HITS: u32 = 4;
-pub(super) const KEPT: u32 = 5;
-const BASE: u32 = 6;
-/// Hits of the pool that a thread works on, at most.
-pub(super) const SHARE: u32 = POOL / THREADS;
+/// Words of `counters`: columns of each team, hits, hits that a first and a second filter leave,
+/// hits that are kept, where they go in the list, candidates.
+const HITS: u32 = 4;
+pub(super) const FIRST: u32 = 5;
+pub(super) const SECOND: u32 = 6;
+pub(super) const KEPT: u32 = 7;
+const BASE: u32 = 8;
+pub(super) const WANTED: u32 = 9;
+/// Does for each hit `h` below `n`, a number of the pool, what `$body` says: one a thread.
+macro_rules! each {
+    ($h:ident < $n:expr, $lane:expr, $body:block) => {
+        for share in 0..POOL / THREADS {
+            let $h = $lane + share * THREADS;
+            if $h >= $n {
+                break;
+            }
+            $body
+        }
+    };
+}
+pub(super) use each;
 
 /// A workgroup of four teams, as one of its threads sees it: its nodes and its memory. `N`: words
 /// of worlds; 1 where worlds do not matter.
@@ -36,8 +52,11 @@ pub(super) struct Teams<'a, const N: usize> {
     pub names: &'a mut [u32; 128],
     /// Worlds of each team's second node's children.
     pub ranges: &'a mut [u32; N],
-    pub counters: &'a mut [u32; 8],
-    pub hits: &'a mut [u32; 2048],
+    pub counters: &'a mut [u32; 10],
+    /// Hits of all teams.
+    pub n_hits: &'a mut [u32; 1],
+    /// Those that are worked on.
+    pub hits: &'a mut [u32; 512],
     /// First child of both nodes of each team.
     pub firsts: &'a mut [u32; 8],
 }
@@ -70,9 +89,18 @@ impl<const N: usize> Teams<'_, N> {
         (read_pair(list, first + if some { i * step } else { 0 }), some)
     }
 
+    /// Before the first round.
+    #[inline(always)]
+    pub(super) fn begin(&mut self) {
+        if self.t.lane == 0 {
+            set(self.counters, WANTED, 0);
+        }
+    }
+
+    /// Before the teams take their pairs of a round.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        if self.t.lane < 8 {
+        if self.t.lane <= KEPT {
             set(self.counters, self.t.lane, 0);
         }
         barrier();
@@ -91,39 +119,81 @@ impl<const N: usize> Teams<'_, N> {
         );
         let row = box_at(nodes, slot(args, args.level - 1, set_a, pair.a * WIDTH + child));
         let column = box_at(nodes, slot(args, args.level - 1, set_b, pair.b * WIDTH + child));
+        // Both before the barrier, behind which the second would wait for memory again.
+        let reaches = some && row.overlaps(&b);
         if some && column.overlaps(&a) {
             let to = team * WIDTH + add_shared(self.counters, team, 1);
             set(self.columns, to, column);
             set(self.names, to, child);
         }
+        let row = if reaches { row } else { Aabb::EMPTY };
         barrier();
-        if some && row.overlaps(&b) { row } else { Aabb::EMPTY }
+        row
     }
 
-    /// Tests this thread's row against the columns of its team and pools the hits. Returns the
-    /// columns of those for which the pool has no capacity, as bits. `worlds`: those of the row.
+    /// Tests this thread's row against the columns of its team. Returns its hits. `worlds`: those of
+    /// the row.
     #[inline(always)]
-    pub(super) fn test(&mut self, row: Aabb, same: bool, leaves: bool, worlds: u32) -> u32 {
+    pub(super) fn test(&self, row: Aabb, same: bool, leaves: bool, worlds: u32) -> Hits {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let mut beyond = 0;
-        for c in 0..get(self.counters, team) {
-            let j = get(self.names, team * WIDTH + c);
-            if row.overlaps(&get(self.columns, team * WIDTH + c))
-                && counts(same, leaves, i, j)
-                && (N == 1 || meet(worlds, get(self.ranges, team * WIDTH + j)))
-            {
-                let to = add_shared(self.counters, HITS, 1);
-                if to < POOL {
-                    set(self.hits, to, pack(team, i, j));
-                } else {
-                    beyond |= 1 << c;
+        let (first, n) = (team * WIDTH, get(self.counters, team));
+        let mut columns = 0;
+        for four in 0..n.div_ceil(4) {
+            let c = 4 * four;
+            let hit = |k: u32| (row.overlaps(&get(self.columns, first + c + k)) as u32) << (c + k);
+            columns |= hit(0) | hit(1) | hit(2) | hit(3);
+        }
+        // Behind the last stands what did before.
+        if n < WIDTH {
+            columns &= (1 << n) - 1;
+        }
+        if same || N > 1 {
+            for c in 0..n {
+                let j = get(self.names, first + c);
+                let meets = N == 1 || meet(worlds, get(self.ranges, first + j));
+                if !(counts(same, leaves, i, j) && meets) {
+                    columns &= !(1 << c);
                 }
             }
         }
-        beyond
+        Hits { columns, number: 0 }
     }
 
-    /// Reserves entries of `list` for what the workgroup kept, `counters[KEPT]`; returns the first.
+    /// Numbers the hits of the workgroup. Returns how often the pool is filled with them.
+    #[inline(always)]
+    pub(super) fn number(&mut self, hits: &mut Hits) -> u32 {
+        let n = hits.columns.count_ones();
+        if n > 0 {
+            hits.number = add_shared(self.counters, HITS, n);
+        }
+        barrier();
+        if self.t.lane == 0 {
+            set(self.n_hits, 0, get(self.counters, HITS));
+        }
+        get_uniform(self.n_hits, 0).div_ceil(POOL)
+    }
+
+    /// Fills the pool for the `pass`-th time; returns how many it has.
+    #[inline(always)]
+    pub(super) fn fill(&mut self, hits: &mut Hits, pass: u32) -> u32 {
+        let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
+        let first = pass * POOL;
+        for _ in 0..hits.columns.count_ones() {
+            let to = hits.number - first;
+            if to >= POOL {
+                break;
+            }
+            let j = get(self.names, team * WIDTH + hits.columns.trailing_zeros());
+            set(self.hits, to, pack(team, i, j));
+            hits.columns &= hits.columns - 1;
+            hits.number += 1;
+        }
+        barrier();
+        (get(self.n_hits, 0) - first).min(POOL)
+    }
+
+    /// Reserves entries of `list` for what the workgroup kept, `counters[KEPT]`, and returns the
+    /// first; what hits were counted is forgotten.
     #[inline(always)]
     pub(super) fn reserve(&mut self, list: &mut [u32]) -> u32 {
         barrier();
@@ -132,6 +202,9 @@ impl<const N: usize> Teams<'_, N> {
             if n > 0 {
                 set(self.counters, BASE, count(list, 0, n));
             }
+            set(self.counters, FIRST, 0);
+            set(self.counters, SECOND, 0);
+            set(self.counters, KEPT, 0);
         }
         barrier();
         get(self.counters, BASE)
@@ -158,34 +231,31 @@ impl<const N: usize> Teams<'_, N> {
             }
             let row = self.gather(pair, some);
             let same = args.kind == EDGE_EDGE && pair.a == pair.b;
-            let mut beyond = self.test(row, same, false, of_row);
-            for _ in 0..WIDTH {
-                if beyond == 0 {
-                    break;
+            let mut hits = self.test(row, same, false, of_row);
+            for pass in 0..self.number(&mut hits) {
+                let n = self.fill(&mut hits, pass);
+                if lane == 0 {
+                    set(self.counters, KEPT, n);
                 }
-                let j = get(self.names, team * WIDTH + beyond.trailing_zeros());
-                beyond &= beyond - 1;
-                let pair = Pair { a: pair.a * WIDTH + i, b: pair.b * WIDTH + j };
-                append(output, dispatch.capacity_out, pair);
+                let base = self.reserve(output);
+                each!(h < n, lane, {
+                    let [team, i, j] = unpack(get(self.hits, h));
+                    let a = get(self.firsts, 2 * team) + i;
+                    let b = get(self.firsts, 2 * team + 1) + j;
+                    write_pair(output, dispatch.capacity_out, base + h, Pair { a, b });
+                });
+                barrier();
             }
-            barrier();
-            let n_hits = get(self.counters, HITS).min(POOL);
-            if lane == 0 {
-                set(self.counters, KEPT, n_hits);
-            }
-            let base = self.reserve(output);
-            for s in 0..SHARE {
-                let h = lane + s * THREADS;
-                if h >= n_hits {
-                    break;
-                }
-                let [team, i, j] = unpack(get(self.hits, h));
-                let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
-                write_pair(output, dispatch.capacity_out, base + h, Pair { a, b });
-            }
-            barrier();
         }
     }
+}
+
+/// Hits of a thread's row that are not yet in the pool.
+pub(super) struct Hits {
+    /// Their columns, as bits.
+    columns: u32,
+    /// The number of the first among those of the workgroup; that of the others ascends.
+    number: u32,
 }
 
 /// Whether child `i` of the first node and `j` of the second are a pair: within one node each pair
@@ -198,9 +268,9 @@ fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
 kernel! {
     /// From pairs of nodes of level `args.level` to those of their children that overlap.
     node_pairs[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128], ranges: [u32; 1],
-        counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8]; nodes: [BoxWords], input: [u32],
-        mut output: [u32]) {
-        Teams { t, params, nodes, columns, names, ranges, counters, hits, firsts }
+        counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
+        nodes: [BoxWords], input: [u32], mut output: [u32]) {
+        Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(input, input, output);
     }
 }
@@ -208,9 +278,9 @@ kernel! {
 kernel! {
     /// As `node_pairs`, of nodes that have a world in common. `worlds`: of the leaves of level 0.
     node_pairs_of_worlds[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 128], counters: [u32; 8], hits: [u32; 2048], firsts: [u32; 8];
+        ranges: [u32; 128], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
         nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
-        Teams { t, params, nodes, columns, names, ranges, counters, hits, firsts }
+        Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(worlds, input, output);
     }
 }

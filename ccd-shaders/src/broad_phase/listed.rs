@@ -4,12 +4,13 @@
 //! Twin: of ccd-cpu `step/candidates.rs`, for pairs that another kernel has listed.
 
 use crate::entry::kernel;
+use crate::records::PathWords;
 use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::candidate::wanted;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::at;
-use ccd_core::backend::layout::{Frame, Leaf, Pair, Path, VERTEX_FACE};
+use ccd_core::backend::layout::{Frame, Leaf, Pair, VERTEX_FACE};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::narrow_phase::{cascade, decide};
 
@@ -25,7 +26,7 @@ macro_rules! listed {
         kernel! {
             $(#[$doc])*
             $name[128](t; params: Decision; counters: [u32; 4]; boxes: [Aabb], elements: [u32],
-                bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [Path],)? input: [u32],
+                bodies: [u32], keys: [[[u32; 2]; 6]], $($paths: [PathWords],)? input: [u32],
                 mut output: [u32]) {
                 let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.args.kind);
                 let len = part(input, dispatch);
@@ -107,6 +108,6 @@ fn all(_: Patch, _: [u32; 4], _: &Frame) -> bool {
 
 /// The lesser edge is the first of a listed pair.
 #[inline(always)]
-fn may_touch(patch: Patch, ids: [u32; 4], frame: &Frame, paths: &[Path]) -> bool {
+fn may_touch(patch: Patch, ids: [u32; 4], frame: &Frame, paths: &[PathWords]) -> bool {
     cascade::may_touch(patch, ids, paths, frame.path_error, frame.min_distance)
 }

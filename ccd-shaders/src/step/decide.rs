@@ -2,10 +2,11 @@
 //! these cannot decide passed on.
 
 use crate::entry::kernel;
+use crate::records::PathWords;
 use crate::workgroup::{add, add_shared, barrier, get, lower, part, read_pair, set, write_pair};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
-use ccd_core::backend::layout::{Frame, LIST_HEADER, Pair, Path, TOUCH_WORDS, Touch};
+use ccd_core::backend::layout::{Frame, LIST_HEADER, Pair, TOUCH_WORDS, Touch};
 use ccd_core::narrow_phase::decide::{self, Verdicts};
 
 const THREADS: u32 = Id::Decide.threads();
@@ -51,7 +52,7 @@ kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
     /// or of edges, as the kind has them. Without `FLAG_KEEP` the list of contacts is one of
     /// pairs, those that the host decides again.
-    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [Path], positions: [[f64; 3]],
+    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords], positions: [[f64; 3]],
         elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
         let len = part(input, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
@@ -90,7 +91,7 @@ kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on without `f64`; what that leaves
     /// open goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
     /// `positions`: words of positions as given, if paths are not exact.
-    decide[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [Path], positions: [u32],
+    decide[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords], positions: [u32],
         elements: [u32], input: [u32], mut contacts: [u32], mut undecided: [u32],
         mut earliest: [u32]) {
         let len = part(input, &params.dispatch);

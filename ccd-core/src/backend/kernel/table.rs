@@ -64,7 +64,7 @@ macro_rules! kernels {
             TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
                 { boxes: Read, order: Read, nodes: Read, pairs: Write }
             /// Pairs of nodes to pairs of their children.
-            NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
+            NodePairs = node_pairs(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
             /// Bounds of each of many worlds, in six words each.
             WorldBounds = world_bounds(256 threads, 0 barriers, f32, Params<Worlds>)
@@ -73,17 +73,17 @@ macro_rules! kernels {
             WorldKeys = world_keys(256 threads, 0 barriers, f32, Params<Worlds>)
                 { boxes: Read, worlds: Read, bounds: Read, keys: Write, order: Write }
             /// Pairs of nodes to pairs of their children that have a world in common.
-            NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 6 barriers, f32, Params<Blocks>)
+            NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, worlds: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
-            ListCandidates = list_candidates(128 threads, 6 barriers, f32, Params<Blocks>)
+            ListCandidates = list_candidates(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
             /// Pairs of blocks to filtered vertex-face candidates.
-            FilterVertexFace = filter_vertex_face(128 threads, 6 barriers, f32, Params<Blocks>)
+            FilterVertexFace = filter_vertex_face(128 threads, 11 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
                   input: Read, output: Write }
             /// Pairs of blocks to filtered edge-edge candidates.
-            FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
+            FilterEdgeEdge = filter_edge_edge(128 threads, 11 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
                   input: Read, output: Write }
             /// Boxes of triangles.
