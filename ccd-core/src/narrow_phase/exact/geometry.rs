@@ -114,6 +114,15 @@ fn by_integers<const N: usize>(
                 (touches, time) = (true, *zero);
             }
         }
+    } else if !touches {
+        // What is coplanar all the time first touches in the boundary, where weights are forms too.
+        for edge in features.boundary() {
+            for zero in zeros(edge.zero_at_contact(), &window)?.as_mut_slice() {
+                if !touches && edge.touches(&mut |form| zero.sign(form))? {
+                    (touches, time) = (true, *zero);
+                }
+            }
+        }
     }
     if !touches {
         return Some(None);

@@ -99,10 +99,14 @@ impl<const N: usize> OnEdge<Form<N>> {
         if at_begin != Exact::Miss {
             return Some(at_begin);
         }
-        let span = self.span.iter().find(|form| !form.vanishes());
+        first(self.zero_at_contact(), window, touches)
+    }
+
+    /// A form that is 0 at the first contact, if that is not at the beginning.
+    fn zero_at_contact(&self) -> &Form<N> {
         // If all three points stay on one line, the first contact is with an end of the edge,
         // where `sides` is 0.
-        first(span.unwrap_or(&self.sides), window, touches)
+        self.span.iter().find(|form| !form.vanishes()).unwrap_or(&self.sides)
     }
 }
 
