@@ -166,9 +166,7 @@ impl<E: Member> session::Engine for Engine<E> {
     }
 
     fn change(&mut self, change: Change) -> Result<(), E::Error> {
-        if let Division::Whole = self.division {
-            self.state.report = self.state().report.clone();
-        }
+        self.keep_report();
         // Where a member refuses, others may have changed: all have their meshes sent again.
         let division = std::mem::replace(&mut self.division, Division::None);
         match change {
@@ -234,6 +232,7 @@ impl<E: Member> Engine<E> {
     /// From now on a device gets at least so many elements: faces, edges of no face, vertices of no
     /// edge. Smaller meshes are stepped by fewer devices, down to the first alone.
     pub fn set_least_share(&mut self, elements: usize) {
+        self.keep_report();
         self.least_share = elements.max(1);
         self.division = Division::None;
     }
@@ -244,6 +243,13 @@ impl<E: Member> Engine<E> {
             Division::None => 0,
             Division::Whole => 1,
             Division::Parts(parts) => parts.all.len(),
+        }
+    }
+
+    /// The report of a whole mesh is that of its engine: it stays when the division goes.
+    fn keep_report(&mut self) {
+        if let Division::Whole = self.division {
+            self.state.report = self.members[0].engine.state().report.clone();
         }
     }
 
