@@ -24,7 +24,9 @@ use threads::{at_once, threads_a_member};
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
 /// of every backend](session::Session), and find the contacts that one device finds, in the same
-/// order.
+/// order. Times are the same, too, except on devices without `f64` and with a minimum distance:
+/// there a time may be another one within [`Options::tolerance`] before the contact. If two devices
+/// find one contact, the lesser time counts.
 ///
 /// The mesh is in as many parts as there are devices, each with what touches it from outside. The
 /// first step makes them, and another one where vertices have left the places that parts were made
