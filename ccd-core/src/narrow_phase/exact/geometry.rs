@@ -99,7 +99,7 @@ fn by_integers<const N: usize>(
     window: [f64; 2],
 ) -> Option<Option<Meeting>> {
     let features = Features::new(patch, &points(t0, t1));
-    let window = Window::<N>::new(window);
+    let window = Window::<N>::new(window)?;
     let coplanarity = features.coplanarity().checked()?;
     let part = window.part(&coplanarity)?;
     if never_zero(&part) {

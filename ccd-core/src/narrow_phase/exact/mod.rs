@@ -283,7 +283,7 @@ fn by_integers<const N: usize>(
     [t0, t1]: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window))
+    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window)?)
 }
 
 /// The same of a vertex and an edge.
@@ -292,7 +292,7 @@ fn on_edge_by_integers<const N: usize>(
     window: [f64; 2],
 ) -> Option<Exact> {
     let [p, a, b] = points(t0, t1);
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window))
+    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window)?)
 }
 
 #[cfg(test)]
