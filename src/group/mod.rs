@@ -239,7 +239,9 @@ impl<E: Member> Engine<E> {
         self.division = Division::None;
     }
 
-    /// How many members step the mesh; 0 before the first step.
+    /// How many members step the mesh. 0 where the next step divides it: before the first step,
+    /// after another mesh or filter, a distance greater than what parts have room for,
+    /// [`Engine::set_least_share`], and a call that failed on the way to a division.
     pub fn n_used(&self) -> usize {
         match &self.division {
             Division::None => 0,

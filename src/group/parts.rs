@@ -10,8 +10,8 @@
 //! whose boxes overlap, since they have room for both features, for half of the minimum distance
 //! and for what backends round. Why no other is: elements are whole, with their vertices and edges,
 //! so that what is a rod or a particle in a part is one in the mesh; two features share a vertex in
-//! both or in neither. Why answers are the same: ids of a part ascend as those of the mesh do, so
-//! that features and their vertices have the same order.
+//! both or in neither. Why their order is the same: ids of a part ascend as those of the mesh do,
+//! so that features and their vertices have the same order.
 
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
