@@ -79,7 +79,9 @@ impl Staging {
         let is_free = |mapped: &Mapped| mapped.is_free.load(Relaxed);
         // What is too small now is of a smaller mesh, or less than this one needs in all.
         self.ring.retain(|mapped| mapped.buffer.size() >= bytes || !is_free(mapped));
-        if let Some(at) = self.ring.iter().position(is_free) {
+        // One that was kept because it was busy may be free by now, and too small.
+        let fits = |mapped: &Mapped| is_free(mapped) && mapped.buffer.size() >= bytes;
+        if let Some(at) = self.ring.iter().position(fits) {
             return Ok(&self.ring[at]);
         }
         if self.ring.len() == MOST {

@@ -10,8 +10,8 @@ fn key(c: &Contact) -> (Kind, u32, u32) {
     (c.kind, c.a, c.b)
 }
 
-/// Joins lists, each contact once; `out` keeps its length where it can, so that nothing is written
-/// twice. Returns how many are undecided.
+/// Joins lists, each contact once, with the least of its times; `out` keeps its length where it
+/// can, so that nothing is written twice. Returns how many are undecided.
 pub fn merge(lists: &[&[Contact]], out: &mut Vec<Contact>) -> u64 {
     let Some(longest) = lists.iter().max_by_key(|list| list.len()) else { return 0 };
     let share = contacts_a_thread(longest.len());
@@ -55,8 +55,10 @@ fn each_run<'a>(lists: &[&'a [Contact]], mut take: impl FnMut(&'a [Contact])) {
         let Some(least) = others.first().map(|list| key(&list[0])) else { return take(first) };
         let n = first.iter().take_while(|c| key(c) < least).count();
         if n == 0 {
-            // Both have the same one.
-            *first = &first[1..];
+            // Both have the same one; the one with the later time is left out.
+            let second = &mut others[0];
+            let later = if second[0].toi < first[0].toi { first } else { second };
+            *later = &later[1..];
         } else if let Some(run) = first.split_off(..n) {
             take(run);
         }
@@ -70,20 +72,23 @@ mod tests {
     use super::*;
     use crate::scenes::Random;
 
-    /// So many that several threads take a share each; one in four stands in two lists or more.
+    /// So many that several threads take a share each; one in two stands in two lists or more, with
+    /// another time in each, of which the least counts.
     #[test]
     fn lists_become_one_list_in_order() {
         let mut random = Random::new(4);
-        let contact = |i: u32| {
+        let contact = |i: u32, toi: f64| {
             let state = if i.is_multiple_of(7) { State::Undecided } else { State::Hit };
-            Contact::new(Kind::ALL[i as usize / 200_000], state, i / 3, i % 3, 0.5)
+            Contact::new(Kind::ALL[i as usize / 200_000], state, i / 3, i % 3, toi)
         };
         let mut lists = [(); 3].map(|()| Vec::new());
         let mut want = Vec::new();
         for i in 0..500_000 {
             let of = random.below(8);
-            (0..3).filter(|k| of >> k & 1 == 1).for_each(|k| lists[k].push(contact(i)));
-            want.extend((of > 0).then(|| contact(i)));
+            let times = [(); 3].map(|()| random.below(4) as f64 / 8.0);
+            let of = (0..3).filter(|k| of >> k & 1 == 1);
+            of.clone().for_each(|k| lists[k].push(contact(i, times[k])));
+            want.extend(of.map(|k| times[k]).reduce(f64::min).map(|toi| contact(i, toi)));
         }
         assert!(contacts_a_thread(lists[0].len()) < lists[0].len());
         let mut out = Vec::new();

@@ -24,7 +24,9 @@ use threads::{at_once, threads_a_member};
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
 /// of every backend](session::Session), and find the contacts that one device finds, in the same
-/// order.
+/// order. Times are the same, too, except on devices without `f64` and with a minimum distance:
+/// there a time may be another one within [`Options::tolerance`] before the contact. If two devices
+/// find one contact, the lesser time counts.
 ///
 /// The mesh is in as many parts as there are devices, each with what touches it from outside. The
 /// first step makes them, and another one where vertices have left the places that parts were made
@@ -166,9 +168,7 @@ impl<E: Member> session::Engine for Engine<E> {
     }
 
     fn change(&mut self, change: Change) -> Result<(), E::Error> {
-        if let Division::Whole = self.division {
-            self.state.report = self.state().report.clone();
-        }
+        self.keep_report();
         // Where a member refuses, others may have changed: all have their meshes sent again.
         let division = std::mem::replace(&mut self.division, Division::None);
         match change {
@@ -234,16 +234,26 @@ impl<E: Member> Engine<E> {
     /// From now on a device gets at least so many elements: faces, edges of no face, vertices of no
     /// edge. Smaller meshes are stepped by fewer devices, down to the first alone.
     pub fn set_least_share(&mut self, elements: usize) {
+        self.keep_report();
         self.least_share = elements.max(1);
         self.division = Division::None;
     }
 
-    /// How many members step the mesh; 0 before the first step.
+    /// How many members step the mesh. 0 where the next step divides it: before the first step,
+    /// after another mesh or filter, a distance greater than what parts have room for,
+    /// [`Engine::set_least_share`], and a call that failed on the way to a division.
     pub fn n_used(&self) -> usize {
         match &self.division {
             Division::None => 0,
             Division::Whole => 1,
             Division::Parts(parts) => parts.all.len(),
+        }
+    }
+
+    /// The report of a whole mesh is that of its engine: it stays when the division goes.
+    fn keep_report(&mut self) {
+        if let Division::Whole = self.division {
+            self.state.report = self.members[0].engine.state().report.clone();
         }
     }
 

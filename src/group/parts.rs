@@ -10,8 +10,8 @@
 //! whose boxes overlap, since they have room for both features, for half of the minimum distance
 //! and for what backends round. Why no other is: elements are whole, with their vertices and edges,
 //! so that what is a rod or a particle in a part is one in the mesh; two features share a vertex in
-//! both or in neither. Why answers are the same: ids of a part ascend as those of the mesh do, so
-//! that features and their vertices have the same order.
+//! both or in neither. Why their order is the same: ids of a part ascend as those of the mesh do,
+//! so that features and their vertices have the same order.
 
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
@@ -56,7 +56,7 @@ impl Parts {
     /// Parts for positions, and for others that are not far from them.
     ///
     /// # Errors
-    /// [`Error::Coordinate`].
+    /// [`Error::Coordinate`]; [`Error::TooMany`] elements of all kinds together.
     pub fn new(
         elements: &Elements,
         x: Given,
@@ -81,7 +81,7 @@ impl Parts {
             .fold(0.0, |most: f64, &x| most.max((x as f64).abs()));
         let reach = 0.5 * min_distance + ROUNDING * (greatest + min_distance);
 
-        let order = elements.in_order(&room, &scene);
+        let order = elements.in_order(&room, &scene)?;
         let cuts: Vec<usize> = (0..=n_parts).map(|p| p * order.len() / n_parts).collect();
         let own: Vec<&[u32]> = cuts.windows(2).map(|cut| &order[cut[0]..cut[1]]).collect();
         let halos = halos(&own, |element| {
@@ -146,17 +146,24 @@ impl<'a> Elements<'a> {
     }
 
     /// Along a Morton curve.
-    fn in_order(&self, boxes: &[Aabb<f32>], scene: &Aabb<f32>) -> Vec<u32> {
+    fn in_order(&self, boxes: &[Aabb<f32>], scene: &Aabb<f32>) -> Result<Vec<u32>, Error> {
+        let n = checked_count(self.len())?;
         let grid = MortonGrid::new(scene, 21);
         let code = |element: u32| {
             let boxes = self.vertices(element).iter().map(|&v| &boxes[v as usize]);
             let [low, high] = morton63(grid.cell(&boxes.fold(Aabb::EMPTY, |all, b| all.union(b))));
             (high as u64) << 32 | low as u64
         };
-        let mut keys: Vec<(u64, u32)> = (0..self.len() as u32).map(|e| (code(e), e)).collect();
+        let mut keys: Vec<(u64, u32)> = (0..n).map(|e| (code(e), e)).collect();
         keys.sort_unstable();
-        keys.into_iter().map(|(_, element)| element).collect()
+        Ok(keys.into_iter().map(|(_, element)| element).collect())
     }
+}
+
+/// So many elements, if each has a number: a mesh has fewer of each kind than half of these.
+fn checked_count(count: usize) -> Result<u32, Error> {
+    let (element, limit) = ("elements of a group's mesh", u32::MAX as u64);
+    u32::try_from(count).map_err(|_| Error::TooMany { element, count: count as u64, limit })
 }
 
 /// For each part the chunks of others that it has as well.
@@ -295,5 +302,19 @@ impl Part {
             }
         }
         holds
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A mesh of 2^31 - 1 faces, rods and particles each would have more.
+    #[cfg(target_pointer_width = "64")]
+    #[test]
+    fn elements_have_numbers() {
+        assert_eq!(checked_count(u32::MAX as usize), Ok(u32::MAX));
+        let why = checked_count(u32::MAX as usize + 1);
+        assert!(matches!(why, Err(Error::TooMany { count: 4_294_967_296, .. })), "{why:?}");
     }
 }

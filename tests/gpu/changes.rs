@@ -2,18 +2,21 @@
 //! buffers that it has where they are large enough.
 
 use crate::emulated::is_thin;
-use ccd::gpu::{Device, Error, Session};
+use crate::moving_bodies;
+use ccd::gpu::{Device, Error, Session, wgpu};
 use ccd::method::{
     BroadPhaseMethod, Front, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
     TriangleOptions,
 };
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
-use ccd::{Bodies, Digest, Options, Posed, Strided};
+use ccd::{Bodies, BodyMotion, Digest, Mesh, Options, Posed, Strided};
+use ccd_core::backend::layout::Path;
 
 pub const TESTS: crate::Tests = &[
     ("changes_between_steps", check_changes),
     ("changes_that_are_refused", check_refused),
     ("forms_of_positions", check_forms),
+    ("paths_that_were_written", check_written),
 ];
 
 /// Contacts and candidates of a session are those of a new one; returns how many contacts.
@@ -123,4 +126,47 @@ fn check_forms(device: &Device) {
     assert_ne!(session.step(&strided, &posed).expect("a step").contacts, want);
     let why = session.step(&posed, &strided.offset(12)).expect_err("beyond the last row");
     assert!(matches!(why, Error::Input(ccd::Error::Bytes { time: 1, .. })), "{why}");
+}
+
+/// Whoever has the buffer of paths may write it at any time, and record no frame: the next step has
+/// its positions all the same, of what stands still too.
+fn check_written(device: &Device) {
+    let (mesh, bodies, x) = moving_bodies::scene();
+    let mut x: Vec<[f32; 3]> = x.iter().map(|p| p.map(|c| c as f32)).collect();
+    let far = |i: usize| [100.0 * i as f32, 0.0, 0.0, 0.0];
+    let elsewhere: Vec<Path> = (0..x.len()).map(|i| Path { t0: far(i), t1: far(i) }).collect();
+    let write = |paths: &wgpu::Buffer| {
+        device.queue().write_buffer(paths, 0, bytemuck::cast_slice(&elsewhere));
+    };
+    let options = Options::default().with_bodies(bodies.clone());
+    let session = || Session::new(device, &mesh, options.clone()).expect("a session");
+    let (mut told, mut plain, mut early) = (session(), session(), session());
+    let kept = early.paths().clone();
+    told.set_positions(&x).expect("positions");
+    early.set_positions(&x).expect("positions");
+    let mut n_contacts = 0;
+    for (k, name) in (104..110).enumerate() {
+        if k == 3 {
+            // Another mesh in the same buffer.
+            let copy: Mesh = mesh.clone();
+            early.set_mesh(copy).expect("the same mesh");
+            assert!(*early.paths() == kept);
+            early.set_positions(&x).expect("positions");
+        }
+        let of = bodies.body_of_vertex();
+        let vertices: Vec<usize> = (0..x.len()).filter(|&v| of[v] == name).collect();
+        let before = x.clone();
+        vertices.iter().for_each(|&v| x[v][1] += 0.2);
+        let ends = [&before, &x].map(|x| vertices.iter().map(|&v| x[v]).collect::<Vec<_>>());
+        let motion = BodyMotion::new(name, &ends[0], &ends[1]);
+        let want = &plain.step(&before, &x).expect("a step").contacts;
+        for session in [&mut told, &mut early] {
+            let found = session.step_bodies(&[motion]).expect("a step");
+            assert!(found.contacts == *want, "{name}: other contacts");
+        }
+        n_contacts += want.len();
+        write(told.paths());
+        write(&kept);
+    }
+    assert!(n_contacts > 100, "{n_contacts}");
 }

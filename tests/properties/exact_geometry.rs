@@ -108,3 +108,34 @@ fn another_time_is_no_contact() {
     };
     assert!(compare::fails(early));
 }
+
+/// What is always in one plane first touches in its boundary, at times that are no `f64`.
+#[test]
+fn what_is_coplanar_has_weights_of_the_true_time() {
+    let far = 1e6;
+    // A vertex, a face: in the middle of a side, in a corner along a side.
+    let face = [[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]];
+    let at = |x: f64, z: f64| [[x, 0.0, z], face[0], face[1], face[2]];
+    let side = [at(-1.0, -far), at(6.0, 6.0 * far + 1.0)];
+    let corner = [at(0.0, -1.0), at(0.0, 6.0)];
+    // An edge of which one end comes to the middle of the other, or along it to an end of it.
+    let at = |x: f64, z: f64| [[0.0; 3], [3.0, 0.0, 0.0], [x, 0.0, z], [0.0, 0.0, -9.0]];
+    let end = [at(-far, -1.0), at(6.0 * far + 1.0, 6.0)];
+    let ends = [at(-1.0, 0.0), at(6.0, 0.0)];
+    let (first, last) = (20.0 / 21.0, 1.0 / 21.0);
+    for (family, [t0, t1], want) in [
+        (0, side, [1.0, first, 0.0, last]),
+        (0, corner, [1.0, 1.0, 0.0, 0.0]),
+        (1, end, [first, last, 1.0, 0.0]),
+        (1, ends, [1.0, 0.0, 1.0, 0.0]),
+    ] {
+        let options = Options::default().with_mode(Mode::Exact);
+        let mesh = mesh(family);
+        let mut session = Session::new(&mesh, options).unwrap();
+        let contacts = session.step(&t0, &t1).unwrap().contacts.clone();
+        let [contact] = &contacts[..] else { panic!("{contacts:?}") };
+        assert!(contact.toi <= 1.0 / 7.0 && contact.toi > 1.0 / 7.0 - 1e-15, "{contact:?}");
+        let found = contact.geometry(&mesh, &t0, &t1);
+        assert_eq!((found.weights, found.distance), (want, 0.0), "{contact:?}");
+    }
+}

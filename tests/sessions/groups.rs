@@ -93,6 +93,17 @@ fn a_small_mesh_stays_whole() {
     assert!(group.report().contacts.is_empty());
     same(&mut group, &mut session, &other.x0, &other.x1);
     assert_eq!(group.n_used(), 1);
+    // Another division is for the next step: the report of the last one stays.
+    let last = group.step(&other.x0, &other.x1).unwrap().clone();
+    assert!(!last.contacts.is_empty() && last.toi.is_some());
+    group.set_least_share(1);
+    assert!(group.report().contacts == last.contacts);
+    assert_eq!((group.report().toi, group.report().mesh()), (last.toi, last.mesh()));
+    assert_eq!(group.n_used(), 0);
+    same(&mut group, &mut session, &other.x0, &other.x1);
+    assert_eq!(group.n_used(), 2);
+    group.set_least_share(usize::MAX);
+    same(&mut group, &mut session, &other.x0, &other.x1);
     let wrong = group.step(&other.x0, &vec![[f64::NAN; 3]; other.x0.len()]);
     assert!(matches!(wrong.err(), Some(Error::Coordinate { .. })));
     assert!(group.report().contacts.is_empty() && group.report().toi.is_none());

@@ -24,17 +24,16 @@ impl Q62 {
 
     /// The `f64` of these bits, low word first, in a unit of 2^`exponent` times 4, that is
     /// `x / 2^exponent / 4`, cut towards 0 to a multiple of `u`; modulo 4, so that differences
-    /// below 2 are right however far from 0 their operands are. `x`: finite; a subnormal one is
-    /// taken as 0, which is less than `u` off where `exponent > -962`.
+    /// below 2 are right however far from 0 their operands are. `x`: finite; a subnormal one counts
+    /// in full, for units can be as small as `f64` has them.
     #[inline(never)]
     pub fn of([lo, hi]: [u32; 2], exponent: i32) -> Self {
         let biased = (hi >> 20) & 0x7ff;
-        if biased == 0 {
-            return Self::ZERO;
-        }
-        // x = m 2^(biased - 1075), in units of 2^(exponent - 60).
-        let m = Self { hi: (hi & 0xf_ffff) | 0x10_0000, lo };
-        let shift = biased as i32 - 1015 - exponent;
+        // x = m 2^(biased - 1075), in units of 2^(exponent - 60). A subnormal number has no
+        // leading one, and the power of the least normal ones.
+        let leading = if biased == 0 { 0 } else { 0x10_0000 };
+        let m = Self { hi: (hi & 0xf_ffff) | leading, lo };
+        let shift = biased.max(1) as i32 - 1015 - exponent;
         let up = shift as u32 % 32;
         let magnitude = if shift >= 64 || shift <= -53 {
             Self::ZERO
@@ -225,7 +224,9 @@ mod tests {
         let check = |x: f64, exponent: i32| {
             let bits = x.to_bits();
             let found = Q62::of([bits as u32, (bits >> 32) as u32], exponent).units();
-            let units = x * 2f64.powi(60 - exponent);
+            // Two steps: a power of two may be none in `f64`, and the first makes x normal.
+            let half = (60 - exponent) / 2;
+            let units = x * 2f64.powi(half) * 2f64.powi(60 - exponent - half);
             // Modulo 2^64: casts cut what is below 2^127; what is above 2^117 is a multiple.
             let want = if units.abs() < 2f64.powi(126) { units as i128 as i64 } else { 0 };
             assert_eq!(found, want, "{x:e} {exponent}");
@@ -242,5 +243,21 @@ mod tests {
             check(x, 0);
             check(x, 300);
         }
+        // Of the least numbers too, of all their lengths.
+        let mut n_subnormal = 0;
+        for exponent in (-1086..=-890).step_by(2) {
+            for _ in 0..200 {
+                let fraction = ((random.bits() as u64) << 32 | random.bits() as u64) << 12 >> 12;
+                let bits = ((random.bits() as u64 % 160) << 52 | fraction) >> (random.bits() % 53);
+                let x = f64::from_bits(bits);
+                n_subnormal += x.is_subnormal() as u32;
+                check(x, exponent);
+                check(-x, exponent);
+            }
+            check(f64::from_bits(1), exponent);
+            check(f64::MIN_POSITIVE.next_down(), exponent);
+            check(f64::MIN_POSITIVE, exponent);
+        }
+        assert!(n_subnormal > 5000, "{n_subnormal}");
     }
 }

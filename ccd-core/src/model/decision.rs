@@ -1,5 +1,5 @@
-//! From a pair that filters could not reject to its contact, if it has one: the same on every CPU
-//! path, of every kind.
+//! Whether a pair that filters could not reject is a contact, of every kind: decided on a CPU, in
+//! its own steps and at the end of a step of a GPU, for what the device left open.
 
 use crate::layout::Pair;
 use crate::math::real::Real;

@@ -4,8 +4,10 @@
 //! The vectors of a query are numbers in fixed point ([`Q62`]) of a unit in which the greatest is
 //! about 1/8 or 1/4, so that every bound below is a number of units `u` of 2^-62. The control
 //! values of the cubic [Tang 2010] are halved by de Casteljau's algorithm, the first half first,
-//! down to 2^-31 of the step, and the patch is looked at over the interval that is left. Nothing
-//! depends on how a device rounds.
+//! down to 2^-31 of the step, and the patch is looked at over the interval that is left. In a given
+//! unit the answer is the same on every device. The unit comes of `f32` ([`unit()`]), and what is
+//! open goes on in `f32`, so a device that rounds in another way may leave other pairs open and
+//! find other times within the tolerance; what it certifies is true all the same.
 //!
 //! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
 //! of the boundary of the patch, resting contact.

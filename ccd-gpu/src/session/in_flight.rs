@@ -90,9 +90,12 @@ impl Drop for Unfinished<'_> {
 /// # Without blocking
 ///
 /// A step is in flight from [`Engine::submit`], or from the first poll of a future, until its
-/// report is there. Several sessions may each have one, on one device or on several. Any call of a
-/// session but [`Engine::poll`], [`Engine::is_in_flight`] and those that only read forgets the step
-/// in flight; so does dropping a future. The session then finds what a new one does.
+/// report is there. Several sessions may each have one, on one device or on several. A call of a
+/// session that gives the device other work, or changes mesh, options, buffers or what is timed,
+/// forgets the step in flight; so does dropping a future. The session then finds what a new one
+/// does. [`Engine::poll`], calls that only read,
+/// [`Session::set_positions`](session::Session::set_positions) and
+/// [`Session::set_cancel_token`](session::Session::set_cancel_token) leave it in flight.
 ///
 /// Outside of a browser a device makes its results known only when it is asked. So each poll of a
 /// future asks, and wakes its task at once: an executor that has nothing else to do polls all the

@@ -95,8 +95,11 @@ impl Engine {
     /// The buffer of positions that [`Engine::record`] reads: one
     /// [`ccd_core::records::Path`] per vertex. May be written by copies and by kernels.
     /// Another mesh may bring another buffer.
+    ///
+    /// Once this was called, [`Session::step_bodies`](session::Session::step_bodies) sends the
+    /// positions of all vertices, as [`Session::step`](session::Session::step) does.
     pub fn paths(&self) -> &wgpu::Buffer {
-        &self.frames.buffers.positions.paths
+        self.frames.buffers.positions.lend_paths()
     }
 
     /// Records a whole step, from the paths in [`Engine::paths`] to the lists of [`OnDevice`],

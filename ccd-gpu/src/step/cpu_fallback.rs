@@ -1,5 +1,6 @@
-//! The end of a step on the CPU: what the device left open is decided, and contacts get their
-//! canonical order.
+//! The end of a step on the CPU: every contact is taken from the list that the device wrote and
+//! counted, with the earliest time of all; what the device left open is decided; and contacts get
+//! their canonical order, where they do not have it.
 
 use ccd_core::Real;
 use ccd_core::backend::layout::{Pair, Touch};

@@ -12,11 +12,15 @@ use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
 use std::ops::Range;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 use wgpu::BufferUsages as U;
 
 /// Positions on the device.
 pub struct Positions {
     pub paths: wgpu::Buffer,
+    /// Whether a caller was given that buffer, and so may write it at any time.
+    lent: AtomicBool,
     /// As given, in `f64`: all at the start of the step, then all at its end.
     pub wide: wgpu::Buffer,
     pub keys: wgpu::Buffer,
@@ -67,8 +71,11 @@ impl Positions {
             Some(old) => [&old.paths, &old.wide, &old.keys].map(Some),
             None => [None; 3],
         };
+        let paths = buffer(paths, "paths", (n * size_of::<Path>()) as u64)?;
+        let lent = old.is_some_and(|old| old.lent.load(Relaxed) && old.paths == paths);
         Ok(Self {
-            paths: buffer(paths, "paths", (n * size_of::<Path>()) as u64)?,
+            paths,
+            lent: AtomicBool::new(lent),
             // Grow when they are needed.
             wide: buffer(wide, "positions in f64", 0)?,
             keys: buffer(keys, "keys of exact boxes", 0)?,
@@ -86,6 +93,13 @@ impl Positions {
             host_keys: Vec::new(),
             host_boxes: Vec::new(),
         })
+    }
+
+    /// The buffer of paths for a caller. From now on every upload sends all of them, because nobody
+    /// says when they were written.
+    pub fn lend_paths(&self) -> &wgpu::Buffer {
+        self.lent.store(true, Relaxed);
+        &self.paths
     }
 
     /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
@@ -130,7 +144,8 @@ impl Positions {
         scan.check(x0, x1)?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
-        let paths_before = self.boxes != Boxes::OfPositions && before == table;
+        let is_lent = self.lent.load(Relaxed);
+        let paths_before = self.boxes != Boxes::OfPositions && before == table && !is_lent;
         self.exact = table == Table::AS_GIVEN;
         let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
         self.reach = if self.exact { scan.greatest() } else { extent * table.scale }.round_up();

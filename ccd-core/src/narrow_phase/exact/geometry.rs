@@ -99,7 +99,7 @@ fn by_integers<const N: usize>(
     window: [f64; 2],
 ) -> Option<Option<Meeting>> {
     let features = Features::new(patch, &points(t0, t1));
-    let window = Window::<N>::new(window);
+    let window = Window::<N>::new(window)?;
     let coplanarity = features.coplanarity().checked()?;
     let part = window.part(&coplanarity)?;
     if never_zero(&part) {
@@ -112,6 +112,15 @@ fn by_integers<const N: usize>(
         for zero in zeros(&coplanarity, &window)?.as_mut_slice() {
             if !touches && features.touch(&mut |form| zero.sign(form))? {
                 (touches, time) = (true, *zero);
+            }
+        }
+    } else if !touches {
+        // What is coplanar all the time first touches in the boundary, where weights are forms too.
+        for edge in features.boundary() {
+            for zero in zeros(edge.zero_at_contact(), &window)?.as_mut_slice() {
+                if !touches && edge.touches(&mut |form| zero.sign(form))? {
+                    (touches, time) = (true, *zero);
+                }
             }
         }
     }

@@ -99,10 +99,14 @@ impl<const N: usize> OnEdge<Form<N>> {
         if at_begin != Exact::Miss {
             return Some(at_begin);
         }
-        let span = self.span.iter().find(|form| !form.vanishes());
+        first(self.zero_at_contact(), window, touches)
+    }
+
+    /// A form that is 0 at the first contact, if that is not at the beginning.
+    fn zero_at_contact(&self) -> &Form<N> {
         // If all three points stay on one line, the first contact is with an end of the edge,
         // where `sides` is 0.
-        first(span.unwrap_or(&self.sides), window, touches)
+        self.span.iter().find(|form| !form.vanishes()).unwrap_or(&self.sides)
     }
 }
 
@@ -279,7 +283,7 @@ fn by_integers<const N: usize>(
     [t0, t1]: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window))
+    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window)?)
 }
 
 /// The same of a vertex and an edge.
@@ -288,7 +292,7 @@ fn on_edge_by_integers<const N: usize>(
     window: [f64; 2],
 ) -> Option<Exact> {
     let [p, a, b] = points(t0, t1);
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window))
+    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window)?)
 }
 
 #[cfg(test)]

@@ -110,3 +110,13 @@ fn axes_of_unlike_sizes_are_decided() {
         assert_eq!(found, Some(Exact::Contact([0.5; 2])), "{rest:e}");
     }
 }
+
+/// Of a window whose times do not fit no sign is read: with fewer words it is none.
+#[test]
+fn windows_that_do_not_fit_are_none() {
+    let least = f64::from_bits(1);
+    for window in [[0.0, least], [least, 1.0], [least, least], [0.0, 2f64.powi(-600)]] {
+        assert!(Window::<8>::new(window).is_none(), "{window:?}");
+        assert!(Window::<24>::new(window).is_some(), "{window:?}");
+    }
+}

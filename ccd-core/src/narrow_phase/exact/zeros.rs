@@ -265,13 +265,14 @@ pub struct Window<const N: usize> {
 }
 
 impl<const N: usize> Window<N> {
-    /// From one time of `[0, 1]` to another.
-    pub fn new(times: [f64; 2]) -> Self {
+    /// From one time of `[0, 1]` to another; `None` if a number does not fit, for signs of the ends
+    /// are read below.
+    pub fn new(times: [f64; 2]) -> Option<Self> {
         // The greatest power of two of which both are whole multiples.
         let unit = times.iter().map(|&t| parts(t).1).fold(0, i32::min);
         let one = Fixed::new(1, unit.unsigned_abs());
         let ends = times.map(|t| Fixed::of(t, unit)).map(|t| [one - t, t]);
-        Self { ends }
+        ends.as_flattened().iter().all(Fixed::is_exact).then_some(Self { ends })
     }
 
     /// The first time.
@@ -319,8 +320,7 @@ impl<const N: usize> Window<N> {
 
 /// A time of `[0, 1]` as a dyadic one.
 fn dyadic<const N: usize>(time: f64) -> Option<Dyadic<N>> {
-    let time @ [u, v] = Window::new([time; 2]).begin();
-    (u.is_exact() && v.is_exact()).then_some(time)
+    Some(Window::new([time; 2])?.begin())
 }
 
 /// The power of two of the last bit of a denormal.

@@ -2,6 +2,7 @@
 //! where nearly everything is degenerate.
 
 use super::*;
+use crate::backend::quantization::Scan;
 use crate::narrow_phase::exact::{self, Exact};
 use crate::narrow_phase::query::{EdgeEdge, VertexFace};
 use crate::random::Random;
@@ -19,13 +20,16 @@ fn exact(patch: Patch, [t0, t1]: Query, window: [f64; 2]) -> Exact {
     found.expect("coordinates that fit")
 }
 
+fn of(x: f64, unit: i32) -> Q62 {
+    Q62::of([x.to_bits() as u32, (x.to_bits() >> 32) as u32], unit)
+}
+
 fn by_integers(patch: Patch, query: Query, window: &Window) -> Found {
     let [t0, t1] = query.map(|x| x.map(|p| p.map(|c| c as f32)));
     let greatest = query.as_flattened().as_flattened().iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     let unit = unit(&Motion::new(patch, &t0, &t1, (greatest * 1e-7) as f32));
     assert!(unit != NO_UNIT);
-    let words = |x: f64| [x.to_bits() as u32, (x.to_bits() >> 32) as u32];
-    let point = |i: usize| query.map(|x| x[i].map(|c| Q62::of(words(c), unit)));
+    let point = |i: usize| query.map(|x| x[i].map(|c| of(c, unit)));
     search(patch, &[point(0), point(1), point(2), point(3)], window)
 }
 
@@ -101,6 +105,37 @@ fn verdicts_are_those_of_exact_arithmetic() {
     let [misses, hits, open] = count.0;
     assert!(misses > 30_000 && hits > 3_000, "{:?}", count.0);
     assert!(open < 600, "{:?}", count.0);
+}
+
+/// As a device without `f64` asks: the unit comes of a table in `f32`, in whose unit it stands.
+fn of_table(patch: Patch, query: Query, window: &Window) -> Found {
+    let mut scan = Scan::NONE;
+    scan.take_all(&query[0], &query[1]);
+    let table = scan.table(true);
+    let [t0, t1] = query.map(|x| x.map(|p| table.place(p)));
+    let unit = unit(&Motion::new(patch, &t0, &t1, table.error));
+    assert!(unit != NO_UNIT);
+    let unit = unit - ((table.scale.to_bits() >> 52) as i32 - 1023);
+    search(patch, &[0, 1, 2, 3].map(|i| query.map(|x| x[i].map(|c| of(c, unit)))), window)
+}
+
+/// Among the least numbers what `f64` calls subnormal counts: taken as 0, the plane of this face is
+/// so far below the vertex that it never gets there.
+#[test]
+fn subnormal_coordinates_are_not_zero() {
+    let window = Window::of(&Search::whole(0.0)).expect("a window");
+    let (r, h) = (2f64.powi(-1000), f64::MIN_POSITIVE);
+    let face = [[0.0, 0.9 * h, 0.0], [r, 1.2 * h, 0.0], [0.0, 1.2 * h, r]];
+    let at = |y: f64| [[r / 4.0, y * h, r / 4.0], face[0], face[1], face[2]];
+    // Just below the face, and just above it.
+    for (end, is_contact) in [(1.01, true), (1.06, false)] {
+        let query = [at(1.5), at(end)];
+        let want = exact(Patch::Triangle, query, [0.0, 1.0]);
+        assert_eq!(want != Exact::Miss, is_contact, "{end}");
+        let found = of_table(Patch::Triangle, query, &window);
+        assert_eq!(found != Found::Miss, is_contact, "{end}: {found:?}");
+        assert_eq!(is_hit(found), is_contact, "{end}: {found:?}");
+    }
 }
 
 fn is_hit(found: Found) -> bool {
@@ -190,8 +225,7 @@ fn control_values_are_within_their_bound() {
         };
         let query: Query = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate(i))));
         let patch = PATCHES[i % 2];
-        let words = |x: f64| [x.to_bits() as u32, (x.to_bits() >> 32) as u32];
-        let point = |i: usize| query.map(|x| x[i].map(|c| Q62::of(words(c), 0)));
+        let point = |i: usize| query.map(|x| x[i].map(|c| of(c, 0)));
         let found = coplanarity(&vectors(patch, &[point(0), point(1), point(2), point(3)]));
         let want = control_values(patch, &query);
         for (found, want) in found.iter().zip(&want) {
