@@ -27,7 +27,8 @@ const answers = {
       devices.push(device);
       return device;
     };
-    return await gpu.requestAdapter() ? null : "Dawn finds no adapter";
+    if (await gpu.requestAdapter()) return null;
+    return "Dawn finds no adapter; on Debian 12, run .ci/lavapipe";
   },
 
   compareExample: (options) => compareExample(meshccd, options),
