@@ -266,6 +266,12 @@ impl Device {
         if self.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
     }
 
+    /// Whether it is lost: sessions on it fail from then on, until they move to another. Never of a
+    /// device from [`Device::from_wgpu`]: its application is told.
+    pub fn is_lost(&self) -> bool {
+        self.check_lost().is_err()
+    }
+
     /// Fails once the device is lost.
     pub(crate) fn check_lost(&self) -> Result<(), Error> {
         match &*self.inner.lost.lock().unwrap_or_else(|e| e.into_inner()) {

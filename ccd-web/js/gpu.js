@@ -6,18 +6,31 @@ import { columns, gpuWasmUrl, rawOptions, report, sourceOf } from "./index.js";
 
 let opening = null;
 
-/** The module's exports and the device, once in each thread. */
+/** The module's exports and the device, once in each thread, and again after a device is lost. */
 async function opened() {
   if (!globalThis.navigator?.gpu) throw new Error("there is no WebGPU here");
-  opening ??= (async () => {
-    const wasm = await load({ module_or_path: await sourceOf(gpuWasmUrl) });
-    return { wasm, device: await RawDevice.open() };
-  })();
+  const last = opening;
+  if ((await last?.catch(() => null))?.device.is_lost() && opening === last) opening = null;
+  opening ??= start();
+  const mine = opening;
   try {
-    return await opening;
+    return await mine;
   } catch (why) {
-    opening = null;
+    if (opening === mine) opening = null;
     throw why;
+  }
+}
+
+async function start() {
+  const wasm = await load({ module_or_path: await sourceOf(gpuWasmUrl) });
+  // wgpu reads `navigator` where there is a window or a worker; in Node, with a package that has
+  // WebGPU, there is neither.
+  const alone = !("Window" in globalThis || "WorkerGlobalScope" in globalThis);
+  if (alone) globalThis.WorkerGlobalScope = Object;
+  try {
+    return { wasm, device: await RawDevice.open() };
+  } finally {
+    if (alone) delete globalThis.WorkerGlobalScope;
   }
 }
 

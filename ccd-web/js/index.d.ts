@@ -117,7 +117,10 @@ export interface ContactsWithGeometry extends Contacts {
   readonly weights: Float64Array;
 }
 
-/** Milliseconds of a step; parts of milliseconds are as exact as `performance.now()` is. */
+/**
+ * Milliseconds of a step; parts of milliseconds are as exact as `performance.now()` is. On a GPU
+ * stages are not timed apart: `build`, `traverse` and `narrow` are 0, `total` has them.
+ */
 export interface Milliseconds {
   /** Checking input, swept boxes. */
   readonly boxes: number;

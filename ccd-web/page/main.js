@@ -210,7 +210,8 @@ function tellResult() {
     ["earliest time", toi === null ? "none" : String(toi)],
     ["loading", ms(loading)],
     ["detection", ms(t.total)],
-    ...stages(t).map(([name, value]) => [`of it ${name}`, value]),
+    // Stages of a GPU are not timed apart.
+    ...(result.backend === "gpu" ? [] : stages(t).map(([name, value]) => [`of it ${name}`, value])),
     ["backend", NAMES[result.backend]],
   ]);
   scrub();
@@ -273,7 +274,8 @@ for (const type of ["dragover", "dragleave", "drop"]) {
 // Begin.
 try {
   const { version, ms: loading } = await ask("load");
-  $("backend").textContent = `Version ${version} runs on the CPU (wasm); loaded in ${ms(loading)}.`;
+  $("backend").textContent = `Version ${version}, loaded in ${ms(loading)}. The cloth runs on the `
+    + "CPU (wasm).";
   for (const id of ["run", "step", "restart", "example"]) $(id).disabled = false;
   setRunning(running);
   await restart();

@@ -31,6 +31,11 @@ impl RawDevice {
         self.0.info().adapter.device_type == DeviceType::Cpu
     }
 
+    /// Whether it was lost: no session on it works any more.
+    pub fn is_lost(&self) -> bool {
+        self.0.is_lost()
+    }
+
     /// For tests: pairs of boxes that overlap, two ids each, by a tree, whose kernels even a
     /// browser without a GPU compiles in seconds. A box is its least coordinates, then its
     /// greatest.

@@ -1,5 +1,5 @@
 // WebGPU in Chromium, played by SwiftShader: what a browser without a GPU compiles within minutes.
-// Kernels of filters and decisions are not among that, so no step ends here (docs/browser.md).
+// Kernels of filters and decisions are not among that: whole steps are in steps.test.mjs.
 
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";

@@ -159,6 +159,7 @@ fn check_lost(device: &Device) {
     let error = session.step(&step.x0, &step.x1).unwrap_err();
     assert!(matches!(error, Error::Lost { .. }), "{error}");
     assert!(matches!(session.step(&step.x0, &step.x1), Err(Error::Lost { .. })), "the second time");
+    assert!(other.is_lost() && !device.is_lost());
     session.move_to(device).unwrap();
     assert_eq!(session.step(&step.x0, &step.x1).unwrap().contacts, want);
 }

@@ -2,7 +2,7 @@
 //! browsers, and not in their language; native ones have no WGSL.
 
 use crate::programs::{output, skipped};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Dawn's bindings for Node, of which Tint is a part.
@@ -27,12 +27,15 @@ const REFUSED: [(&str, &str); 3] = [
 
 /// Has Tint read every kernel that is for browsers, and some that it must refuse.
 pub fn run(root: &Path) -> Result<(), String> {
-    if let Err(why) = install(root) {
-        skipped(&format!("Tint did not read the WGSL: {why}"));
-        return Ok(());
-    }
+    let bindings = match install(root) {
+        Ok(folder) => folder,
+        Err(why) => {
+            skipped(&format!("Tint did not read the WGSL: {why}"));
+            return Ok(());
+        }
+    };
     let shaders = root.join("ccd-gpu/shaders");
-    match read(root, &shaders)? {
+    match read(root, &bindings, &shaders)? {
         Answer::Accepted(what) => println!("Tint accepts {what}"),
         Answer::Refused(why) => return Err(format!("Tint refuses a kernel:\n{why}")),
         Answer::DoesNotLoad(why) => {
@@ -47,7 +50,7 @@ pub fn run(root: &Path) -> Result<(), String> {
         std::fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
         std::fs::write(folder.join("manifest.json"), manifest).map_err(|e| e.to_string())?;
         std::fs::write(folder.join(format!("{name}.wgsl")), text).map_err(|e| e.to_string())?;
-        if !matches!(read(root, &folder)?, Answer::Refused(why) if why.contains(name)) {
+        if !matches!(read(root, &bindings, &folder)?, Answer::Refused(why) if why.contains(name)) {
             return Err(format!("Tint does not refuse {name}, so its word means nothing"));
         }
     }
@@ -55,16 +58,17 @@ pub fn run(root: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Fetches it if it is not there.
-fn install(root: &Path) -> Result<(), String> {
+/// The folder of Dawn's bindings, which are fetched if they are not there.
+pub fn install(root: &Path) -> Result<PathBuf, String> {
     output(Command::new("node").arg("--version"))?;
-    if root.join(PREFIX).join("node_modules/webgpu").is_dir() {
-        return Ok(());
+    let folder = root.join(PREFIX).join("node_modules/webgpu");
+    if folder.is_dir() {
+        return Ok(folder);
     }
     let how = ["--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"];
     let prefix = root.join(PREFIX);
     output(Command::new("npm").args(["install", PACKAGE]).args(how).arg("--prefix").arg(prefix))?;
-    Ok(())
+    Ok(folder)
 }
 
 /// Result of the script for a folder.
@@ -74,10 +78,10 @@ enum Answer {
     DoesNotLoad(String),
 }
 
-fn read(root: &Path, folder: &Path) -> Result<Answer, String> {
+fn read(root: &Path, bindings: &Path, folder: &Path) -> Result<Answer, String> {
     let run = Command::new("node")
         .arg(root.join("xtask/src/tint.mjs"))
-        .arg(root.join(PREFIX).join("node_modules/webgpu"))
+        .arg(bindings)
         .arg(folder)
         .output()
         .map_err(|e| format!("cannot run node, which runs Tint: {e}"))?;

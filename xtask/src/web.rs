@@ -1,5 +1,5 @@
-//! `cargo xtask web`: the npm package, built into `ccd-web/pkg` and tested under Node; with
-//! `--page` its page too, in browsers.
+//! `cargo xtask web`: the npm package, built into `ccd-web/pkg` and tested under Node, steps by
+//! WebGPU as well; with `--page` in browsers, too, and its page.
 
 use crate::programs::{command, command_with, has_target, output, skipped, target_folder};
 use crate::wasm::SIMD;
@@ -42,6 +42,7 @@ pub fn run(root: &Path, page: bool) -> Result<(), String> {
         return Ok(());
     }
     command(&folder, &["npm", "run", "--silent", "test:types"])?;
+    webgpu(root, &folder)?;
     if page {
         // The crate is empty on the target for which clippy checks the workspace.
         let clippy = ["cargo", "clippy", "--profile", "web", "-p", CRATE, "--target", TARGET];
@@ -52,6 +53,19 @@ pub fn run(root: &Path, page: bool) -> Result<(), String> {
         command(&folder, &["npm", "run", "--silent", "test:page"])?;
     }
     Ok(())
+}
+
+/// Whole steps by WebGPU under Node.
+fn webgpu(root: &Path, folder: &Path) -> Result<(), String> {
+    let dawn = match crate::tint::install(root) {
+        Ok(dawn) => dawn,
+        Err(why) => {
+            skipped(&format!("the npm package made no step by WebGPU: {why}"));
+            return Ok(());
+        }
+    };
+    let dawn = dawn.to_str().ok_or("the path of this checkout is not UTF-8")?;
+    command_with(folder, &["npm", "run", "--silent", "test:gpu"], &[("DAWN", dawn)])
 }
 
 /// The modules and their bindings, and what is written by hand, into one folder.

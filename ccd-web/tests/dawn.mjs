@@ -1,0 +1,91 @@
+// Program of dawn.test.mjs: answers calls on a device of Dawn, until it is killed. Not in the
+// process of the tests, because Dawn's bindings at times abort when a process ends.
+
+import { pathToFileURL } from "node:url";
+import * as meshccd from "../pkg/index.js";
+import { scene } from "../page/example.js";
+import { clothBall } from "./expected.mjs";
+import { compareExample, compareFrames, compareSessions } from "./steps.mjs";
+
+const { Mesh, Session } = meshccd;
+/** Devices that were opened, in order. */
+const devices = [];
+
+const answers = {
+  /** What is missing for a device, if anything is. */
+  async open(dawn) {
+    await meshccd.init();
+    const bindings = await import(pathToFileURL(`${dawn}/index.js`)).catch((why) => why);
+    if (bindings instanceof Error) return `Dawn does not load: ${bindings.message}`;
+    const { create, globals } = bindings;
+    Object.assign(globalThis, globals);
+    const gpu = create([]);
+    Object.defineProperty(globalThis, "navigator", { value: { gpu } });
+    const { requestDevice } = GPUAdapter.prototype;
+    GPUAdapter.prototype.requestDevice = async function (...given) {
+      const device = await requestDevice.apply(this, given);
+      devices.push(device);
+      return device;
+    };
+    if (await gpu.requestAdapter()) return null;
+    return "Dawn finds no adapter; on Debian 12, run .ci/lavapipe";
+  },
+
+  compareExample: (options) => compareExample(meshccd, options),
+  compareSessions: () => compareSessions(meshccd),
+  compareFrames: () => compareFrames(meshccd, clothBall().files),
+
+  /** A device that is lost while a step is in flight; then two sessions more. */
+  async lose() {
+    const { x0, x1, faces } = scene();
+    const frames = [x0, x1].map((x) => Float64Array.from(x));
+    const mesh = new Mesh(x0.length / 3, null, faces);
+    const open = () => Session.open(mesh, { device: "gpu" });
+    const session = await open();
+    const before = devices.length;
+    const flight = session.stepAsync(...frames);
+    devices.at(-1).destroy();
+    const message = (call) => call.then(() => "no error", (why) => why.message);
+    const errors = [await message(flight), await message(session.earliestToiAsync(...frames))];
+    const onCpu = session.step(...frames).contacts.length;
+    const others = await Promise.all([open(), open()]);
+    const reports = await Promise.all(others.map((other) => other.stepAsync(...frames)));
+    const contacts = reports.map((report) => report.contacts.length);
+    return { errors, onCpu, contacts, opened: devices.length - before };
+  },
+
+  /** A device that is lost between steps of a session that may go on on the CPU. */
+  async loseFreely() {
+    const n = 100;
+    const at = (i, k) => [i % n, 0, Math.floor(i / n)][k];
+    const x0 = new Float64Array(3 * n * n + 3).map((_, i) => at(Math.floor(i / 3), i % 3));
+    x0.set([10.25, 1, 10.25], 3 * n * n);
+    const x1 = x0.with(3 * n * n + 1, -1);
+    const faces = [];
+    for (let v = 0; v + n + 1 < n * n; v++) {
+      if (v % n < n - 1) faces.push([v, v + 1, v + n], [v + 1, v + n + 1, v + n]);
+    }
+    const mesh = new Mesh(n * n + 1, null, faces);
+    // `auto` takes no GPU that a CPU plays, and the device that is open says what it is.
+    Object.defineProperty(GPUAdapterInfo.prototype, "isFallbackAdapter", { get: () => false });
+    devices.at(-1)?.destroy();
+    const session = await Session.open(mesh);
+    const reports = [await session.stepAsync(x0, x1)];
+    devices.at(-1).destroy();
+    reports.push(await session.stepAsync(x0, x1));
+    return {
+      backends: reports.map(({ backend }) => backend),
+      contacts: reports.map(({ contacts }) => contacts.length),
+      backend: session.backend,
+      why: session.whyCpu,
+    };
+  },
+};
+
+process.on("message", async ({ call, given }) => {
+  try {
+    process.send({ found: await answers[call](given) });
+  } catch (why) {
+    process.send({ error: String(why?.stack ?? why) });
+  }
+});
