@@ -41,6 +41,8 @@ pub fn run(root: &Path, options: &ChoiceOptions, mut cells: Cells) -> Result<(),
         let named = options.scenes.iter().any(|part| name.contains(part.as_str()));
         if options.scenes.is_empty() { !quick || name == "cloth-funnel" } else { named }
     };
+    let load = cells.get("load", || Ok(load().into()))?;
+    let load = load.and_then(|load| load.as_str().map(String::from)).unwrap_or_default();
     let runs = if quick { 3 } else { scenes::RUNS };
     let of_scenes = scenes::all(&places, &wanted, &data_dir()?, runs, &mut cells)?;
     println!("scenes: {:.0} s", start.elapsed().as_secs_f64());
@@ -61,7 +63,7 @@ pub fn run(root: &Path, options: &ChoiceOptions, mut cells: Cells) -> Result<(),
     if !cells.are_complete() {
         return Ok(());
     }
-    let (machine, table) = (machine(root, &places), scenes::table(&of_scenes));
+    let (machine, table) = (machine(root, &places, &load), scenes::table(&of_scenes));
     let of_readme = wrap(&format!("{machine}\n{table}"));
     let sections = [
         ("machine", machine),
@@ -96,8 +98,15 @@ fn command() -> String {
     command.join(" ")
 }
 
+/// Processes that wanted to run in the last minute, on average; nothing where a system does not say
+/// it.
+fn load() -> String {
+    let text = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    text.split(' ').next().unwrap_or_default().to_owned()
+}
+
 /// Where, when and by which command.
-fn machine(root: &Path, places: &[Place]) -> String {
+fn machine(root: &Path, places: &[Place], load: &str) -> String {
     let mut text = format!("Run: `cargo xtask {}`, {}.\n\n", command(), this_run(root));
     for place in places {
         match place {
@@ -114,6 +123,9 @@ fn machine(root: &Path, places: &[Place]) -> String {
     }
     if places.iter().all(|place| place.threads() > 0) {
         text += "- No GPU was there: its columns are missing.\n";
+    }
+    if !load.is_empty() {
+        text += &format!("- Load of the machine by other work when the run began: {load}.\n");
     }
     text
 }
