@@ -1,5 +1,6 @@
 //! Plots as SVG: bars that lie, and lines.
 
+use crate::exponents::size;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::prelude::*;
 use std::path::Path;
@@ -31,6 +32,8 @@ struct Plot<'a> {
     label: &'a dyn Fn(f64) -> Option<String>,
     /// Whether these are names, which need space and no lines.
     named: bool,
+    /// Whether the other axis is of sizes.
+    sized: bool,
     n_labels: usize,
     legend: SeriesLabelPosition,
     series: Vec<(String, Shape)>,
@@ -62,6 +65,10 @@ impl Plot<'_> {
         let mut mesh = chart.configure_mesh();
         if self.named {
             mesh.disable_y_mesh();
+        }
+        let along_label = |x: &f64| size(x.round() as usize);
+        if self.sized {
+            mesh.x_label_formatter(&along_label);
         }
         mesh.y_labels(self.n_labels)
             .y_label_formatter(&label)
@@ -139,6 +146,7 @@ impl Bars {
             up: 0.0..(rows + above) as f64,
             label: &label,
             named: true,
+            sized: false,
             n_labels: rows + above + 1,
             legend: SeriesLabelPosition::UpperRight,
             series: self.series.iter().cloned().zip((0..n).map(bars)).collect(),
@@ -173,6 +181,7 @@ pub fn stacked(
         up: 0.0..n as f64,
         label: &label,
         named: true,
+        sized: false,
         n_labels: 2 * n + 1,
         legend: SeriesLabelPosition::MiddleRight,
         series: (0..5).map(of_part).collect(),
@@ -213,6 +222,7 @@ pub fn growth(path: &Path, title: &str, lines: &[(String, Vec<[f64; 2]>)]) -> Re
         up: low..high,
         label: &label,
         named: false,
+        sized: true,
         n_labels: (high - low) as usize + 1,
         legend: SeriesLabelPosition::UpperLeft,
         series: series.collect(),
@@ -231,6 +241,7 @@ pub fn lines(path: &Path, title: &str, lines: Vec<(String, Vec<f64>)>) -> Result
         up: 0.98 * low..high + 0.35 * (high - low).max(1e-9),
         label: &|_| None,
         named: false,
+        sized: false,
         n_labels: 10,
         legend: SeriesLabelPosition::UpperLeft,
         series: lines.into_iter().map(|(name, values)| (name, line(values))).collect(),
@@ -263,7 +274,7 @@ mod tests {
         check(&["a front", "kept", "polyline"]);
         let points = vec![[1e4, 0.02], [1e5, 0.3], [1e6, 2.5]];
         growth(&path, "boxes, ms", &[("tree, GPU".into(), points)]).unwrap();
-        check(&["boxes, ms", "tree, GPU", "polyline", ">\n0.01\n<", ">\n10\n<"]);
+        check(&["boxes, ms", "tree, GPU", "polyline", ">\n0.01\n<", ">\n10\n<", ">\n100 K\n<"]);
         assert!(growth(&path, "none", &[]).is_err());
     }
 }
