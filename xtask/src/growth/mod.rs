@@ -29,6 +29,8 @@ const MOST_OF_QUICK: f64 = 2000.0;
 
 /// Measures all and rewrites the tables of PERFORMANCE.md.
 pub fn run(root: &Path, options: &ChoiceOptions, mut cells: Cells) -> Result<(), String> {
+    // Before files are written that git would see.
+    let run = format!("Run: `cargo xtask {}`, {}.\n\n", command(), this_run(root));
     let folder = root.join(&options.folder);
     let plots = folder.join("performance");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
@@ -63,7 +65,7 @@ pub fn run(root: &Path, options: &ChoiceOptions, mut cells: Cells) -> Result<(),
     if !cells.are_complete() {
         return Ok(());
     }
-    let (machine, table) = (machine(root, &places, &load), scenes::table(&of_scenes));
+    let (machine, table) = (run + &machine(&places, &load), scenes::table(&of_scenes));
     let of_readme = wrap(&format!("{machine}\n{table}"));
     let sections = [
         ("machine", machine),
@@ -105,9 +107,9 @@ fn load() -> String {
     text.split(' ').next().unwrap_or_default().to_owned()
 }
 
-/// Where, when and by which command.
-fn machine(root: &Path, places: &[Place], load: &str) -> String {
-    let mut text = format!("Run: `cargo xtask {}`, {}.\n\n", command(), this_run(root));
+/// Where it was measured, and how busy that was.
+fn machine(places: &[Place], load: &str) -> String {
+    let mut text = String::new();
     for place in places {
         match place {
             Place::Cpu { threads: 1 } => text += "- CPU: 1 thread of it.\n",
