@@ -232,6 +232,13 @@ impl Engine {
         }
     }
 
+    #[cfg(feature = "catalogue")]
+    #[doc(hidden)]
+    /// Milliseconds in which the last step put its contacts in their order.
+    pub fn order_ms(&self) -> f64 {
+        self.order.ms
+    }
+
     /// Lists candidates; `wide`: by other options than the session's.
     #[inline(never)]
     fn list(&mut self, given: Given, wide: Option<&Options>) -> Result<(), Error> {
@@ -318,6 +325,7 @@ impl Engine {
             collect(workers, report, stop)?;
             let joined = Instant::now();
             order.sort(threads, mesh, &mut report.contacts);
+            order.ms = milliseconds(joined);
             if options.pipeline.repeats_tests() {
                 drop_repeated(report);
             }

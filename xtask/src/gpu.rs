@@ -112,13 +112,13 @@ fn error(e: ccd::gpu::Error) -> String {
 }
 
 /// Medians of what was measured.
-struct Measured {
+pub struct Measured {
     /// All kernels together, by the device.
-    device: f64,
+    pub device: f64,
     /// With upload, waiting and reading back.
-    wall: f64,
+    pub wall: f64,
     /// Each stage by itself, by the device; those of the same name are numbered.
-    stages: Vec<(String, f64)>,
+    pub stages: Vec<(String, f64)>,
 }
 
 /// Measures in three ways, one after the other. `run` sets the timing it is told, works, and
@@ -148,7 +148,7 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
 }
 
 /// [`sample`] of a call of a session.
-fn of_session(
+pub fn of_session(
     session: &mut Session,
     runs: usize,
     call: impl Fn(&mut Session) -> Result<(), ccd::gpu::Error>,

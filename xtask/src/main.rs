@@ -12,10 +12,14 @@ mod ci;
 mod circles;
 mod compile_times;
 mod doc_examples;
+#[cfg(any(feature = "report", test))]
+mod exponents;
 #[cfg(feature = "report")]
 mod gpu;
 #[cfg(feature = "report")]
 mod group;
+#[cfg(feature = "report")]
+mod growth;
 #[path = "../../ccd-shaders/builder/src/instructions.rs"]
 mod instructions;
 #[cfg(feature = "report")]
@@ -149,15 +153,20 @@ enum Task {
         divergence: bool,
         /// Measure every scheduler with a front and without one over sequences instead, on the CPU
         /// and on the GPU if there is one, and write the tables and plots of docs/SCHEDULING.md
-        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"])]
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"], group = "chosen")]
         schedulers: bool,
+        /// Measure real scenes and how times and memory grow with the input instead, on the CPU and
+        /// on the GPU if there is one, and write the tables and plots of docs/PERFORMANCE.md and,
+        /// with a GPU, the table of README.md (needs the data)
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"], group = "chosen")]
+        growth: bool,
         /// Measure a body that falls on a large level instead, beside parry3d, and print the table
-        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence", "schedulers"])]
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence", "chosen"])]
         level: bool,
         #[command(flatten)]
-        of_schedulers: SchedulersOptions,
-        /// Keep what --algorithms or --schedulers measured in this folder, so that a report goes on
-        /// where it was
+        chosen: ChoiceOptions,
+        /// Keep what --algorithms, --schedulers or --growth measured in this folder, so that a
+        /// report goes on where it was
         #[arg(long, value_name = "FOLDER")]
         cells: Option<std::path::PathBuf>,
         /// Begin no measurement after so many minutes; tables are written once all cells are there
@@ -184,26 +193,26 @@ enum Task {
     },
 }
 
-/// What the report of schedulers measures.
+/// What the reports of schedulers and of growth measure.
 #[derive(Clone, Debug, clap::Args)]
-struct SchedulersOptions {
-    /// Numbers of threads
-    #[arg(long, requires = "schedulers", value_delimiter = ',', default_values_t = [1, 2])]
+struct ChoiceOptions {
+    /// Numbers of threads; --schedulers: 1 and 2; --growth, which takes the largest: all
+    #[arg(long, requires = "chosen", value_delimiter = ',')]
     threads: Vec<usize>,
     /// Only scenes whose name contains one of these
-    #[arg(long, requires = "schedulers", value_delimiter = ',')]
+    #[arg(long, requires = "chosen", value_delimiter = ',')]
     scenes: Vec<String>,
-    /// Few steps of the smaller scenes
-    #[arg(long, requires = "schedulers")]
+    /// Few steps of the smaller scenes, few sizes
+    #[arg(long, requires = "chosen")]
     quick: bool,
     /// Leave the GPU out
-    #[arg(long, requires = "schedulers")]
+    #[arg(long, requires = "chosen")]
     no_gpu: bool,
     /// Only the table over the number of workers of the GPU
     #[arg(long, requires = "schedulers", conflicts_with = "no_gpu")]
     workers: bool,
-    /// The folder with SCHEDULING.md and the folder of plots, scheduling
-    #[arg(long, requires = "schedulers", default_value = "docs")]
+    /// The folder with the page, SCHEDULING.md or PERFORMANCE.md, and its folder of plots
+    #[arg(long, requires = "chosen", default_value = "docs")]
     folder: std::path::PathBuf,
 }
 
@@ -294,9 +303,14 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "report")]
         Task::Report { divergence: true, .. } => algorithms::divergence(root),
         #[cfg(feature = "report")]
-        Task::Report { schedulers: true, of_schedulers, cells, minutes, .. } => {
+        Task::Report { schedulers: true, chosen, cells, minutes, .. } => {
             let cells = cells::Cells::open(cells.as_deref(), "schedulers", minutes)?;
-            schedulers::run(root, &of_schedulers, cells)
+            schedulers::run(root, chosen, cells)
+        }
+        #[cfg(feature = "report")]
+        Task::Report { growth: true, chosen, cells, minutes, .. } => {
+            let cells = cells::Cells::open(cells.as_deref(), "growth", minutes)?;
+            growth::run(root, &chosen, cells)
         }
         #[cfg(feature = "report")]
         Task::Report { level: true, .. } => level::run(),

@@ -111,6 +111,19 @@ pub fn digits(x: f64) -> String {
     format!("{x:.places$}")
 }
 
+/// A number with commas between thousands.
+pub fn thousands(n: u64) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -136,6 +149,8 @@ mod tests {
         let mut table = Table::new(["a", "b"]);
         table.row([digits(12.345), digits(0.0)]);
         assert_eq!(table.to_string(), "| a | b |\n|---|---|\n| 12.3 | 0.0000 |\n");
+        let all = [0, 999, 1000, 113_854, 6_852_873].map(thousands);
+        assert_eq!(all, ["0", "999", "1,000", "113,854", "6,852,873"]);
         let text = "x\n<!-- t -->\nold\n<!-- end -->\ny\n";
         let new = replaced(text, "t", "new\n").unwrap();
         assert_eq!(new, "x\n<!-- t -->\n\nnew\n<!-- end -->\ny\n");

@@ -2,6 +2,8 @@
 
 use ccd::any::Choice;
 use ccd::gpu::{Device, DeviceOptions};
+use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// Place of a measurement.
@@ -51,6 +53,31 @@ impl Place {
             Self::Gpu { name, .. } => name.clone(),
         }
     }
+}
+
+/// Date, commit, processor and compiler of a run; what a machine does not have is left out.
+pub fn this_run(root: &Path) -> String {
+    // A program that was built elsewhere may run where its sources are not.
+    let folder = if root.is_dir() { root } else { Path::new(".") };
+    let shell = |words: &[&str]| {
+        let output = Command::new(words[0]).args(&words[1..]).current_dir(folder).output();
+        output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned()).unwrap_or_default()
+    };
+    let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let cpu = cpu
+        .lines()
+        .find_map(|l| l.strip_prefix("model name"))
+        .map_or("unknown processor", |l| l.trim_start_matches([':', '\t', ' ']));
+    let cores = std::thread::available_parallelism().map_or(0, |n| n.get());
+    let is_clean = shell(&["git", "status", "--porcelain"]).is_empty();
+    let changed = if is_clean { "" } else { " with uncommitted changes" };
+    let commit = shell(&["git", "rev-parse", "--short", "HEAD"]);
+    let commit = if commit.is_empty() { commit } else { format!("commit {commit}{changed}") };
+    let (date, compiler) = (shell(&["date", "-u", "+%Y-%m-%d"]), shell(&["rustc", "--version"]));
+    let cores = format!("{cores} cores");
+    let all = [date, commit, cpu.to_owned(), cores, compiler];
+    let all: Vec<String> = all.into_iter().filter(|part| !part.is_empty()).collect();
+    all.join(", ")
 }
 
 /// The middle one; 0 of none.

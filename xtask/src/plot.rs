@@ -1,5 +1,6 @@
 //! Plots as SVG: bars that lie, and lines.
 
+use crate::exponents::size;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::prelude::*;
 use std::path::Path;
@@ -18,7 +19,8 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 enum Shape {
     /// Left, lower, right and upper end of each.
     Bars(Vec<[f64; 4]>),
-    Line(Vec<f64>),
+    /// Points, left to right.
+    Line(Vec<(f64, f64)>),
 }
 
 /// Names of what is drawn, and the axis that goes up.
@@ -28,6 +30,10 @@ struct Plot<'a> {
     up: std::ops::Range<f64>,
     /// Label at a value of that axis instead of its number.
     label: &'a dyn Fn(f64) -> Option<String>,
+    /// Whether these are names, which need space and no lines.
+    named: bool,
+    /// Whether the other axis is of sizes.
+    sized: bool,
     n_labels: usize,
     legend: SeriesLabelPosition,
     series: Vec<(String, Shape)>,
@@ -53,12 +59,16 @@ impl Plot<'_> {
             .caption(self.title, ("sans-serif", 20))
             .margin(10)
             .x_label_area_size(30)
-            .y_label_area_size(if (self.label)(0.0).is_some() { 180 } else { 80 })
+            .y_label_area_size(if self.named { 180 } else { 80 })
             .build_cartesian_2d(along, self.up)?;
         let label = |y: &f64| (self.label)(*y).unwrap_or_else(|| format!("{y:.1}"));
         let mut mesh = chart.configure_mesh();
-        if (self.label)(0.0).is_some() {
+        if self.named {
             mesh.disable_y_mesh();
+        }
+        let along_label = |x: &f64| size(x.round() as usize);
+        if self.sized {
+            mesh.x_label_formatter(&along_label);
         }
         mesh.y_labels(self.n_labels)
             .y_label_formatter(&label)
@@ -72,8 +82,7 @@ impl Plot<'_> {
                         |[a, b, c, d]: [f64; 4]| Rectangle::new([(a, b), (c, d)], colour.filled());
                     chart.draw_series(bars.into_iter().map(bar))?
                 }
-                Shape::Line(values) => {
-                    let points: Vec<_> = (0u32..).map(f64::from).zip(values).collect();
+                Shape::Line(points) => {
                     chart.draw_series([PathElement::new(points, colour.stroke_width(2))])?
                 }
             };
@@ -136,6 +145,8 @@ impl Bars {
             height: 120 + 24 * (rows + above) as u32,
             up: 0.0..(rows + above) as f64,
             label: &label,
+            named: true,
+            sized: false,
             n_labels: rows + above + 1,
             legend: SeriesLabelPosition::UpperRight,
             series: self.series.iter().cloned().zip((0..n).map(bars)).collect(),
@@ -169,12 +180,54 @@ pub fn stacked(
         height: 140 + 40 * n as u32,
         up: 0.0..n as f64,
         label: &label,
+        named: true,
+        sized: false,
         n_labels: 2 * n + 1,
         legend: SeriesLabelPosition::MiddleRight,
         series: (0..5).map(of_part).collect(),
     };
     // Space on the right for the legend.
     plot.write(path, 0.0..1.35 * most.max(1e-9))
+}
+
+/// Values over their numbers.
+fn line(values: Vec<f64>) -> Shape {
+    Shape::Line((0u32..).map(f64::from).zip(values).collect())
+}
+
+/// Milliseconds over sizes, both on logarithmic axes.
+pub fn growth(path: &Path, title: &str, lines: &[(String, Vec<[f64; 2]>)]) -> Result<(), String> {
+    let all = || lines.iter().flat_map(|line| &line.1);
+    let range = |k: usize| {
+        let values = || all().map(move |point| point[k]);
+        (values().fold(f64::MAX, f64::min), values().fold(0.0, f64::max))
+    };
+    if all().next().is_none() {
+        return Err(format!("{title}: nothing to be drawn"));
+    }
+    let ((left, right), (low, high)) = (range(0), range(1));
+    // Whole powers of ten, and one above for the legend.
+    let (low, high) = (low.log10().floor(), high.log10().ceil() + 1.0);
+    let label = |y: f64| {
+        let power = y.round();
+        let is_whole = (y - power).abs() < 1e-6;
+        Some(if is_whole { 10f64.powf(power).to_string() } else { String::new() })
+    };
+    let series = lines.iter().map(|(name, points)| {
+        (name.clone(), Shape::Line(points.iter().map(|p| (p[0], p[1].log10())).collect()))
+    });
+    let plot = Plot {
+        title,
+        height: 420,
+        up: low..high,
+        label: &label,
+        named: false,
+        sized: true,
+        n_labels: (high - low) as usize + 1,
+        legend: SeriesLabelPosition::UpperLeft,
+        series: series.collect(),
+    };
+    plot.write(path, (0.9 * left..1.1 * right).log_scale())
 }
 
 /// Lines over steps.
@@ -187,9 +240,11 @@ pub fn lines(path: &Path, title: &str, lines: Vec<(String, Vec<f64>)>) -> Result
         height: 420,
         up: 0.98 * low..high + 0.35 * (high - low).max(1e-9),
         label: &|_| None,
+        named: false,
+        sized: false,
         n_labels: 10,
         legend: SeriesLabelPosition::UpperLeft,
-        series: lines.into_iter().map(|(name, values)| (name, Shape::Line(values))).collect(),
+        series: lines.into_iter().map(|(name, values)| (name, line(values))).collect(),
     };
     plot.write(path, 0.0..n as f64)
 }
@@ -217,5 +272,9 @@ mod tests {
         check(&["a step", "lazy", ">\nw\n<"]);
         lines(&path, "a front", vec![("kept".into(), vec![1.0, 3.0, 2.0])]).unwrap();
         check(&["a front", "kept", "polyline"]);
+        let points = vec![[1e4, 0.02], [1e5, 0.3], [1e6, 2.5]];
+        growth(&path, "boxes, ms", &[("tree, GPU".into(), points)]).unwrap();
+        check(&["boxes, ms", "tree, GPU", "polyline", ">\n0.01\n<", ">\n10\n<", ">\n100 K\n<"]);
+        assert!(growth(&path, "none", &[]).is_err());
     }
 }

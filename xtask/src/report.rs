@@ -2,7 +2,7 @@
 //! to `benches/RESULTS.md`.
 
 use crate::markdown::{Table, wrap};
-use crate::measure::{median, timed};
+use crate::measure::{median, this_run, timed};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, BroadPhase, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
@@ -18,7 +18,7 @@ const IPCTK: &str = "ipctk==1.6.1";
 
 pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     let data = data_dir()?;
-    let mut out = header(root, runs)?;
+    let mut out = header(root, runs);
     for name in SCENES {
         let scene = Scene::named(name);
         let [t0, t1] = scene.load(&data);
@@ -246,35 +246,17 @@ fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
     }
 }
 
-fn header(root: &Path, runs: usize) -> Result<String, String> {
-    let shell = |words: &[&str]| {
-        let output = Command::new(words[0]).args(&words[1..]).current_dir(root).output();
-        output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned()).unwrap_or_default()
-    };
-    let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let cpu = cpu
-        .lines()
-        .find_map(|l| l.strip_prefix("model name"))
-        .map_or("unknown processor", |l| l.trim_start_matches([':', '\t', ' ']));
-    let cores = std::thread::available_parallelism().map_or(0, |n| n.get());
-    let changed = if shell(&["git", "status", "--porcelain"]).is_empty() {
-        ""
-    } else {
-        " with uncommitted changes"
-    };
-    Ok(format!(
-        "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}, commit {}{changed}, \
-         {cpu}, {cores} cores, {}.\n\n\
+fn header(root: &Path, runs: usize) -> String {
+    format!(
+        "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}.\n\n\
          Milliseconds, medians of {runs} runs in one go; compare ratios, not times. \
          \"Fresh\" pays for every buffer anew, as the other libraries do; \
          \"kept\" keeps them from the run before. \
          Candidates: checks, boxes, trees, and all pairs without a shared vertex listed. \
          parry3d: the same boxes, build and traversal together; \
          it has no parallel traversal of two trees.\n",
-        shell(&["date", "-u", "+%Y-%m-%d"]),
-        shell(&["git", "rev-parse", "--short", "HEAD"]),
-        shell(&["rustc", "--version"]),
-    ))
+        this_run(root)
+    )
 }
 
 fn section(

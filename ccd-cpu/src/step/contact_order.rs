@@ -16,6 +16,9 @@ pub struct ContactOrder {
     radix: RadixSort,
     order: Vec<u32>,
     found: Vec<Contact>,
+    /// Milliseconds of the last sort.
+    #[cfg_attr(not(feature = "catalogue"), allow(dead_code, reason = "what reports alone ask"))]
+    pub ms: f64,
 }
 
 impl ContactOrder {
@@ -28,7 +31,7 @@ impl ContactOrder {
         }
         let [v, e, f] = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()];
         let key = key_of([v.max(e), e.max(f)]);
-        let Self { radix, order, found } = self;
+        let Self { radix, order, found, .. } = self;
         found.clear();
         found.extend_from_slice(contacts);
         radix.sort(threads, found.len(), |i| key(&found[i]), order);

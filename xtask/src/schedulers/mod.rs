@@ -12,7 +12,7 @@ mod scenes;
 mod tables;
 mod workers;
 
-use crate::SchedulersOptions;
+use crate::ChoiceOptions;
 use crate::cells::Cells;
 use crate::markdown::{rewrite, rewrite_alone};
 use crate::measure::Place;
@@ -23,7 +23,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Measures all and rewrites the tables of SCHEDULING.md.
-pub fn run(root: &Path, options: &SchedulersOptions, mut cells: Cells) -> Result<(), String> {
+pub fn run(root: &Path, mut options: ChoiceOptions, mut cells: Cells) -> Result<(), String> {
+    if options.threads.is_empty() {
+        options.threads = vec![1, 2];
+    }
     let folder = root.join(&options.folder);
     let plots = folder.join("scheduling");
     std::fs::create_dir_all(&plots).map_err(|e| format!("{plots:?}: {e}"))?;
