@@ -191,47 +191,47 @@ fn function_(param: f32, param_1: f32) -> f32 {
 }
 
 fn function_1(param_2: f32) -> array<u32, 2> {
-    var phi_23654_: array<u32, 2>;
+    var phi_23655_: array<u32, 2>;
 
     let _e7 = bitcast<u32>(param_2);
     let _e8 = (_e7 & 2147483647u);
     if (_e8 < 8388608u) {
-        phi_23654_ = array<u32, 2>(0u, 0u);
+        phi_23655_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_23654_ = array<u32, 2>((_e7 << bitcast<u32>(29i)), ((_e7 ^ _e8) | ((_e8 >> bitcast<u32>(3i)) + 939524096u)));
+        phi_23655_ = array<u32, 2>((_e7 << bitcast<u32>(29i)), ((_e7 ^ _e8) | ((_e8 >> bitcast<u32>(3i)) + 939524096u)));
     }
-    let _e19 = phi_23654_;
+    let _e19 = phi_23655_;
     return _e19;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>) -> array<f32, 3> {
-    var phi_23639_: array<f32, 3>;
+    var phi_23640_: array<f32, 3>;
 
     if ((((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])) < (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2]))) {
-        phi_23639_ = param_4;
+        phi_23640_ = param_4;
     } else {
-        phi_23639_ = param_3;
+        phi_23640_ = param_3;
     }
-    let _e26 = phi_23639_;
+    let _e26 = phi_23640_;
     return _e26;
 }
 
 fn function_3(param_5: array<f32, 3>, param_6: array<f32, 3>, param_7: array<f32, 3>, param_8: u32) -> array<f32, 3> {
-    var phi_23500_: f32;
     var phi_23501_: f32;
-    var phi_23540_: f32;
+    var phi_23502_: f32;
     var phi_23541_: f32;
-    var phi_23586_: f32;
+    var phi_23542_: f32;
     var phi_23587_: f32;
-    var phi_23321_: f32;
+    var phi_23588_: f32;
     var phi_23322_: f32;
-    var phi_23367_: f32;
+    var phi_23323_: f32;
     var phi_23368_: f32;
-    var phi_23410_: f32;
+    var phi_23369_: f32;
     var phi_23411_: f32;
-    var phi_23459_: f32;
+    var phi_23412_: f32;
     var phi_23460_: f32;
-    var phi_23602_: array<array<f32, 3>, 4>;
+    var phi_23461_: f32;
+    var phi_23603_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_5[0] - param_6[0]);
     let _e12 = (param_5[1] - param_6[1]);
@@ -240,59 +240,59 @@ fn function_3(param_5: array<f32, 3>, param_6: array<f32, 3>, param_7: array<f32
         let _e157 = ((((param_5[0] * param_6[0]) + (param_5[1] * param_6[1])) + (param_5[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e157 > 0f) {
             if (_e157 < 1f) {
-                phi_23321_ = _e157;
+                phi_23322_ = _e157;
             } else {
-                phi_23321_ = 1f;
+                phi_23322_ = 1f;
             }
-            let _e161 = phi_23321_;
-            phi_23322_ = _e161;
+            let _e161 = phi_23322_;
+            phi_23323_ = _e161;
         } else {
-            phi_23322_ = 0f;
+            phi_23323_ = 0f;
         }
-        let _e163 = phi_23322_;
+        let _e163 = phi_23323_;
         let _e199 = ((((param_5[0] * param_7[0]) + (param_5[1] * param_7[1])) + (param_5[2] * param_7[2])) / (((param_7[0] * param_7[0]) + (param_7[1] * param_7[1])) + (param_7[2] * param_7[2])));
         if (_e199 > 0f) {
             if (_e199 < 1f) {
-                phi_23367_ = _e199;
+                phi_23368_ = _e199;
             } else {
-                phi_23367_ = 1f;
+                phi_23368_ = 1f;
             }
-            let _e203 = phi_23367_;
-            phi_23368_ = _e203;
+            let _e203 = phi_23368_;
+            phi_23369_ = _e203;
         } else {
-            phi_23368_ = 0f;
+            phi_23369_ = 0f;
         }
-        let _e205 = phi_23368_;
+        let _e205 = phi_23369_;
         let _e238 = ((((_e9 * param_7[0]) + (_e12 * param_7[1])) + (_e15 * param_7[2])) / (((param_7[0] * param_7[0]) + (param_7[1] * param_7[1])) + (param_7[2] * param_7[2])));
         if (_e238 > 0f) {
             if (_e238 < 1f) {
-                phi_23410_ = _e238;
+                phi_23411_ = _e238;
             } else {
-                phi_23410_ = 1f;
+                phi_23411_ = 1f;
             }
-            let _e242 = phi_23410_;
-            phi_23411_ = _e242;
+            let _e242 = phi_23411_;
+            phi_23412_ = _e242;
         } else {
-            phi_23411_ = 0f;
+            phi_23412_ = 0f;
         }
-        let _e244 = phi_23411_;
+        let _e244 = phi_23412_;
         let _e257 = (param_5[0] - param_7[0]);
         let _e260 = (param_5[1] - param_7[1]);
         let _e263 = (param_5[2] - param_7[2]);
         let _e283 = ((((_e257 * param_6[0]) + (_e260 * param_6[1])) + (_e263 * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e283 > 0f) {
             if (_e283 < 1f) {
-                phi_23459_ = _e283;
+                phi_23460_ = _e283;
             } else {
-                phi_23459_ = 1f;
+                phi_23460_ = 1f;
             }
-            let _e287 = phi_23459_;
-            phi_23460_ = _e287;
+            let _e287 = phi_23460_;
+            phi_23461_ = _e287;
         } else {
-            phi_23460_ = 0f;
+            phi_23461_ = 0f;
         }
-        let _e289 = phi_23460_;
-        phi_23602_ = array<array<f32, 3>, 4>(array<f32, 3>((param_5[0] - (param_6[0] * _e163)), (param_5[1] - (param_6[1] * _e163)), (param_5[2] - (param_6[2] * _e163))), array<f32, 3>((param_5[0] - (param_7[0] * _e205)), (param_5[1] - (param_7[1] * _e205)), (param_5[2] - (param_7[2] * _e205))), array<f32, 3>((_e9 - (param_7[0] * _e244)), (_e12 - (param_7[1] * _e244)), (_e15 - (param_7[2] * _e244))), array<f32, 3>((_e257 - (param_6[0] * _e289)), (_e260 - (param_6[1] * _e289)), (_e263 - (param_6[2] * _e289))));
+        let _e289 = phi_23461_;
+        phi_23603_ = array<array<f32, 3>, 4>(array<f32, 3>((param_5[0] - (param_6[0] * _e163)), (param_5[1] - (param_6[1] * _e163)), (param_5[2] - (param_6[2] * _e163))), array<f32, 3>((param_5[0] - (param_7[0] * _e205)), (param_5[1] - (param_7[1] * _e205)), (param_5[2] - (param_7[2] * _e205))), array<f32, 3>((_e9 - (param_7[0] * _e244)), (_e12 - (param_7[1] * _e244)), (_e15 - (param_7[2] * _e244))), array<f32, 3>((_e257 - (param_6[0] * _e289)), (_e260 - (param_6[1] * _e289)), (_e263 - (param_6[2] * _e289))));
     } else {
         let _e19 = (param_7[0] - param_6[0]);
         let _e22 = (param_7[1] - param_6[1]);
@@ -300,46 +300,46 @@ fn function_3(param_5: array<f32, 3>, param_6: array<f32, 3>, param_7: array<f32
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         if (_e36 > 0f) {
             if (_e36 < 1f) {
-                phi_23500_ = _e36;
+                phi_23501_ = _e36;
             } else {
-                phi_23500_ = 1f;
+                phi_23501_ = 1f;
             }
-            let _e40 = phi_23500_;
-            phi_23501_ = _e40;
+            let _e40 = phi_23501_;
+            phi_23502_ = _e40;
         } else {
-            phi_23501_ = 0f;
+            phi_23502_ = 0f;
         }
-        let _e42 = phi_23501_;
+        let _e42 = phi_23502_;
         let _e49 = array<f32, 3>((_e9 - (_e19 * _e42)), (_e12 - (_e22 * _e42)), (_e15 - (_e25 * _e42)));
         let _e72 = ((((param_5[0] * param_6[0]) + (param_5[1] * param_6[1])) + (param_5[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         if (_e72 > 0f) {
             if (_e72 < 1f) {
-                phi_23540_ = _e72;
+                phi_23541_ = _e72;
             } else {
-                phi_23540_ = 1f;
+                phi_23541_ = 1f;
             }
-            let _e76 = phi_23540_;
-            phi_23541_ = _e76;
+            let _e76 = phi_23541_;
+            phi_23542_ = _e76;
         } else {
-            phi_23541_ = 0f;
+            phi_23542_ = 0f;
         }
-        let _e78 = phi_23541_;
+        let _e78 = phi_23542_;
         let _e114 = ((((param_5[0] * param_7[0]) + (param_5[1] * param_7[1])) + (param_5[2] * param_7[2])) / (((param_7[0] * param_7[0]) + (param_7[1] * param_7[1])) + (param_7[2] * param_7[2])));
         if (_e114 > 0f) {
             if (_e114 < 1f) {
-                phi_23586_ = _e114;
+                phi_23587_ = _e114;
             } else {
-                phi_23586_ = 1f;
+                phi_23587_ = 1f;
             }
-            let _e118 = phi_23586_;
-            phi_23587_ = _e118;
+            let _e118 = phi_23587_;
+            phi_23588_ = _e118;
         } else {
-            phi_23587_ = 0f;
+            phi_23588_ = 0f;
         }
-        let _e120 = phi_23587_;
-        phi_23602_ = array<array<f32, 3>, 4>(array<f32, 3>((param_5[0] - (param_6[0] * _e78)), (param_5[1] - (param_6[1] * _e78)), (param_5[2] - (param_6[2] * _e78))), array<f32, 3>((param_5[0] - (param_7[0] * _e120)), (param_5[1] - (param_7[1] * _e120)), (param_5[2] - (param_7[2] * _e120))), _e49, _e49);
+        let _e120 = phi_23588_;
+        phi_23603_ = array<array<f32, 3>, 4>(array<f32, 3>((param_5[0] - (param_6[0] * _e78)), (param_5[1] - (param_6[1] * _e78)), (param_5[2] - (param_6[2] * _e78))), array<f32, 3>((param_5[0] - (param_7[0] * _e120)), (param_5[1] - (param_7[1] * _e120)), (param_5[2] - (param_7[2] * _e120))), _e49, _e49);
     }
-    let _e302 = phi_23602_;
+    let _e302 = phi_23603_;
     let _e305 = function_2(_e302[0], _e302[1]);
     let _e307 = function_2(_e305, _e302[2]);
     let _e309 = function_2(_e307, _e302[3]);
@@ -347,24 +347,24 @@ fn function_3(param_5: array<f32, 3>, param_6: array<f32, 3>, param_7: array<f32
 }
 
 fn function_4(param_9: array<f32, 3>, param_10: array<f32, 3>, param_11: array<f32, 3>, param_12: u32) -> array<f32, 3> {
-    var phi_23222_: bool;
     var phi_23223_: bool;
     var phi_23224_: bool;
     var phi_23225_: bool;
-    var phi_23229_: bool;
-    var phi_23202_: bool;
+    var phi_23226_: bool;
+    var phi_23230_: bool;
     var phi_23203_: bool;
     var phi_23204_: bool;
     var phi_23205_: bool;
     var phi_23206_: bool;
     var phi_23207_: bool;
-    var phi_23211_: bool;
-    var phi_23230_: bool;
-    var phi_23263_: array<f32, 3>;
-    var phi_23264_: bool;
-    var phi_23265_: array<f32, 3>;
-    var phi_23266_: bool;
-    var phi_23271_: array<f32, 3>;
+    var phi_23208_: bool;
+    var phi_23212_: bool;
+    var phi_23231_: bool;
+    var phi_23264_: array<f32, 3>;
+    var phi_23265_: bool;
+    var phi_23266_: array<f32, 3>;
+    var phi_23267_: bool;
+    var phi_23272_: array<f32, 3>;
 
     let _e23 = (((param_10[0] * param_10[0]) + (param_10[1] * param_10[1])) + (param_10[2] * param_10[2]));
     let _e34 = (((param_10[0] * param_11[0]) + (param_10[1] * param_11[1])) + (param_10[2] * param_11[2]));
@@ -378,112 +378,112 @@ fn function_4(param_9: array<f32, 3>, param_10: array<f32, 3>, param_11: array<f
         if (_e74 >= 0f) {
             if (_e78 >= 0f) {
                 if (_e74 <= 1f) {
-                    phi_23202_ = (_e78 <= 1f);
-                    phi_23203_ = false;
+                    phi_23203_ = (_e78 <= 1f);
+                    phi_23204_ = false;
                 } else {
-                    phi_23202_ = bool();
-                    phi_23203_ = true;
+                    phi_23203_ = bool();
+                    phi_23204_ = true;
                 }
-                let _e99 = phi_23202_;
-                let _e101 = phi_23203_;
-                phi_23204_ = _e99;
-                phi_23205_ = _e101;
+                let _e99 = phi_23203_;
+                let _e101 = phi_23204_;
+                phi_23205_ = _e99;
+                phi_23206_ = _e101;
             } else {
-                phi_23204_ = bool();
-                phi_23205_ = true;
+                phi_23205_ = bool();
+                phi_23206_ = true;
             }
-            let _e103 = phi_23204_;
-            let _e105 = phi_23205_;
-            phi_23206_ = _e103;
-            phi_23207_ = _e105;
+            let _e103 = phi_23205_;
+            let _e105 = phi_23206_;
+            phi_23207_ = _e103;
+            phi_23208_ = _e105;
         } else {
-            phi_23206_ = bool();
-            phi_23207_ = true;
+            phi_23207_ = bool();
+            phi_23208_ = true;
         }
-        let _e107 = phi_23206_;
-        let _e109 = phi_23207_;
+        let _e107 = phi_23207_;
+        let _e109 = phi_23208_;
         if _e109 {
-            phi_23211_ = false;
+            phi_23212_ = false;
         } else {
-            phi_23211_ = _e107;
+            phi_23212_ = _e107;
         }
-        let _e111 = phi_23211_;
-        phi_23230_ = _e111;
+        let _e111 = phi_23212_;
+        phi_23231_ = _e111;
     } else {
         if (_e74 >= 0f) {
             if (_e78 >= 0f) {
-                phi_23222_ = ((_e74 + _e78) <= 1f);
-                phi_23223_ = false;
+                phi_23223_ = ((_e74 + _e78) <= 1f);
+                phi_23224_ = false;
             } else {
-                phi_23222_ = bool();
-                phi_23223_ = true;
+                phi_23223_ = bool();
+                phi_23224_ = true;
             }
-            let _e85 = phi_23222_;
-            let _e87 = phi_23223_;
-            phi_23224_ = _e85;
-            phi_23225_ = _e87;
+            let _e85 = phi_23223_;
+            let _e87 = phi_23224_;
+            phi_23225_ = _e85;
+            phi_23226_ = _e87;
         } else {
-            phi_23224_ = bool();
-            phi_23225_ = true;
+            phi_23225_ = bool();
+            phi_23226_ = true;
         }
-        let _e89 = phi_23224_;
-        let _e91 = phi_23225_;
+        let _e89 = phi_23225_;
+        let _e91 = phi_23226_;
         if _e91 {
-            phi_23229_ = false;
+            phi_23230_ = false;
         } else {
-            phi_23229_ = _e89;
+            phi_23230_ = _e89;
         }
-        let _e93 = phi_23229_;
-        phi_23230_ = _e93;
+        let _e93 = phi_23230_;
+        phi_23231_ = _e93;
     }
-    let _e113 = phi_23230_;
+    let _e113 = phi_23231_;
     if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
         if _e113 {
-            phi_23263_ = array<f32, 3>((param_9[0] - ((param_10[0] * _e74) + (param_11[0] * _e78))), (param_9[1] - ((param_10[1] * _e74) + (param_11[1] * _e78))), (param_9[2] - ((param_10[2] * _e74) + (param_11[2] * _e78))));
-            phi_23264_ = false;
+            phi_23264_ = array<f32, 3>((param_9[0] - ((param_10[0] * _e74) + (param_11[0] * _e78))), (param_9[1] - ((param_10[1] * _e74) + (param_11[1] * _e78))), (param_9[2] - ((param_10[2] * _e74) + (param_11[2] * _e78))));
+            phi_23265_ = false;
         } else {
-            phi_23263_ = array<f32, 3>();
-            phi_23264_ = true;
+            phi_23264_ = array<f32, 3>();
+            phi_23265_ = true;
         }
-        let _e141 = phi_23263_;
-        let _e143 = phi_23264_;
-        phi_23265_ = _e141;
-        phi_23266_ = _e143;
+        let _e141 = phi_23264_;
+        let _e143 = phi_23265_;
+        phi_23266_ = _e141;
+        phi_23267_ = _e143;
     } else {
-        phi_23265_ = array<f32, 3>();
-        phi_23266_ = true;
+        phi_23266_ = array<f32, 3>();
+        phi_23267_ = true;
     }
-    let _e145 = phi_23265_;
-    let _e147 = phi_23266_;
+    let _e145 = phi_23266_;
+    let _e147 = phi_23267_;
     if _e147 {
         let _e148 = function_3(param_9, param_10, param_11, param_12);
-        phi_23271_ = _e148;
+        phi_23272_ = _e148;
     } else {
-        phi_23271_ = _e145;
+        phi_23272_ = _e145;
     }
-    let _e150 = phi_23271_;
+    let _e150 = phi_23272_;
     return _e150;
 }
 
 fn function_5(param_13: u32, param_14: u32, param_15: u32) -> type_9 {
-    var phi_22920_: u32;
-    var phi_22927_: type_9;
-    var phi_22969_: u32;
-    var phi_22987_: u32;
-    var phi_22994_: type_9;
+    var phi_22921_: u32;
+    var phi_22928_: type_9;
+    var phi_22970_: u32;
+    var phi_22988_: u32;
+    var phi_22995_: type_9;
 
     if ((param_13 >> bitcast<u32>(31i)) != 0u) {
         if (param_14 == 0u) {
-            phi_22920_ = 1u;
+            phi_22921_ = 1u;
         } else {
-            phi_22920_ = 0u;
+            phi_22921_ = 0u;
         }
-        let _e15 = phi_22920_;
-        phi_22927_ = type_9((~(param_13) + _e15), (~(param_14) + 1u));
+        let _e15 = phi_22921_;
+        phi_22928_ = type_9((~(param_13) + _e15), (~(param_14) + 1u));
     } else {
-        phi_22927_ = type_9(param_13, param_14);
+        phi_22928_ = type_9(param_13, param_14);
     }
-    let _e22 = phi_22927_;
+    let _e22 = phi_22928_;
     let _e26 = (_e22.member >> bitcast<u32>(16i));
     let _e27 = (_e22.member & 65535u);
     let _e29 = (param_15 >> bitcast<u32>(16i));
@@ -497,132 +497,132 @@ fn function_5(param_13: u32, param_14: u32, param_15: u32) -> type_9 {
     let _e57 = ((_e48 * _e52) + ((_e49 * _e52) >> bitcast<u32>(16i)));
     let _e69 = (_e46 + (((_e48 * _e51) + (_e57 >> bitcast<u32>(16i))) + (((_e49 * _e51) + (_e57 & 65535u)) >> bitcast<u32>(16i))));
     if (_e69 < _e46) {
-        phi_22969_ = 1u;
+        phi_22970_ = 1u;
     } else {
-        phi_22969_ = 0u;
+        phi_22970_ = 0u;
     }
-    let _e72 = phi_22969_;
+    let _e72 = phi_22970_;
     let _e78 = ((((((_e26 * _e29) + (_e35 >> bitcast<u32>(16i))) + (((_e27 * _e29) + (_e35 & 65535u)) >> bitcast<u32>(16i))) + _e72) << bitcast<u32>(1i)) | (_e69 >> bitcast<u32>(31i)));
     let _e83 = ((_e69 << bitcast<u32>(1i)) | ((_e22.member_1 * param_15) >> bitcast<u32>(31i)));
     if ((param_13 >> bitcast<u32>(31i)) != 0u) {
         if (_e83 == 0u) {
-            phi_22987_ = 1u;
+            phi_22988_ = 1u;
         } else {
-            phi_22987_ = 0u;
+            phi_22988_ = 0u;
         }
-        let _e90 = phi_22987_;
-        phi_22994_ = type_9((~(_e78) + _e90), (~(_e83) + 1u));
+        let _e90 = phi_22988_;
+        phi_22995_ = type_9((~(_e78) + _e90), (~(_e83) + 1u));
     } else {
-        phi_22994_ = type_9(_e78, _e83);
+        phi_22995_ = type_9(_e78, _e83);
     }
-    let _e97 = phi_22994_;
+    let _e97 = phi_22995_;
     return _e97;
 }
 
 fn function_6(param_16: array<type_9, 3>, param_17: u32) -> array<type_9, 2> {
-    var phi_23072_: u32;
-    var phi_23084_: u32;
-    var phi_23095_: u32;
-    var phi_23107_: u32;
+    var phi_23073_: u32;
+    var phi_23085_: u32;
+    var phi_23096_: u32;
+    var phi_23108_: u32;
 
     if (param_16[1].member_1 < param_16[0].member_1) {
-        phi_23072_ = 1u;
+        phi_23073_ = 1u;
     } else {
-        phi_23072_ = 0u;
+        phi_23073_ = 0u;
     }
-    let _e14 = phi_23072_;
+    let _e14 = phi_23073_;
     let _e18 = function_5(((param_16[1].member - param_16[0].member) - _e14), (param_16[1].member_1 - param_16[0].member_1), param_17);
     let _e21 = (param_16[0].member_1 + _e18.member_1);
     if (_e21 < param_16[0].member_1) {
-        phi_23084_ = 1u;
+        phi_23085_ = 1u;
     } else {
-        phi_23084_ = 0u;
+        phi_23085_ = 0u;
     }
-    let _e24 = phi_23084_;
+    let _e24 = phi_23085_;
     if (param_16[2].member_1 < param_16[1].member_1) {
-        phi_23095_ = 1u;
+        phi_23096_ = 1u;
     } else {
-        phi_23095_ = 0u;
+        phi_23096_ = 0u;
     }
-    let _e37 = phi_23095_;
+    let _e37 = phi_23096_;
     let _e41 = function_5(((param_16[2].member - param_16[1].member) - _e37), (param_16[2].member_1 - param_16[1].member_1), param_17);
     let _e44 = (param_16[1].member_1 + _e41.member_1);
     if (_e44 < param_16[1].member_1) {
-        phi_23107_ = 1u;
+        phi_23108_ = 1u;
     } else {
-        phi_23107_ = 0u;
+        phi_23108_ = 0u;
     }
-    let _e47 = phi_23107_;
+    let _e47 = phi_23108_;
     return array<type_9, 2>(type_9(((param_16[0].member + _e18.member) + _e24), _e21), type_9(((param_16[1].member + _e41.member) + _e47), _e44));
 }
 
 fn function_7(param_18: u32, param_19: u32, param_20: u32, param_21: u32) -> bool {
-    var phi_23056_: u32;
+    var phi_23057_: u32;
 
     if (param_21 < param_19) {
-        phi_23056_ = 1u;
+        phi_23057_ = 1u;
     } else {
-        phi_23056_ = 0u;
+        phi_23057_ = 0u;
     }
-    let _e9 = phi_23056_;
+    let _e9 = phi_23057_;
     return ((((param_20 - param_18) - _e9) >> bitcast<u32>(31i)) != 0u);
 }
 
 fn function_8(param_22: u32, param_23: u32, param_24: u32, param_25: u32) -> bool {
-    var phi_23033_: u32;
-    var phi_23042_: u32;
+    var phi_23034_: u32;
+    var phi_23043_: u32;
 
     if (param_23 == 0u) {
-        phi_23033_ = 1u;
+        phi_23034_ = 1u;
     } else {
-        phi_23033_ = 0u;
+        phi_23034_ = 0u;
     }
-    let _e9 = phi_23033_;
+    let _e9 = phi_23034_;
     if (param_25 < (~(param_23) + 1u)) {
-        phi_23042_ = 1u;
+        phi_23043_ = 1u;
     } else {
-        phi_23042_ = 0u;
+        phi_23043_ = 0u;
     }
-    let _e16 = phi_23042_;
+    let _e16 = phi_23043_;
     return ((((param_24 - (~(param_22) + _e9)) - _e16) >> bitcast<u32>(31i)) != 0u);
 }
 
 fn function_9(param_26: u32, param_27: u32, param_28: u32, param_29: u32) -> type_9 {
-    var phi_22745_: u32;
-    var phi_22752_: type_9;
-    var phi_22764_: u32;
-    var phi_22771_: type_9;
-    var phi_22830_: u32;
-    var phi_22836_: u32;
-    var phi_22844_: u32;
-    var phi_22852_: u32;
-    var phi_22873_: u32;
-    var phi_22880_: type_9;
+    var phi_22746_: u32;
+    var phi_22753_: type_9;
+    var phi_22765_: u32;
+    var phi_22772_: type_9;
+    var phi_22831_: u32;
+    var phi_22837_: u32;
+    var phi_22845_: u32;
+    var phi_22853_: u32;
+    var phi_22874_: u32;
+    var phi_22881_: type_9;
 
     if ((param_26 >> bitcast<u32>(31i)) != 0u) {
         if (param_27 == 0u) {
-            phi_22745_ = 1u;
+            phi_22746_ = 1u;
         } else {
-            phi_22745_ = 0u;
+            phi_22746_ = 0u;
         }
-        let _e17 = phi_22745_;
-        phi_22752_ = type_9((~(param_26) + _e17), (~(param_27) + 1u));
+        let _e17 = phi_22746_;
+        phi_22753_ = type_9((~(param_26) + _e17), (~(param_27) + 1u));
     } else {
-        phi_22752_ = type_9(param_26, param_27);
+        phi_22753_ = type_9(param_26, param_27);
     }
-    let _e24 = phi_22752_;
+    let _e24 = phi_22753_;
     if ((param_28 >> bitcast<u32>(31i)) != 0u) {
         if (param_29 == 0u) {
-            phi_22764_ = 1u;
+            phi_22765_ = 1u;
         } else {
-            phi_22764_ = 0u;
+            phi_22765_ = 0u;
         }
-        let _e33 = phi_22764_;
-        phi_22771_ = type_9((~(param_28) + _e33), (~(param_29) + 1u));
+        let _e33 = phi_22765_;
+        phi_22772_ = type_9((~(param_28) + _e33), (~(param_29) + 1u));
     } else {
-        phi_22771_ = type_9(param_28, param_29);
+        phi_22772_ = type_9(param_28, param_29);
     }
-    let _e40 = phi_22771_;
+    let _e40 = phi_22772_;
     let _e44 = (_e24.member >> bitcast<u32>(16i));
     let _e45 = (_e24.member & 65535u);
     let _e47 = (_e40.member >> bitcast<u32>(16i));
@@ -642,60 +642,60 @@ fn function_9(param_26: u32, param_27: u32, param_28: u32, param_29: u32) -> typ
     let _e108 = (_e24.member_1 * _e40.member);
     let _e109 = ((_e24.member * _e40.member_1) + _e108);
     if (_e109 < _e108) {
-        phi_22830_ = 1u;
+        phi_22831_ = 1u;
     } else {
-        phi_22830_ = 0u;
+        phi_22831_ = 0u;
     }
-    let _e112 = phi_22830_;
+    let _e112 = phi_22831_;
     let _e113 = (_e64 + (((_e66 * _e69) + (_e75 >> bitcast<u32>(16i))) + (((_e67 * _e69) + (_e75 & 65535u)) >> bitcast<u32>(16i))));
     if (_e113 < _e64) {
-        phi_22836_ = 1u;
+        phi_22837_ = 1u;
     } else {
-        phi_22836_ = 0u;
+        phi_22837_ = 0u;
     }
-    let _e116 = phi_22836_;
+    let _e116 = phi_22837_;
     let _e118 = (_e113 + (((_e88 * _e91) + (_e97 >> bitcast<u32>(16i))) + (((_e89 * _e91) + (_e97 & 65535u)) >> bitcast<u32>(16i))));
     if (_e118 < _e113) {
-        phi_22844_ = 1u;
+        phi_22845_ = 1u;
     } else {
-        phi_22844_ = 0u;
+        phi_22845_ = 0u;
     }
-    let _e121 = phi_22844_;
+    let _e121 = phi_22845_;
     let _e123 = (_e118 + _e112);
     if (_e123 < _e118) {
-        phi_22852_ = 1u;
+        phi_22853_ = 1u;
     } else {
-        phi_22852_ = 0u;
+        phi_22853_ = 0u;
     }
-    let _e126 = phi_22852_;
+    let _e126 = phi_22853_;
     let _e132 = ((_e123 << bitcast<u32>(2i)) | (_e109 >> bitcast<u32>(30i)));
     let _e137 = ((((((((_e44 * _e47) + (_e53 >> bitcast<u32>(16i))) + (((_e45 * _e47) + (_e53 & 65535u)) >> bitcast<u32>(16i))) + _e116) + _e121) + _e126) << bitcast<u32>(2i)) | (_e123 >> bitcast<u32>(30i)));
     if (((param_26 >> bitcast<u32>(31i)) != 0u) != ((param_28 >> bitcast<u32>(31i)) != 0u)) {
         if (_e132 == 0u) {
-            phi_22873_ = 1u;
+            phi_22874_ = 1u;
         } else {
-            phi_22873_ = 0u;
+            phi_22874_ = 0u;
         }
-        let _e148 = phi_22873_;
-        phi_22880_ = type_9((~(_e137) + _e148), (~(_e132) + 1u));
+        let _e148 = phi_22874_;
+        phi_22881_ = type_9((~(_e137) + _e148), (~(_e132) + 1u));
     } else {
-        phi_22880_ = type_9(_e137, _e132);
+        phi_22881_ = type_9(_e137, _e132);
     }
-    let _e155 = phi_22880_;
+    let _e155 = phi_22881_;
     return _e155;
 }
 
 fn function_10(param_30: array<type_9, 2>, param_31: array<type_9, 2>) -> type_9 {
-    var phi_23019_: u32;
+    var phi_23020_: u32;
 
     let _e12 = function_9(param_30[0].member, param_30[0].member_1, param_31[1].member, param_31[1].member_1);
     let _e23 = function_9(param_30[1].member, param_30[1].member_1, param_31[0].member, param_31[0].member_1);
     if (_e12.member_1 < _e23.member_1) {
-        phi_23019_ = 1u;
+        phi_23020_ = 1u;
     } else {
-        phi_23019_ = 0u;
+        phi_23020_ = 0u;
     }
-    let _e28 = phi_23019_;
+    let _e28 = phi_23020_;
     return type_9(((_e12.member - _e23.member) - _e28), (_e12.member_1 - _e23.member_1));
 }
 
@@ -704,102 +704,109 @@ fn function_11(param_32: u32) -> type_9 {
 }
 
 fn function_12(param_33: u32, param_34: u32) -> type_9 {
-    var phi_22892_: u32;
-    var phi_22900_: u32;
+    var phi_22893_: u32;
+    var phi_22901_: u32;
 
     let _e4 = (param_34 + param_34);
     if (_e4 < param_34) {
-        phi_22892_ = 1u;
+        phi_22893_ = 1u;
     } else {
-        phi_22892_ = 0u;
+        phi_22893_ = 0u;
     }
-    let _e7 = phi_22892_;
+    let _e7 = phi_22893_;
     let _e10 = (_e4 + param_34);
     if (_e10 < _e4) {
-        phi_22900_ = 1u;
+        phi_22901_ = 1u;
     } else {
-        phi_22900_ = 0u;
+        phi_22901_ = 0u;
     }
-    let _e13 = phi_22900_;
+    let _e13 = phi_22901_;
     return type_9(((((param_33 + param_33) + _e7) + param_33) + _e13), _e10);
 }
 
 fn function_13(param_35: array<u32, 2>, param_36: i32) -> type_9 {
-    var phi_22694_: type_9;
-    var phi_22695_: type_9;
-    var phi_22696_: type_9;
-    var phi_22697_: type_9;
-    var phi_22698_: type_9;
-    var phi_22699_: bool;
-    var phi_22704_: type_9;
-    var phi_22716_: u32;
-    var phi_22723_: type_9;
-    var phi_22727_: type_9;
+    var phi_22633_: u32;
+    var phi_22640_: u32;
+    var phi_22699_: type_9;
+    var phi_22700_: type_9;
+    var phi_22701_: type_9;
+    var phi_22702_: type_9;
+    var phi_22703_: type_9;
+    var phi_22704_: bool;
+    var phi_22709_: type_9;
+    var phi_22721_: u32;
+    var phi_22728_: type_9;
 
     let _e25 = ((param_35[1] >> bitcast<u32>(20i)) & 2047u);
     if (_e25 == 0u) {
-        phi_22727_ = type_9(0u, 0u);
+        phi_22633_ = 0u;
     } else {
-        let _e28 = ((param_35[1] & 1048575u) | 1048576u);
-        let _e31 = ((bitcast<i32>(_e25) - 1015i) - param_36);
-        let _e33 = (bitcast<u32>(_e31) % 32u);
-        if (_e31 >= 64i) {
-            phi_22698_ = type_9();
-            phi_22699_ = true;
-        } else {
-            let _e35 = (_e31 <= -53i);
-            if _e35 {
-                phi_22697_ = type_9();
-            } else {
-                if (_e31 >= 32i) {
-                    phi_22696_ = type_9((param_35[0] << bitcast<u32>((_e33 & 31u))), 0u);
-                } else {
-                    if (_e31 >= 0i) {
-                        phi_22695_ = type_9(((_e28 << bitcast<u32>((_e33 & 31u))) | ((param_35[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e33) & 31u)))), (param_35[0] << bitcast<u32>((_e33 & 31u))));
-                    } else {
-                        if (_e31 > -32i) {
-                            let _e47 = bitcast<u32>(-(_e31));
-                            phi_22694_ = type_9(bitcast<u32>((bitcast<i32>(_e28) >> bitcast<u32>((_e47 & 31u)))), ((param_35[0] >> bitcast<u32>((_e47 & 31u))) | ((_e28 << bitcast<u32>(((31u - _e47) & 31u))) << bitcast<u32>(1i))));
-                        } else {
-                            phi_22694_ = type_9(0u, (_e28 >> bitcast<u32>(((bitcast<u32>(-(_e31)) - 32u) & 31u))));
-                        }
-                        let _e65 = phi_22694_;
-                        phi_22695_ = _e65;
-                    }
-                    let _e81 = phi_22695_;
-                    phi_22696_ = _e81;
-                }
-                let _e87 = phi_22696_;
-                phi_22697_ = _e87;
-            }
-            let _e89 = phi_22697_;
-            phi_22698_ = _e89;
-            phi_22699_ = _e35;
-        }
-        let _e91 = phi_22698_;
-        let _e93 = phi_22699_;
-        if _e93 {
-            phi_22704_ = type_9(0u, 0u);
-        } else {
-            phi_22704_ = _e91;
-        }
-        let _e95 = phi_22704_;
-        if ((param_35[1] >> bitcast<u32>(31i)) != 0u) {
-            if (_e95.member_1 == 0u) {
-                phi_22716_ = 1u;
-            } else {
-                phi_22716_ = 0u;
-            }
-            let _e103 = phi_22716_;
-            phi_22723_ = type_9((~(_e95.member) + _e103), (~(_e95.member_1) + 1u));
-        } else {
-            phi_22723_ = _e95;
-        }
-        let _e110 = phi_22723_;
-        phi_22727_ = _e110;
+        phi_22633_ = 1048576u;
     }
-    let _e112 = phi_22727_;
-    return _e112;
+    let _e28 = phi_22633_;
+    let _e30 = ((param_35[1] & 1048575u) | _e28);
+    if (1u < _e25) {
+        phi_22640_ = _e25;
+    } else {
+        phi_22640_ = 1u;
+    }
+    let _e33 = phi_22640_;
+    let _e36 = ((bitcast<i32>(_e33) - 1015i) - param_36);
+    let _e38 = (bitcast<u32>(_e36) % 32u);
+    if (_e36 >= 64i) {
+        phi_22703_ = type_9();
+        phi_22704_ = true;
+    } else {
+        let _e40 = (_e36 <= -53i);
+        if _e40 {
+            phi_22702_ = type_9();
+        } else {
+            if (_e36 >= 32i) {
+                phi_22701_ = type_9((param_35[0] << bitcast<u32>((_e38 & 31u))), 0u);
+            } else {
+                if (_e36 >= 0i) {
+                    phi_22700_ = type_9(((_e30 << bitcast<u32>((_e38 & 31u))) | ((param_35[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e38) & 31u)))), (param_35[0] << bitcast<u32>((_e38 & 31u))));
+                } else {
+                    if (_e36 > -32i) {
+                        let _e52 = bitcast<u32>(-(_e36));
+                        phi_22699_ = type_9(bitcast<u32>((bitcast<i32>(_e30) >> bitcast<u32>((_e52 & 31u)))), ((param_35[0] >> bitcast<u32>((_e52 & 31u))) | ((_e30 << bitcast<u32>(((31u - _e52) & 31u))) << bitcast<u32>(1i))));
+                    } else {
+                        phi_22699_ = type_9(0u, (_e30 >> bitcast<u32>(((bitcast<u32>(-(_e36)) - 32u) & 31u))));
+                    }
+                    let _e70 = phi_22699_;
+                    phi_22700_ = _e70;
+                }
+                let _e86 = phi_22700_;
+                phi_22701_ = _e86;
+            }
+            let _e92 = phi_22701_;
+            phi_22702_ = _e92;
+        }
+        let _e94 = phi_22702_;
+        phi_22703_ = _e94;
+        phi_22704_ = _e40;
+    }
+    let _e96 = phi_22703_;
+    let _e98 = phi_22704_;
+    if _e98 {
+        phi_22709_ = type_9(0u, 0u);
+    } else {
+        phi_22709_ = _e96;
+    }
+    let _e100 = phi_22709_;
+    if ((param_35[1] >> bitcast<u32>(31i)) != 0u) {
+        if (_e100.member_1 == 0u) {
+            phi_22721_ = 1u;
+        } else {
+            phi_22721_ = 0u;
+        }
+        let _e108 = phi_22721_;
+        phi_22728_ = type_9((~(_e100.member) + _e108), (~(_e100.member_1) + 1u));
+    } else {
+        phi_22728_ = _e100;
+    }
+    let _e115 = phi_22728_;
+    return _e115;
 }
 
 fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
