@@ -16,7 +16,7 @@ pub const TESTS: crate::Tests = &[
 ];
 
 fn check_thousandfold(device: &Device) {
-    let (mesh, [a, b, c]) = collapse(60);
+    let (mesh, [a, b, c]) = collapse(120);
     for limit in [None, Some(1 << 30)] {
         let options = Options::default().with_max_memory(limit);
         let mut session = Session::new(device, &mesh, options.clone()).unwrap();
@@ -48,7 +48,7 @@ fn is_memory(e: &Error) -> bool {
 }
 
 fn check_memory(device: &Device) {
-    let (mesh, [a, b, c]) = collapse(60);
+    let (mesh, [a, b, c]) = collapse(120);
     let want = ccd::step(&mesh, &b, &c, &Options::default()).unwrap();
     let (mut new, mut step, mut found) = (0, 0, 0);
     let between = (0..20).map(|k| (1 << 20) + (k << 16));

@@ -21,7 +21,8 @@ pub fn may_touch<P: Stored<Path>>(
     min_distance: f32,
 ) -> bool {
     let (x0, x1) = ends(ids, paths);
-    !apart(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
+    near_on_axes(patch, ids, paths, error, min_distance)
+        && !apart(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
 }
 
 /// The filters of [`may_touch`] one by one, for those who gather what one leaves before the next,
