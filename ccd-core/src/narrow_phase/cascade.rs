@@ -130,3 +130,48 @@ pub fn apart_in_halves<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> 
     let apart = apart_throughout(&first, patch, min_distance);
     if apart.any() { apart & apart_throughout(&second, patch, min_distance) } else { apart }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether the axes leave a query whose vertices lie at the origin, but for those that are
+    /// `far`, which are at the gaps along axis `k` at either end.
+    fn is_left(patch: Patch, far: [bool; 4], k: usize, gaps: [f32; 2], [e, d]: [f32; 2]) -> bool {
+        let at = |far: bool, gap: f32| {
+            let mut p = [0.0; 4];
+            p[k] = if far { gap } else { 0.0 };
+            p
+        };
+        let paths = far.map(|far| Path { t0: at(far, gaps[0]), t1: at(far, gaps[1]) });
+        let left = near_on_axes(patch, [0, 1, 2, 3], &paths, e, d);
+        // It is one of the filters of the cascade.
+        assert!(left || !may_touch(patch, [0, 1, 2, 3], &paths, e, d));
+        left
+    }
+
+    #[test]
+    fn axes_keep_apart_what_is_further_than_distance_and_errors() {
+        let sides = [
+            (Patch::Triangle, [true, false, false, false]),
+            (Patch::Parallelogram, [true, true, false, false]),
+        ];
+        for (patch, far) in sides {
+            for far in [far, far.map(|f| !f)] {
+                for (k, sign) in [(0, 1.0), (1, 1.0), (2, 1.0), (0, -1.0), (1, -1.0), (2, -1.0)] {
+                    let left =
+                        |a: f32, b: f32, of| is_left(patch, far, k, [a * sign, b * sign], of);
+                    // Coordinates may be off by 0.125: so these may be 0.25 apart.
+                    let of = [0.125, 0.25];
+                    assert!(left(0.5, 0.5, of) && left(0.5, 9.0, of) && left(9.0, 0.5, of));
+                    assert!(!left(0.501, 0.501, of) && !left(0.501, 9.0, of));
+                    // Through each other.
+                    assert!(left(9.0, -9.0, of));
+                    // A device may flush what is less than the smallest normal number.
+                    assert!(left(f32::MIN_POSITIVE, f32::MIN_POSITIVE, [0.0, 0.0]));
+                    assert!(!left(1e-30, 1e-30, [0.0, 0.0]));
+                }
+            }
+        }
+    }
+}
