@@ -3,8 +3,8 @@
 //!
 //! A thread holds one child of the first node; the children of the second that reach into the first
 //! are gathered in workgroup memory, and every thread whose child reaches into the second tests it
-//! against all of them. The hits of all teams are numbered, and worked on together, one a thread: as
-//! many at once as the pool takes, which is small, because a device runs as many workgroups at a
+//! against all of them. The hits of all teams are numbered, and worked on together, one a thread:
+//! as many at once as the pool takes, which is small, because a device runs as many workgroups at a
 //! time as their memory allows.
 
 use crate::entry::{Thread, kernel};
@@ -131,8 +131,8 @@ impl<const N: usize> Teams<'_, N> {
         row
     }
 
-    /// Tests this thread's row against the columns of its team. Returns its hits. `worlds`: those of
-    /// the row.
+    /// Tests this thread's row against the columns of its team. Returns its hits. `worlds`: those
+    /// of the row.
     #[inline(always)]
     pub(super) fn test(&self, row: Aabb, same: bool, leaves: bool, worlds: u32) -> Hits {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
@@ -278,8 +278,8 @@ kernel! {
 kernel! {
     /// As `node_pairs`, of nodes that have a world in common. `worlds`: of the leaves of level 0.
     node_pairs_of_worlds[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 128], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
-        nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
+        ranges: [u32; 128], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
+        firsts: [u32; 8]; nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
         Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(worlds, input, output);
     }

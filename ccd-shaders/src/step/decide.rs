@@ -52,8 +52,9 @@ kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
     /// or of edges, as the kind has them. Without `FLAG_KEEP` the list of contacts is one of
     /// pairs, those that the host decides again.
-    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords], positions: [[f64; 3]],
-        elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
+    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
+        positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
+        mut earliest: [u32]) {
         let len = part(input, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;

@@ -21,8 +21,8 @@ pub const THREADS: u32 = TEAMS * WIDTH;
 /// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight
 /// blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
-/// Hits that a workgroup works on at once. `TEAMS` pairs of nodes rarely give more; then the pool is
-/// filled again. With 2048, a third as many workgroups ran at a time on an NVIDIA H100.
+/// Hits that a workgroup works on at once. `TEAMS` pairs of nodes rarely give more; then the pool
+/// is filled again. With 2048, half as many workgroups ran at a time on an NVIDIA H100.
 pub const POOL: u32 = 512;
 
 /// The sets that a kind of pairs is between.
