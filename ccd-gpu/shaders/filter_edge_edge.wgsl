@@ -297,40 +297,40 @@ fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2>
 }
 
 fn function_6(param_12: f32, param_13: f32) -> f32 {
-    var phi_8500_: bool;
-    var phi_8504_: f32;
+    var phi_8498_: bool;
+    var phi_8502_: f32;
 
     if (param_12 != param_12) {
-        phi_8500_ = true;
+        phi_8498_ = true;
     } else {
-        phi_8500_ = (param_13 >= param_12);
+        phi_8498_ = (param_13 >= param_12);
     }
-    let _e6 = phi_8500_;
+    let _e6 = phi_8498_;
     if _e6 {
-        phi_8504_ = param_13;
+        phi_8502_ = param_13;
     } else {
-        phi_8504_ = param_12;
+        phi_8502_ = param_12;
     }
-    let _e8 = phi_8504_;
+    let _e8 = phi_8502_;
     return _e8;
 }
 
 fn function_7(param_14: f32, param_15: f32) -> f32 {
-    var phi_8484_: bool;
-    var phi_8488_: f32;
+    var phi_8482_: bool;
+    var phi_8486_: f32;
 
     if (param_14 != param_14) {
-        phi_8484_ = true;
+        phi_8482_ = true;
     } else {
-        phi_8484_ = (param_15 <= param_14);
+        phi_8482_ = (param_15 <= param_14);
     }
-    let _e6 = phi_8484_;
+    let _e6 = phi_8482_;
     if _e6 {
-        phi_8488_ = param_15;
+        phi_8486_ = param_15;
     } else {
-        phi_8488_ = param_14;
+        phi_8486_ = param_14;
     }
-    let _e8 = phi_8488_;
+    let _e8 = phi_8486_;
     return _e8;
 }
 
@@ -615,311 +615,311 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4692_: f32;
     var phi_4693_: f32;
     var phi_4696_: bool;
+    var phi_4703_: bool;
     var phi_4704_: bool;
-    var phi_4705_: bool;
+    var phi_4709_: type_9;
     var phi_4710_: type_9;
-    var phi_4711_: type_9;
-    var phi_4734_: type_9;
-    var phi_4805_: type_43;
-    var phi_4939_: type_39;
-    var phi_5318_: f32;
-    var phi_5325_: f32;
-    var phi_5330_: f32;
-    var phi_5337_: f32;
-    var phi_5342_: f32;
-    var phi_5355_: f32;
-    var phi_5362_: f32;
-    var phi_5367_: f32;
-    var phi_5374_: f32;
-    var phi_5379_: f32;
-    var phi_5384_: f32;
-    var phi_5401_: f32;
-    var phi_5408_: f32;
-    var phi_5413_: f32;
-    var phi_5420_: f32;
-    var phi_5425_: f32;
-    var phi_5439_: f32;
-    var phi_5446_: f32;
-    var phi_5451_: f32;
-    var phi_5458_: f32;
-    var phi_5463_: f32;
-    var phi_5468_: f32;
-    var phi_5485_: f32;
-    var phi_5492_: f32;
-    var phi_5497_: f32;
-    var phi_5504_: f32;
-    var phi_5509_: f32;
-    var phi_5523_: f32;
-    var phi_5530_: f32;
-    var phi_5535_: f32;
-    var phi_5542_: f32;
-    var phi_5547_: f32;
-    var phi_5552_: f32;
-    var phi_5583_: f32;
-    var phi_5589_: f32;
-    var phi_5596_: f32;
-    var phi_5603_: f32;
-    var phi_5609_: f32;
-    var phi_5616_: f32;
-    var phi_5622_: f32;
-    var phi_5628_: f32;
-    var phi_5634_: f32;
-    var phi_5641_: f32;
-    var phi_5648_: f32;
-    var phi_5672_: f32;
-    var phi_5677_: f32;
-    var phi_5682_: f32;
-    var phi_5687_: f32;
-    var phi_5692_: f32;
-    var phi_5697_: f32;
-    var phi_5707_: f32;
-    var phi_5823_: array<f32, 3>;
-    var phi_5888_: array<f32, 3>;
-    var phi_5910_: f32;
-    var phi_5917_: f32;
-    var phi_5922_: f32;
-    var phi_5929_: f32;
-    var phi_5934_: f32;
-    var phi_5947_: f32;
-    var phi_5954_: f32;
-    var phi_5959_: f32;
-    var phi_5966_: f32;
-    var phi_5971_: f32;
-    var phi_5976_: f32;
-    var phi_5993_: f32;
-    var phi_6000_: f32;
-    var phi_6005_: f32;
-    var phi_6012_: f32;
-    var phi_6017_: f32;
-    var phi_6031_: f32;
-    var phi_6038_: f32;
-    var phi_6043_: f32;
-    var phi_6050_: f32;
-    var phi_6055_: f32;
-    var phi_6060_: f32;
-    var phi_6077_: f32;
-    var phi_6084_: f32;
-    var phi_6089_: f32;
-    var phi_6096_: f32;
-    var phi_6101_: f32;
-    var phi_6115_: f32;
-    var phi_6122_: f32;
-    var phi_6127_: f32;
-    var phi_6134_: f32;
-    var phi_6139_: f32;
-    var phi_6144_: f32;
-    var phi_6223_: f32;
-    var phi_6228_: f32;
-    var phi_6233_: f32;
-    var phi_6238_: f32;
-    var phi_6243_: f32;
-    var phi_6248_: f32;
-    var phi_6253_: f32;
-    var phi_6258_: f32;
-    var phi_6263_: f32;
-    var phi_6268_: f32;
-    var phi_6273_: f32;
-    var phi_6278_: f32;
-    var phi_6283_: f32;
-    var phi_6288_: f32;
-    var phi_6294_: f32;
-    var phi_6300_: f32;
-    var phi_6307_: f32;
-    var phi_6318_: f32;
-    var phi_6389_: f32;
-    var phi_6394_: f32;
-    var phi_6399_: f32;
-    var phi_6404_: f32;
-    var phi_6409_: f32;
-    var phi_6414_: f32;
-    var phi_6419_: f32;
-    var phi_6424_: f32;
-    var phi_6429_: f32;
-    var phi_6434_: f32;
-    var phi_6439_: f32;
-    var phi_6444_: f32;
-    var phi_6449_: f32;
-    var phi_6454_: f32;
-    var phi_6460_: f32;
-    var phi_6466_: f32;
-    var phi_6473_: f32;
-    var phi_6484_: f32;
-    var phi_6494_: f32;
-    var phi_6567_: f32;
-    var phi_6572_: f32;
-    var phi_6577_: f32;
-    var phi_6582_: f32;
-    var phi_6587_: f32;
-    var phi_6592_: f32;
-    var phi_6597_: f32;
-    var phi_6602_: f32;
-    var phi_6607_: f32;
-    var phi_6612_: f32;
-    var phi_6617_: f32;
-    var phi_6622_: f32;
-    var phi_6627_: f32;
-    var phi_6632_: f32;
-    var phi_6638_: f32;
-    var phi_6644_: f32;
-    var phi_6651_: f32;
-    var phi_6662_: f32;
+    var phi_4733_: type_9;
+    var phi_4804_: type_43;
+    var phi_4938_: type_39;
+    var phi_5317_: f32;
+    var phi_5324_: f32;
+    var phi_5329_: f32;
+    var phi_5336_: f32;
+    var phi_5341_: f32;
+    var phi_5354_: f32;
+    var phi_5361_: f32;
+    var phi_5366_: f32;
+    var phi_5373_: f32;
+    var phi_5378_: f32;
+    var phi_5383_: f32;
+    var phi_5400_: f32;
+    var phi_5407_: f32;
+    var phi_5412_: f32;
+    var phi_5419_: f32;
+    var phi_5424_: f32;
+    var phi_5438_: f32;
+    var phi_5445_: f32;
+    var phi_5450_: f32;
+    var phi_5457_: f32;
+    var phi_5462_: f32;
+    var phi_5467_: f32;
+    var phi_5484_: f32;
+    var phi_5491_: f32;
+    var phi_5496_: f32;
+    var phi_5503_: f32;
+    var phi_5508_: f32;
+    var phi_5522_: f32;
+    var phi_5529_: f32;
+    var phi_5534_: f32;
+    var phi_5541_: f32;
+    var phi_5546_: f32;
+    var phi_5551_: f32;
+    var phi_5582_: f32;
+    var phi_5588_: f32;
+    var phi_5595_: f32;
+    var phi_5602_: f32;
+    var phi_5608_: f32;
+    var phi_5615_: f32;
+    var phi_5621_: f32;
+    var phi_5627_: f32;
+    var phi_5633_: f32;
+    var phi_5640_: f32;
+    var phi_5647_: f32;
+    var phi_5671_: f32;
+    var phi_5676_: f32;
+    var phi_5681_: f32;
+    var phi_5686_: f32;
+    var phi_5691_: f32;
+    var phi_5696_: f32;
+    var phi_5706_: f32;
+    var phi_5822_: array<f32, 3>;
+    var phi_5887_: array<f32, 3>;
+    var phi_5909_: f32;
+    var phi_5916_: f32;
+    var phi_5921_: f32;
+    var phi_5928_: f32;
+    var phi_5933_: f32;
+    var phi_5946_: f32;
+    var phi_5953_: f32;
+    var phi_5958_: f32;
+    var phi_5965_: f32;
+    var phi_5970_: f32;
+    var phi_5975_: f32;
+    var phi_5992_: f32;
+    var phi_5999_: f32;
+    var phi_6004_: f32;
+    var phi_6011_: f32;
+    var phi_6016_: f32;
+    var phi_6030_: f32;
+    var phi_6037_: f32;
+    var phi_6042_: f32;
+    var phi_6049_: f32;
+    var phi_6054_: f32;
+    var phi_6059_: f32;
+    var phi_6076_: f32;
+    var phi_6083_: f32;
+    var phi_6088_: f32;
+    var phi_6095_: f32;
+    var phi_6100_: f32;
+    var phi_6114_: f32;
+    var phi_6121_: f32;
+    var phi_6126_: f32;
+    var phi_6133_: f32;
+    var phi_6138_: f32;
+    var phi_6143_: f32;
+    var phi_6222_: f32;
+    var phi_6227_: f32;
+    var phi_6232_: f32;
+    var phi_6237_: f32;
+    var phi_6242_: f32;
+    var phi_6247_: f32;
+    var phi_6252_: f32;
+    var phi_6257_: f32;
+    var phi_6262_: f32;
+    var phi_6267_: f32;
+    var phi_6272_: f32;
+    var phi_6277_: f32;
+    var phi_6282_: f32;
+    var phi_6287_: f32;
+    var phi_6293_: f32;
+    var phi_6299_: f32;
+    var phi_6306_: f32;
+    var phi_6317_: f32;
+    var phi_6388_: f32;
+    var phi_6393_: f32;
+    var phi_6398_: f32;
+    var phi_6403_: f32;
+    var phi_6408_: f32;
+    var phi_6413_: f32;
+    var phi_6418_: f32;
+    var phi_6423_: f32;
+    var phi_6428_: f32;
+    var phi_6433_: f32;
+    var phi_6438_: f32;
+    var phi_6443_: f32;
+    var phi_6448_: f32;
+    var phi_6453_: f32;
+    var phi_6459_: f32;
+    var phi_6465_: f32;
+    var phi_6472_: f32;
+    var phi_6483_: f32;
+    var phi_6493_: f32;
+    var phi_6566_: f32;
+    var phi_6571_: f32;
+    var phi_6576_: f32;
+    var phi_6581_: f32;
+    var phi_6586_: f32;
+    var phi_6591_: f32;
+    var phi_6596_: f32;
+    var phi_6601_: f32;
+    var phi_6606_: f32;
+    var phi_6611_: f32;
+    var phi_6616_: f32;
+    var phi_6621_: f32;
+    var phi_6626_: f32;
+    var phi_6631_: f32;
+    var phi_6637_: f32;
+    var phi_6643_: f32;
+    var phi_6650_: f32;
+    var phi_6661_: f32;
+    var phi_6671_: f32;
     var phi_6672_: f32;
-    var phi_6673_: f32;
-    var phi_6676_: bool;
-    var phi_6921_: f32;
-    var phi_6928_: f32;
-    var phi_6933_: f32;
-    var phi_6940_: f32;
-    var phi_6945_: f32;
-    var phi_6958_: f32;
-    var phi_6965_: f32;
-    var phi_6970_: f32;
-    var phi_6977_: f32;
-    var phi_6982_: f32;
-    var phi_6987_: f32;
-    var phi_7004_: f32;
-    var phi_7011_: f32;
-    var phi_7016_: f32;
-    var phi_7023_: f32;
-    var phi_7028_: f32;
-    var phi_7042_: f32;
-    var phi_7049_: f32;
-    var phi_7054_: f32;
-    var phi_7061_: f32;
-    var phi_7066_: f32;
-    var phi_7071_: f32;
-    var phi_7088_: f32;
-    var phi_7095_: f32;
-    var phi_7100_: f32;
-    var phi_7107_: f32;
-    var phi_7112_: f32;
-    var phi_7126_: f32;
-    var phi_7133_: f32;
-    var phi_7138_: f32;
-    var phi_7145_: f32;
-    var phi_7150_: f32;
-    var phi_7155_: f32;
-    var phi_7186_: f32;
-    var phi_7192_: f32;
-    var phi_7199_: f32;
-    var phi_7206_: f32;
-    var phi_7212_: f32;
-    var phi_7219_: f32;
-    var phi_7225_: f32;
-    var phi_7231_: f32;
-    var phi_7237_: f32;
-    var phi_7244_: f32;
-    var phi_7251_: f32;
-    var phi_7275_: f32;
-    var phi_7280_: f32;
-    var phi_7285_: f32;
-    var phi_7290_: f32;
-    var phi_7295_: f32;
-    var phi_7300_: f32;
-    var phi_7310_: f32;
-    var phi_7426_: array<f32, 3>;
-    var phi_7491_: array<f32, 3>;
-    var phi_7513_: f32;
-    var phi_7520_: f32;
-    var phi_7525_: f32;
-    var phi_7532_: f32;
-    var phi_7537_: f32;
-    var phi_7550_: f32;
-    var phi_7557_: f32;
-    var phi_7562_: f32;
-    var phi_7569_: f32;
-    var phi_7574_: f32;
-    var phi_7579_: f32;
-    var phi_7596_: f32;
-    var phi_7603_: f32;
-    var phi_7608_: f32;
-    var phi_7615_: f32;
-    var phi_7620_: f32;
-    var phi_7634_: f32;
-    var phi_7641_: f32;
-    var phi_7646_: f32;
-    var phi_7653_: f32;
-    var phi_7658_: f32;
-    var phi_7663_: f32;
-    var phi_7680_: f32;
-    var phi_7687_: f32;
-    var phi_7692_: f32;
-    var phi_7699_: f32;
-    var phi_7704_: f32;
-    var phi_7718_: f32;
-    var phi_7725_: f32;
-    var phi_7730_: f32;
-    var phi_7737_: f32;
-    var phi_7742_: f32;
-    var phi_7747_: f32;
-    var phi_7826_: f32;
-    var phi_7831_: f32;
-    var phi_7836_: f32;
-    var phi_7841_: f32;
-    var phi_7846_: f32;
-    var phi_7851_: f32;
-    var phi_7856_: f32;
-    var phi_7861_: f32;
-    var phi_7866_: f32;
-    var phi_7871_: f32;
-    var phi_7876_: f32;
-    var phi_7881_: f32;
-    var phi_7886_: f32;
-    var phi_7891_: f32;
-    var phi_7897_: f32;
-    var phi_7903_: f32;
-    var phi_7910_: f32;
-    var phi_7921_: f32;
-    var phi_7992_: f32;
-    var phi_7997_: f32;
-    var phi_8002_: f32;
-    var phi_8007_: f32;
-    var phi_8012_: f32;
-    var phi_8017_: f32;
-    var phi_8022_: f32;
-    var phi_8027_: f32;
-    var phi_8032_: f32;
-    var phi_8037_: f32;
-    var phi_8042_: f32;
-    var phi_8047_: f32;
-    var phi_8052_: f32;
-    var phi_8057_: f32;
-    var phi_8063_: f32;
-    var phi_8069_: f32;
-    var phi_8076_: f32;
-    var phi_8087_: f32;
-    var phi_8097_: f32;
-    var phi_8170_: f32;
-    var phi_8175_: f32;
-    var phi_8180_: f32;
-    var phi_8185_: f32;
-    var phi_8190_: f32;
-    var phi_8195_: f32;
-    var phi_8200_: f32;
-    var phi_8205_: f32;
-    var phi_8210_: f32;
-    var phi_8215_: f32;
-    var phi_8220_: f32;
-    var phi_8225_: f32;
-    var phi_8230_: f32;
-    var phi_8235_: f32;
-    var phi_8241_: f32;
-    var phi_8247_: f32;
-    var phi_8254_: f32;
-    var phi_8265_: f32;
+    var phi_6675_: bool;
+    var phi_6920_: f32;
+    var phi_6927_: f32;
+    var phi_6932_: f32;
+    var phi_6939_: f32;
+    var phi_6944_: f32;
+    var phi_6957_: f32;
+    var phi_6964_: f32;
+    var phi_6969_: f32;
+    var phi_6976_: f32;
+    var phi_6981_: f32;
+    var phi_6986_: f32;
+    var phi_7003_: f32;
+    var phi_7010_: f32;
+    var phi_7015_: f32;
+    var phi_7022_: f32;
+    var phi_7027_: f32;
+    var phi_7041_: f32;
+    var phi_7048_: f32;
+    var phi_7053_: f32;
+    var phi_7060_: f32;
+    var phi_7065_: f32;
+    var phi_7070_: f32;
+    var phi_7087_: f32;
+    var phi_7094_: f32;
+    var phi_7099_: f32;
+    var phi_7106_: f32;
+    var phi_7111_: f32;
+    var phi_7125_: f32;
+    var phi_7132_: f32;
+    var phi_7137_: f32;
+    var phi_7144_: f32;
+    var phi_7149_: f32;
+    var phi_7154_: f32;
+    var phi_7185_: f32;
+    var phi_7191_: f32;
+    var phi_7198_: f32;
+    var phi_7205_: f32;
+    var phi_7211_: f32;
+    var phi_7218_: f32;
+    var phi_7224_: f32;
+    var phi_7230_: f32;
+    var phi_7236_: f32;
+    var phi_7243_: f32;
+    var phi_7250_: f32;
+    var phi_7274_: f32;
+    var phi_7279_: f32;
+    var phi_7284_: f32;
+    var phi_7289_: f32;
+    var phi_7294_: f32;
+    var phi_7299_: f32;
+    var phi_7309_: f32;
+    var phi_7425_: array<f32, 3>;
+    var phi_7490_: array<f32, 3>;
+    var phi_7512_: f32;
+    var phi_7519_: f32;
+    var phi_7524_: f32;
+    var phi_7531_: f32;
+    var phi_7536_: f32;
+    var phi_7549_: f32;
+    var phi_7556_: f32;
+    var phi_7561_: f32;
+    var phi_7568_: f32;
+    var phi_7573_: f32;
+    var phi_7578_: f32;
+    var phi_7595_: f32;
+    var phi_7602_: f32;
+    var phi_7607_: f32;
+    var phi_7614_: f32;
+    var phi_7619_: f32;
+    var phi_7633_: f32;
+    var phi_7640_: f32;
+    var phi_7645_: f32;
+    var phi_7652_: f32;
+    var phi_7657_: f32;
+    var phi_7662_: f32;
+    var phi_7679_: f32;
+    var phi_7686_: f32;
+    var phi_7691_: f32;
+    var phi_7698_: f32;
+    var phi_7703_: f32;
+    var phi_7717_: f32;
+    var phi_7724_: f32;
+    var phi_7729_: f32;
+    var phi_7736_: f32;
+    var phi_7741_: f32;
+    var phi_7746_: f32;
+    var phi_7825_: f32;
+    var phi_7830_: f32;
+    var phi_7835_: f32;
+    var phi_7840_: f32;
+    var phi_7845_: f32;
+    var phi_7850_: f32;
+    var phi_7855_: f32;
+    var phi_7860_: f32;
+    var phi_7865_: f32;
+    var phi_7870_: f32;
+    var phi_7875_: f32;
+    var phi_7880_: f32;
+    var phi_7885_: f32;
+    var phi_7890_: f32;
+    var phi_7896_: f32;
+    var phi_7902_: f32;
+    var phi_7909_: f32;
+    var phi_7920_: f32;
+    var phi_7991_: f32;
+    var phi_7996_: f32;
+    var phi_8001_: f32;
+    var phi_8006_: f32;
+    var phi_8011_: f32;
+    var phi_8016_: f32;
+    var phi_8021_: f32;
+    var phi_8026_: f32;
+    var phi_8031_: f32;
+    var phi_8036_: f32;
+    var phi_8041_: f32;
+    var phi_8046_: f32;
+    var phi_8051_: f32;
+    var phi_8056_: f32;
+    var phi_8062_: f32;
+    var phi_8068_: f32;
+    var phi_8075_: f32;
+    var phi_8086_: f32;
+    var phi_8096_: f32;
+    var phi_8169_: f32;
+    var phi_8174_: f32;
+    var phi_8179_: f32;
+    var phi_8184_: f32;
+    var phi_8189_: f32;
+    var phi_8194_: f32;
+    var phi_8199_: f32;
+    var phi_8204_: f32;
+    var phi_8209_: f32;
+    var phi_8214_: f32;
+    var phi_8219_: f32;
+    var phi_8224_: f32;
+    var phi_8229_: f32;
+    var phi_8234_: f32;
+    var phi_8240_: f32;
+    var phi_8246_: f32;
+    var phi_8253_: f32;
+    var phi_8264_: f32;
+    var phi_8274_: f32;
     var phi_8275_: f32;
-    var phi_8276_: f32;
-    var phi_8279_: bool;
-    var phi_8281_: bool;
-    var phi_8292_: bool;
-    var phi_8293_: bool;
-    var phi_8329_: type_9;
-    var phi_8330_: type_9;
-    var phi_8353_: type_9;
-    var phi_8377_: u32;
-    var phi_8429_: type_9;
-    var phi_8448_: bool;
-    var phi_8449_: bool;
+    var phi_8278_: bool;
+    var phi_8280_: bool;
+    var phi_8290_: bool;
+    var phi_8291_: bool;
+    var phi_8327_: type_9;
+    var phi_8328_: type_9;
+    var phi_8351_: type_9;
+    var phi_8375_: u32;
+    var phi_8427_: type_9;
+    var phi_8446_: bool;
+    var phi_8447_: bool;
     var phi_1245_: type_9;
     var local_6: u32;
     var local_7: u32;
@@ -1165,8 +1165,8 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e588 = local_3;
                 phi_1123_ = (_e588 & ((1u << bitcast<u32>((_e386 & 31u))) - 1u));
             } else {
-                let _e5559 = local_6;
-                phi_1123_ = _e5559;
+                let _e5557 = local_6;
+                phi_1123_ = _e5557;
             }
             let _e591 = phi_1123_;
             if _e381 {
@@ -1234,8 +1234,8 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e614);
                     }
                 }
-                let _e5573 = local_7;
-                phi_1202_ = _e5573;
+                let _e5571 = local_7;
+                phi_1202_ = _e5571;
             } else {
                 phi_1202_ = _e591;
             }
@@ -1930,7 +1930,7 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (bitcast<i32>(_e1620.member) != 0i) {
                             let _e1626 = (_e73 + (_e1620.member_1 * 128u));
                             if (_e1626 >= _e1604) {
-                                phi_4704_ = false;
+                                phi_4703_ = false;
                             } else {
                                 let _e1629 = left[_e1626];
                                 let _e1632 = ((_e1629 >> bitcast<u32>(10i)) & 3u);
@@ -2954,2183 +2954,2185 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_4696_ = (_e2258 || (_e2917 > 0f));
                                 }
                                 let _e2921 = phi_4696_;
-                                if !(_e2921) {
-                                    let _e2924 = atomicAdd((&counters[6u]), 1u);
-                                    hits[_e2924] = _e1629;
+                                if _e2921 {
+                                } else {
+                                    let _e2923 = atomicAdd((&counters[6u]), 1u);
+                                    hits[_e2923] = _e1629;
                                 }
-                                phi_4704_ = true;
+                                phi_4703_ = true;
                             }
-                            let _e2927 = phi_4704_;
-                            phi_4705_ = _e2927;
+                            let _e2926 = phi_4703_;
+                            phi_4704_ = _e2926;
                         } else {
-                            phi_4705_ = false;
+                            phi_4704_ = false;
                         }
-                        let _e2929 = phi_4705_;
+                        let _e2928 = phi_4704_;
                         continue;
                         continuing {
                             phi_2829_ = _e1618;
-                            break if !(_e2929);
+                            break if !(_e2928);
                         }
                     }
                     workgroupBarrier();
-                    let _e2932 = atomicLoad((&counters[6u]));
-                    phi_4710_ = type_9(0u, 4u);
+                    let _e2931 = atomicLoad((&counters[6u]));
+                    phi_4709_ = type_9(0u, 4u);
                     loop {
-                        let _e2934 = phi_4710_;
-                        if (_e2934.member < _e2934.member_1) {
-                            phi_4711_ = type_9((_e2934.member + 1u), _e2934.member_1);
-                            phi_4734_ = type_9(1u, _e2934.member);
+                        let _e2933 = phi_4709_;
+                        if (_e2933.member < _e2933.member_1) {
+                            phi_4710_ = type_9((_e2933.member + 1u), _e2933.member_1);
+                            phi_4733_ = type_9(1u, _e2933.member);
                         } else {
-                            phi_4711_ = _e2934;
-                            phi_4734_ = type_9(0u, type_9().member_1);
+                            phi_4710_ = _e2933;
+                            phi_4733_ = type_9(0u, type_9().member_1);
                         }
-                        let _e2946 = phi_4711_;
-                        let _e2948 = phi_4734_;
-                        if (bitcast<i32>(_e2948.member) != 0i) {
-                            let _e2954 = (_e73 + (_e2948.member_1 * 128u));
-                            if (_e2954 >= _e2932) {
-                                phi_8292_ = false;
+                        let _e2945 = phi_4710_;
+                        let _e2947 = phi_4733_;
+                        if (bitcast<i32>(_e2947.member) != 0i) {
+                            let _e2953 = (_e73 + (_e2947.member_1 * 128u));
+                            if (_e2953 >= _e2931) {
+                                phi_8290_ = false;
                             } else {
-                                let _e2957 = hits[_e2954];
-                                let _e2960 = ((_e2957 >> bitcast<u32>(10i)) & 3u);
-                                let _e2967 = firsts[(2u * _e2960)];
-                                let _e2972 = firsts[((2u * _e2960) + 1u)];
-                                let _e2975 = leaves.member[(_e2967 + ((_e2957 >> bitcast<u32>(5i)) & 31u))];
-                                let _e2980 = leaves.member[(_e2972 + (_e2957 & 31u))];
-                                if (_e2975.w < _e2980.w) {
-                                    phi_4805_ = type_43(1u, array<u32, 4>(_e2975.x, _e2975.y, _e2980.x, _e2980.y));
+                                let _e2956 = hits[_e2953];
+                                let _e2959 = ((_e2956 >> bitcast<u32>(10i)) & 3u);
+                                let _e2966 = firsts[(2u * _e2959)];
+                                let _e2971 = firsts[((2u * _e2959) + 1u)];
+                                let _e2974 = leaves.member[(_e2966 + ((_e2956 >> bitcast<u32>(5i)) & 31u))];
+                                let _e2979 = leaves.member[(_e2971 + (_e2956 & 31u))];
+                                if (_e2974.w < _e2979.w) {
+                                    phi_4804_ = type_43(1u, array<u32, 4>(_e2974.x, _e2974.y, _e2979.x, _e2979.y));
                                 } else {
-                                    phi_4805_ = type_43(1u, array<u32, 4>(_e2980.x, _e2980.y, _e2975.x, _e2975.y));
+                                    phi_4804_ = type_43(1u, array<u32, 4>(_e2979.x, _e2979.y, _e2974.x, _e2974.y));
                                 }
-                                let _e2990 = phi_4805_;
-                                let _e2995 = paths.member[_e2990.member_1[0]];
-                                let _e3010 = paths.member[_e2990.member_1[1]];
-                                let _e3025 = paths.member[_e2990.member_1[2]];
-                                let _e3040 = paths.member[_e2990.member_1[3]];
-                                if (_e2990.member != 0u) {
-                                    phi_4939_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e2995.member.x), (_e3025.member.y - _e2995.member.y), (_e3025.member.z - _e2995.member.z)), array<f32, 3>((_e3025.member_1.x - _e2995.member_1.x), (_e3025.member_1.y - _e2995.member_1.y), (_e3025.member_1.z - _e2995.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3010.member.x - _e2995.member.x), (_e3010.member.y - _e2995.member.y), (_e3010.member.z - _e2995.member.z)), array<f32, 3>((_e3010.member_1.x - _e2995.member_1.x), (_e3010.member_1.y - _e2995.member_1.y), (_e3010.member_1.z - _e2995.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e3040.member.x), (_e3025.member.y - _e3040.member.y), (_e3025.member.z - _e3040.member.z)), array<f32, 3>((_e3025.member_1.x - _e3040.member_1.x), (_e3025.member_1.y - _e3040.member_1.y), (_e3025.member_1.z - _e3040.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                let _e2989 = phi_4804_;
+                                let _e2994 = paths.member[_e2989.member_1[0]];
+                                let _e3009 = paths.member[_e2989.member_1[1]];
+                                let _e3024 = paths.member[_e2989.member_1[2]];
+                                let _e3039 = paths.member[_e2989.member_1[3]];
+                                if (_e2989.member != 0u) {
+                                    phi_4938_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e3024.member.x - _e2994.member.x), (_e3024.member.y - _e2994.member.y), (_e3024.member.z - _e2994.member.z)), array<f32, 3>((_e3024.member_1.x - _e2994.member_1.x), (_e3024.member_1.y - _e2994.member_1.y), (_e3024.member_1.z - _e2994.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3009.member.x - _e2994.member.x), (_e3009.member.y - _e2994.member.y), (_e3009.member.z - _e2994.member.z)), array<f32, 3>((_e3009.member_1.x - _e2994.member_1.x), (_e3009.member_1.y - _e2994.member_1.y), (_e3009.member_1.z - _e2994.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3024.member.x - _e3039.member.x), (_e3024.member.y - _e3039.member.y), (_e3024.member.z - _e3039.member.z)), array<f32, 3>((_e3024.member_1.x - _e3039.member_1.x), (_e3024.member_1.y - _e3039.member_1.y), (_e3024.member_1.z - _e3039.member_1.z))), (_e91.member_4 + _e91.member_4));
                                 } else {
-                                    phi_4939_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2995.member.x - _e3010.member.x), (_e2995.member.y - _e3010.member.y), (_e2995.member.z - _e3010.member.z)), array<f32, 3>((_e2995.member_1.x - _e3010.member_1.x), (_e2995.member_1.y - _e3010.member_1.y), (_e2995.member_1.z - _e3010.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3025.member.x - _e3010.member.x), (_e3025.member.y - _e3010.member.y), (_e3025.member.z - _e3010.member.z)), array<f32, 3>((_e3025.member_1.x - _e3010.member_1.x), (_e3025.member_1.y - _e3010.member_1.y), (_e3025.member_1.z - _e3010.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3040.member.x - _e3010.member.x), (_e3040.member.y - _e3010.member.y), (_e3040.member.z - _e3010.member.z)), array<f32, 3>((_e3040.member_1.x - _e3010.member_1.x), (_e3040.member_1.y - _e3010.member_1.y), (_e3040.member_1.z - _e3010.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                    phi_4938_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2994.member.x - _e3009.member.x), (_e2994.member.y - _e3009.member.y), (_e2994.member.z - _e3009.member.z)), array<f32, 3>((_e2994.member_1.x - _e3009.member_1.x), (_e2994.member_1.y - _e3009.member_1.y), (_e2994.member_1.z - _e3009.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3024.member.x - _e3009.member.x), (_e3024.member.y - _e3009.member.y), (_e3024.member.z - _e3009.member.z)), array<f32, 3>((_e3024.member_1.x - _e3009.member_1.x), (_e3024.member_1.y - _e3009.member_1.y), (_e3024.member_1.z - _e3009.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e3039.member.x - _e3009.member.x), (_e3039.member.y - _e3009.member.y), (_e3039.member.z - _e3009.member.z)), array<f32, 3>((_e3039.member_1.x - _e3009.member_1.x), (_e3039.member_1.y - _e3009.member_1.y), (_e3039.member_1.z - _e3009.member_1.z))), (_e91.member_4 + _e91.member_4));
                                 }
-                                let _e3113 = phi_4939_;
-                                let _e3127 = ((_e3113.member[0][0] + _e3113.member[1][0]) * 0.5f);
-                                let _e3128 = ((_e3113.member[0][1] + _e3113.member[1][1]) * 0.5f);
-                                let _e3129 = ((_e3113.member[0][2] + _e3113.member[1][2]) * 0.5f);
-                                let _e3143 = ((_e3113.member_1[0][0] + _e3113.member_1[1][0]) * 0.5f);
-                                let _e3144 = ((_e3113.member_1[0][1] + _e3113.member_1[1][1]) * 0.5f);
-                                let _e3145 = ((_e3113.member_1[0][2] + _e3113.member_1[1][2]) * 0.5f);
-                                let _e3159 = ((_e3113.member_2[0][0] + _e3113.member_2[1][0]) * 0.5f);
-                                let _e3160 = ((_e3113.member_2[0][1] + _e3113.member_2[1][1]) * 0.5f);
-                                let _e3161 = ((_e3113.member_2[0][2] + _e3113.member_2[1][2]) * 0.5f);
-                                local = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member[0][0], _e3113.member[0][1], _e3113.member[0][2]), array<f32, 3>(_e3127, _e3128, _e3129)), array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member_1[0][0], _e3113.member_1[0][1], _e3113.member_1[0][2]), array<f32, 3>(_e3143, _e3144, _e3145)), array<array<f32, 3>, 2>(array<f32, 3>(_e3113.member_2[0][0], _e3113.member_2[0][1], _e3113.member_2[0][2]), array<f32, 3>(_e3159, _e3160, _e3161)), _e3113.member_3);
-                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3127, _e3128, _e3129), array<f32, 3>(_e3113.member[1][0], _e3113.member[1][1], _e3113.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3143, _e3144, _e3145), array<f32, 3>(_e3113.member_1[1][0], _e3113.member_1[1][1], _e3113.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3159, _e3160, _e3161), array<f32, 3>(_e3113.member_2[1][0], _e3113.member_2[1][1], _e3113.member_2[1][2])), _e3113.member_3);
-                                let _e3216 = local.member_1[0u];
-                                let _e3222 = local.member_2[0u];
-                                let _e3228 = ((_e3216[1] * _e3222[2]) - (_e3216[2] * _e3222[1]));
-                                let _e3231 = ((_e3216[2] * _e3222[0]) - (_e3216[0] * _e3222[2]));
-                                let _e3234 = ((_e3216[0] * _e3222[1]) - (_e3216[1] * _e3222[0]));
-                                let _e3237 = local.member_1[1u];
-                                let _e3243 = local.member_2[1u];
-                                let _e3249 = ((_e3237[1] * _e3243[2]) - (_e3237[2] * _e3243[1]));
-                                let _e3252 = ((_e3237[2] * _e3243[0]) - (_e3237[0] * _e3243[2]));
-                                let _e3255 = ((_e3237[0] * _e3243[1]) - (_e3237[1] * _e3243[0]));
-                                let _e3258 = local.member_1[0u];
-                                let _e3264 = local.member_2[1u];
-                                let _e3279 = local.member_1[1u];
-                                let _e3285 = local.member_2[0u];
-                                let _e3298 = (((_e3258[1] * _e3264[2]) - (_e3258[2] * _e3264[1])) + ((_e3279[1] * _e3285[2]) - (_e3279[2] * _e3285[1])));
-                                let _e3299 = (((_e3258[2] * _e3264[0]) - (_e3258[0] * _e3264[2])) + ((_e3279[2] * _e3285[0]) - (_e3279[0] * _e3285[2])));
-                                let _e3300 = (((_e3258[0] * _e3264[1]) - (_e3258[1] * _e3264[0])) + ((_e3279[0] * _e3285[1]) - (_e3279[1] * _e3285[0])));
-                                let _e3303 = local.member[0u];
-                                let _e3314 = local.member[1u];
-                                let _e3325 = local.member[0u];
-                                let _e3334 = ((((_e3314[0] * _e3228) + (_e3314[1] * _e3231)) + (_e3314[2] * _e3234)) + (((_e3325[0] * _e3298) + (_e3325[1] * _e3299)) + (_e3325[2] * _e3300)));
-                                let _e3337 = local.member[0u];
-                                let _e3348 = local.member[1u];
-                                let _e3357 = ((((_e3337[0] * _e3249) + (_e3337[1] * _e3252)) + (_e3337[2] * _e3255)) + (((_e3348[0] * _e3298) + (_e3348[1] * _e3299)) + (_e3348[2] * _e3300)));
-                                let _e3360 = local.member[1u];
-                                let _e3371 = local.member[0u];
-                                if (_e3371[0] < 0f) {
-                                    phi_5318_ = -(_e3371[0]);
+                                let _e3112 = phi_4938_;
+                                let _e3126 = ((_e3112.member[0][0] + _e3112.member[1][0]) * 0.5f);
+                                let _e3127 = ((_e3112.member[0][1] + _e3112.member[1][1]) * 0.5f);
+                                let _e3128 = ((_e3112.member[0][2] + _e3112.member[1][2]) * 0.5f);
+                                let _e3142 = ((_e3112.member_1[0][0] + _e3112.member_1[1][0]) * 0.5f);
+                                let _e3143 = ((_e3112.member_1[0][1] + _e3112.member_1[1][1]) * 0.5f);
+                                let _e3144 = ((_e3112.member_1[0][2] + _e3112.member_1[1][2]) * 0.5f);
+                                let _e3158 = ((_e3112.member_2[0][0] + _e3112.member_2[1][0]) * 0.5f);
+                                let _e3159 = ((_e3112.member_2[0][1] + _e3112.member_2[1][1]) * 0.5f);
+                                let _e3160 = ((_e3112.member_2[0][2] + _e3112.member_2[1][2]) * 0.5f);
+                                local = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3112.member[0][0], _e3112.member[0][1], _e3112.member[0][2]), array<f32, 3>(_e3126, _e3127, _e3128)), array<array<f32, 3>, 2>(array<f32, 3>(_e3112.member_1[0][0], _e3112.member_1[0][1], _e3112.member_1[0][2]), array<f32, 3>(_e3142, _e3143, _e3144)), array<array<f32, 3>, 2>(array<f32, 3>(_e3112.member_2[0][0], _e3112.member_2[0][1], _e3112.member_2[0][2]), array<f32, 3>(_e3158, _e3159, _e3160)), _e3112.member_3);
+                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3126, _e3127, _e3128), array<f32, 3>(_e3112.member[1][0], _e3112.member[1][1], _e3112.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3142, _e3143, _e3144), array<f32, 3>(_e3112.member_1[1][0], _e3112.member_1[1][1], _e3112.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3158, _e3159, _e3160), array<f32, 3>(_e3112.member_2[1][0], _e3112.member_2[1][1], _e3112.member_2[1][2])), _e3112.member_3);
+                                let _e3215 = local.member_1[0u];
+                                let _e3221 = local.member_2[0u];
+                                let _e3227 = ((_e3215[1] * _e3221[2]) - (_e3215[2] * _e3221[1]));
+                                let _e3230 = ((_e3215[2] * _e3221[0]) - (_e3215[0] * _e3221[2]));
+                                let _e3233 = ((_e3215[0] * _e3221[1]) - (_e3215[1] * _e3221[0]));
+                                let _e3236 = local.member_1[1u];
+                                let _e3242 = local.member_2[1u];
+                                let _e3248 = ((_e3236[1] * _e3242[2]) - (_e3236[2] * _e3242[1]));
+                                let _e3251 = ((_e3236[2] * _e3242[0]) - (_e3236[0] * _e3242[2]));
+                                let _e3254 = ((_e3236[0] * _e3242[1]) - (_e3236[1] * _e3242[0]));
+                                let _e3257 = local.member_1[0u];
+                                let _e3263 = local.member_2[1u];
+                                let _e3278 = local.member_1[1u];
+                                let _e3284 = local.member_2[0u];
+                                let _e3297 = (((_e3257[1] * _e3263[2]) - (_e3257[2] * _e3263[1])) + ((_e3278[1] * _e3284[2]) - (_e3278[2] * _e3284[1])));
+                                let _e3298 = (((_e3257[2] * _e3263[0]) - (_e3257[0] * _e3263[2])) + ((_e3278[2] * _e3284[0]) - (_e3278[0] * _e3284[2])));
+                                let _e3299 = (((_e3257[0] * _e3263[1]) - (_e3257[1] * _e3263[0])) + ((_e3278[0] * _e3284[1]) - (_e3278[1] * _e3284[0])));
+                                let _e3302 = local.member[0u];
+                                let _e3313 = local.member[1u];
+                                let _e3324 = local.member[0u];
+                                let _e3333 = ((((_e3313[0] * _e3227) + (_e3313[1] * _e3230)) + (_e3313[2] * _e3233)) + (((_e3324[0] * _e3297) + (_e3324[1] * _e3298)) + (_e3324[2] * _e3299)));
+                                let _e3336 = local.member[0u];
+                                let _e3347 = local.member[1u];
+                                let _e3356 = ((((_e3336[0] * _e3248) + (_e3336[1] * _e3251)) + (_e3336[2] * _e3254)) + (((_e3347[0] * _e3297) + (_e3347[1] * _e3298)) + (_e3347[2] * _e3299)));
+                                let _e3359 = local.member[1u];
+                                let _e3370 = local.member[0u];
+                                if (_e3370[0] < 0f) {
+                                    phi_5317_ = -(_e3370[0]);
                                 } else {
-                                    phi_5318_ = _e3371[0];
+                                    phi_5317_ = _e3370[0];
                                 }
-                                let _e3378 = phi_5318_;
-                                if (_e3371[1] < 0f) {
-                                    phi_5325_ = -(_e3371[1]);
+                                let _e3377 = phi_5317_;
+                                if (_e3370[1] < 0f) {
+                                    phi_5324_ = -(_e3370[1]);
                                 } else {
-                                    phi_5325_ = _e3371[1];
+                                    phi_5324_ = _e3370[1];
                                 }
-                                let _e3382 = phi_5325_;
-                                if (_e3378 > _e3382) {
-                                    phi_5330_ = _e3378;
+                                let _e3381 = phi_5324_;
+                                if (_e3377 > _e3381) {
+                                    phi_5329_ = _e3377;
                                 } else {
-                                    phi_5330_ = _e3382;
+                                    phi_5329_ = _e3381;
                                 }
-                                let _e3385 = phi_5330_;
-                                if (_e3371[2] < 0f) {
-                                    phi_5337_ = -(_e3371[2]);
+                                let _e3384 = phi_5329_;
+                                if (_e3370[2] < 0f) {
+                                    phi_5336_ = -(_e3370[2]);
                                 } else {
-                                    phi_5337_ = _e3371[2];
+                                    phi_5336_ = _e3370[2];
                                 }
-                                let _e3389 = phi_5337_;
-                                if (_e3385 > _e3389) {
-                                    phi_5342_ = _e3385;
+                                let _e3388 = phi_5336_;
+                                if (_e3384 > _e3388) {
+                                    phi_5341_ = _e3384;
                                 } else {
-                                    phi_5342_ = _e3389;
+                                    phi_5341_ = _e3388;
                                 }
-                                let _e3392 = phi_5342_;
-                                let _e3395 = local.member[1u];
-                                if (_e3395[0] < 0f) {
-                                    phi_5355_ = -(_e3395[0]);
+                                let _e3391 = phi_5341_;
+                                let _e3394 = local.member[1u];
+                                if (_e3394[0] < 0f) {
+                                    phi_5354_ = -(_e3394[0]);
                                 } else {
-                                    phi_5355_ = _e3395[0];
+                                    phi_5354_ = _e3394[0];
                                 }
-                                let _e3402 = phi_5355_;
-                                if (_e3395[1] < 0f) {
-                                    phi_5362_ = -(_e3395[1]);
+                                let _e3401 = phi_5354_;
+                                if (_e3394[1] < 0f) {
+                                    phi_5361_ = -(_e3394[1]);
                                 } else {
-                                    phi_5362_ = _e3395[1];
+                                    phi_5361_ = _e3394[1];
                                 }
-                                let _e3406 = phi_5362_;
-                                if (_e3402 > _e3406) {
-                                    phi_5367_ = _e3402;
+                                let _e3405 = phi_5361_;
+                                if (_e3401 > _e3405) {
+                                    phi_5366_ = _e3401;
                                 } else {
-                                    phi_5367_ = _e3406;
+                                    phi_5366_ = _e3405;
                                 }
-                                let _e3409 = phi_5367_;
-                                if (_e3395[2] < 0f) {
-                                    phi_5374_ = -(_e3395[2]);
+                                let _e3408 = phi_5366_;
+                                if (_e3394[2] < 0f) {
+                                    phi_5373_ = -(_e3394[2]);
                                 } else {
-                                    phi_5374_ = _e3395[2];
+                                    phi_5373_ = _e3394[2];
                                 }
-                                let _e3413 = phi_5374_;
-                                if (_e3409 > _e3413) {
-                                    phi_5379_ = _e3409;
+                                let _e3412 = phi_5373_;
+                                if (_e3408 > _e3412) {
+                                    phi_5378_ = _e3408;
                                 } else {
-                                    phi_5379_ = _e3413;
+                                    phi_5378_ = _e3412;
                                 }
-                                let _e3416 = phi_5379_;
-                                if (_e3392 > _e3416) {
-                                    phi_5384_ = _e3392;
+                                let _e3415 = phi_5378_;
+                                if (_e3391 > _e3415) {
+                                    phi_5383_ = _e3391;
                                 } else {
-                                    phi_5384_ = _e3416;
+                                    phi_5383_ = _e3415;
                                 }
-                                let _e3419 = phi_5384_;
-                                let _e3421 = local.member_3;
-                                let _e3422 = (_e3419 + _e3421);
-                                let _e3425 = local.member_1[0u];
-                                if (_e3425[0] < 0f) {
-                                    phi_5401_ = -(_e3425[0]);
+                                let _e3418 = phi_5383_;
+                                let _e3420 = local.member_3;
+                                let _e3421 = (_e3418 + _e3420);
+                                let _e3424 = local.member_1[0u];
+                                if (_e3424[0] < 0f) {
+                                    phi_5400_ = -(_e3424[0]);
                                 } else {
-                                    phi_5401_ = _e3425[0];
+                                    phi_5400_ = _e3424[0];
                                 }
-                                let _e3432 = phi_5401_;
-                                if (_e3425[1] < 0f) {
-                                    phi_5408_ = -(_e3425[1]);
+                                let _e3431 = phi_5400_;
+                                if (_e3424[1] < 0f) {
+                                    phi_5407_ = -(_e3424[1]);
                                 } else {
-                                    phi_5408_ = _e3425[1];
+                                    phi_5407_ = _e3424[1];
                                 }
-                                let _e3436 = phi_5408_;
-                                if (_e3432 > _e3436) {
-                                    phi_5413_ = _e3432;
+                                let _e3435 = phi_5407_;
+                                if (_e3431 > _e3435) {
+                                    phi_5412_ = _e3431;
                                 } else {
-                                    phi_5413_ = _e3436;
+                                    phi_5412_ = _e3435;
                                 }
-                                let _e3439 = phi_5413_;
-                                if (_e3425[2] < 0f) {
-                                    phi_5420_ = -(_e3425[2]);
+                                let _e3438 = phi_5412_;
+                                if (_e3424[2] < 0f) {
+                                    phi_5419_ = -(_e3424[2]);
                                 } else {
-                                    phi_5420_ = _e3425[2];
+                                    phi_5419_ = _e3424[2];
                                 }
-                                let _e3443 = phi_5420_;
-                                if (_e3439 > _e3443) {
-                                    phi_5425_ = _e3439;
+                                let _e3442 = phi_5419_;
+                                if (_e3438 > _e3442) {
+                                    phi_5424_ = _e3438;
                                 } else {
-                                    phi_5425_ = _e3443;
+                                    phi_5424_ = _e3442;
                                 }
-                                let _e3446 = phi_5425_;
-                                let _e3449 = local.member_1[1u];
-                                if (_e3449[0] < 0f) {
-                                    phi_5439_ = -(_e3449[0]);
+                                let _e3445 = phi_5424_;
+                                let _e3448 = local.member_1[1u];
+                                if (_e3448[0] < 0f) {
+                                    phi_5438_ = -(_e3448[0]);
                                 } else {
-                                    phi_5439_ = _e3449[0];
+                                    phi_5438_ = _e3448[0];
                                 }
-                                let _e3456 = phi_5439_;
-                                if (_e3449[1] < 0f) {
-                                    phi_5446_ = -(_e3449[1]);
+                                let _e3455 = phi_5438_;
+                                if (_e3448[1] < 0f) {
+                                    phi_5445_ = -(_e3448[1]);
                                 } else {
-                                    phi_5446_ = _e3449[1];
+                                    phi_5445_ = _e3448[1];
                                 }
-                                let _e3460 = phi_5446_;
-                                if (_e3456 > _e3460) {
-                                    phi_5451_ = _e3456;
+                                let _e3459 = phi_5445_;
+                                if (_e3455 > _e3459) {
+                                    phi_5450_ = _e3455;
                                 } else {
-                                    phi_5451_ = _e3460;
+                                    phi_5450_ = _e3459;
                                 }
-                                let _e3463 = phi_5451_;
-                                if (_e3449[2] < 0f) {
-                                    phi_5458_ = -(_e3449[2]);
+                                let _e3462 = phi_5450_;
+                                if (_e3448[2] < 0f) {
+                                    phi_5457_ = -(_e3448[2]);
                                 } else {
-                                    phi_5458_ = _e3449[2];
+                                    phi_5457_ = _e3448[2];
                                 }
-                                let _e3467 = phi_5458_;
-                                if (_e3463 > _e3467) {
-                                    phi_5463_ = _e3463;
+                                let _e3466 = phi_5457_;
+                                if (_e3462 > _e3466) {
+                                    phi_5462_ = _e3462;
                                 } else {
-                                    phi_5463_ = _e3467;
+                                    phi_5462_ = _e3466;
                                 }
-                                let _e3470 = phi_5463_;
-                                if (_e3446 > _e3470) {
-                                    phi_5468_ = _e3446;
+                                let _e3469 = phi_5462_;
+                                if (_e3445 > _e3469) {
+                                    phi_5467_ = _e3445;
                                 } else {
-                                    phi_5468_ = _e3470;
+                                    phi_5467_ = _e3469;
                                 }
-                                let _e3473 = phi_5468_;
-                                let _e3475 = local.member_3;
-                                let _e3476 = (_e3473 + _e3475);
-                                let _e3479 = local.member_2[0u];
-                                if (_e3479[0] < 0f) {
-                                    phi_5485_ = -(_e3479[0]);
+                                let _e3472 = phi_5467_;
+                                let _e3474 = local.member_3;
+                                let _e3475 = (_e3472 + _e3474);
+                                let _e3478 = local.member_2[0u];
+                                if (_e3478[0] < 0f) {
+                                    phi_5484_ = -(_e3478[0]);
                                 } else {
-                                    phi_5485_ = _e3479[0];
+                                    phi_5484_ = _e3478[0];
                                 }
-                                let _e3486 = phi_5485_;
-                                if (_e3479[1] < 0f) {
-                                    phi_5492_ = -(_e3479[1]);
+                                let _e3485 = phi_5484_;
+                                if (_e3478[1] < 0f) {
+                                    phi_5491_ = -(_e3478[1]);
                                 } else {
-                                    phi_5492_ = _e3479[1];
+                                    phi_5491_ = _e3478[1];
                                 }
-                                let _e3490 = phi_5492_;
-                                if (_e3486 > _e3490) {
-                                    phi_5497_ = _e3486;
+                                let _e3489 = phi_5491_;
+                                if (_e3485 > _e3489) {
+                                    phi_5496_ = _e3485;
                                 } else {
-                                    phi_5497_ = _e3490;
+                                    phi_5496_ = _e3489;
                                 }
-                                let _e3493 = phi_5497_;
-                                if (_e3479[2] < 0f) {
-                                    phi_5504_ = -(_e3479[2]);
+                                let _e3492 = phi_5496_;
+                                if (_e3478[2] < 0f) {
+                                    phi_5503_ = -(_e3478[2]);
                                 } else {
-                                    phi_5504_ = _e3479[2];
+                                    phi_5503_ = _e3478[2];
                                 }
-                                let _e3497 = phi_5504_;
-                                if (_e3493 > _e3497) {
-                                    phi_5509_ = _e3493;
+                                let _e3496 = phi_5503_;
+                                if (_e3492 > _e3496) {
+                                    phi_5508_ = _e3492;
                                 } else {
-                                    phi_5509_ = _e3497;
+                                    phi_5508_ = _e3496;
                                 }
-                                let _e3500 = phi_5509_;
-                                let _e3503 = local.member_2[1u];
-                                if (_e3503[0] < 0f) {
-                                    phi_5523_ = -(_e3503[0]);
+                                let _e3499 = phi_5508_;
+                                let _e3502 = local.member_2[1u];
+                                if (_e3502[0] < 0f) {
+                                    phi_5522_ = -(_e3502[0]);
                                 } else {
-                                    phi_5523_ = _e3503[0];
+                                    phi_5522_ = _e3502[0];
                                 }
-                                let _e3510 = phi_5523_;
-                                if (_e3503[1] < 0f) {
-                                    phi_5530_ = -(_e3503[1]);
+                                let _e3509 = phi_5522_;
+                                if (_e3502[1] < 0f) {
+                                    phi_5529_ = -(_e3502[1]);
                                 } else {
-                                    phi_5530_ = _e3503[1];
+                                    phi_5529_ = _e3502[1];
                                 }
-                                let _e3514 = phi_5530_;
-                                if (_e3510 > _e3514) {
-                                    phi_5535_ = _e3510;
+                                let _e3513 = phi_5529_;
+                                if (_e3509 > _e3513) {
+                                    phi_5534_ = _e3509;
                                 } else {
-                                    phi_5535_ = _e3514;
+                                    phi_5534_ = _e3513;
                                 }
-                                let _e3517 = phi_5535_;
-                                if (_e3503[2] < 0f) {
-                                    phi_5542_ = -(_e3503[2]);
+                                let _e3516 = phi_5534_;
+                                if (_e3502[2] < 0f) {
+                                    phi_5541_ = -(_e3502[2]);
                                 } else {
-                                    phi_5542_ = _e3503[2];
+                                    phi_5541_ = _e3502[2];
                                 }
-                                let _e3521 = phi_5542_;
-                                if (_e3517 > _e3521) {
-                                    phi_5547_ = _e3517;
+                                let _e3520 = phi_5541_;
+                                if (_e3516 > _e3520) {
+                                    phi_5546_ = _e3516;
                                 } else {
-                                    phi_5547_ = _e3521;
+                                    phi_5546_ = _e3520;
                                 }
-                                let _e3524 = phi_5547_;
-                                if (_e3500 > _e3524) {
-                                    phi_5552_ = _e3500;
+                                let _e3523 = phi_5546_;
+                                if (_e3499 > _e3523) {
+                                    phi_5551_ = _e3499;
                                 } else {
-                                    phi_5552_ = _e3524;
+                                    phi_5551_ = _e3523;
                                 }
-                                let _e3527 = phi_5552_;
-                                let _e3529 = local.member_3;
-                                let _e3530 = (_e3527 + _e3529);
-                                let _e3532 = ((_e3476 * 8f) * _e3530);
-                                let _e3539 = local.member_3;
-                                if (_e3228 < 0f) {
-                                    phi_5583_ = -(_e3228);
+                                let _e3526 = phi_5551_;
+                                let _e3528 = local.member_3;
+                                let _e3529 = (_e3526 + _e3528);
+                                let _e3531 = ((_e3475 * 8f) * _e3529);
+                                let _e3538 = local.member_3;
+                                if (_e3227 < 0f) {
+                                    phi_5582_ = -(_e3227);
                                 } else {
-                                    phi_5583_ = _e3228;
+                                    phi_5582_ = _e3227;
                                 }
-                                let _e3556 = phi_5583_;
-                                if (_e3231 < 0f) {
-                                    phi_5589_ = -(_e3231);
+                                let _e3555 = phi_5582_;
+                                if (_e3230 < 0f) {
+                                    phi_5588_ = -(_e3230);
                                 } else {
-                                    phi_5589_ = _e3231;
+                                    phi_5588_ = _e3230;
                                 }
-                                let _e3560 = phi_5589_;
-                                if (_e3234 < 0f) {
-                                    phi_5596_ = -(_e3234);
+                                let _e3559 = phi_5588_;
+                                if (_e3233 < 0f) {
+                                    phi_5595_ = -(_e3233);
                                 } else {
-                                    phi_5596_ = _e3234;
+                                    phi_5595_ = _e3233;
                                 }
-                                let _e3565 = phi_5596_;
-                                let _e3566 = ((_e3556 + _e3560) + _e3565);
-                                if (_e3249 < 0f) {
-                                    phi_5603_ = -(_e3249);
+                                let _e3564 = phi_5595_;
+                                let _e3565 = ((_e3555 + _e3559) + _e3564);
+                                if (_e3248 < 0f) {
+                                    phi_5602_ = -(_e3248);
                                 } else {
-                                    phi_5603_ = _e3249;
+                                    phi_5602_ = _e3248;
                                 }
-                                let _e3570 = phi_5603_;
-                                if (_e3252 < 0f) {
-                                    phi_5609_ = -(_e3252);
+                                let _e3569 = phi_5602_;
+                                if (_e3251 < 0f) {
+                                    phi_5608_ = -(_e3251);
                                 } else {
-                                    phi_5609_ = _e3252;
+                                    phi_5608_ = _e3251;
                                 }
-                                let _e3574 = phi_5609_;
-                                if (_e3255 < 0f) {
-                                    phi_5616_ = -(_e3255);
+                                let _e3573 = phi_5608_;
+                                if (_e3254 < 0f) {
+                                    phi_5615_ = -(_e3254);
                                 } else {
-                                    phi_5616_ = _e3255;
+                                    phi_5615_ = _e3254;
                                 }
-                                let _e3579 = phi_5616_;
-                                let _e3580 = ((_e3570 + _e3574) + _e3579);
-                                if (_e3566 > _e3580) {
-                                    phi_5622_ = _e3566;
+                                let _e3578 = phi_5615_;
+                                let _e3579 = ((_e3569 + _e3573) + _e3578);
+                                if (_e3565 > _e3579) {
+                                    phi_5621_ = _e3565;
                                 } else {
-                                    phi_5622_ = _e3580;
+                                    phi_5621_ = _e3579;
                                 }
-                                let _e3583 = phi_5622_;
+                                let _e3582 = phi_5621_;
+                                if (_e3297 < 0f) {
+                                    phi_5627_ = -(_e3297);
+                                } else {
+                                    phi_5627_ = _e3297;
+                                }
+                                let _e3586 = phi_5627_;
                                 if (_e3298 < 0f) {
-                                    phi_5628_ = -(_e3298);
+                                    phi_5633_ = -(_e3298);
                                 } else {
-                                    phi_5628_ = _e3298;
+                                    phi_5633_ = _e3298;
                                 }
-                                let _e3587 = phi_5628_;
+                                let _e3590 = phi_5633_;
                                 if (_e3299 < 0f) {
-                                    phi_5634_ = -(_e3299);
+                                    phi_5640_ = -(_e3299);
                                 } else {
-                                    phi_5634_ = _e3299;
+                                    phi_5640_ = _e3299;
                                 }
-                                let _e3591 = phi_5634_;
-                                if (_e3300 < 0f) {
-                                    phi_5641_ = -(_e3300);
+                                let _e3595 = phi_5640_;
+                                let _e3597 = (((_e3586 + _e3590) + _e3595) * 0.5f);
+                                if (_e3582 > _e3597) {
+                                    phi_5647_ = _e3582;
                                 } else {
-                                    phi_5641_ = _e3300;
+                                    phi_5647_ = _e3597;
                                 }
-                                let _e3596 = phi_5641_;
-                                let _e3598 = (((_e3587 + _e3591) + _e3596) * 0.5f);
-                                if (_e3583 > _e3598) {
-                                    phi_5648_ = _e3583;
+                                let _e3600 = phi_5647_;
+                                let _e3605 = local.member_3;
+                                let _e3618 = ((((_e3302[0] * _e3227) + (_e3302[1] * _e3230)) + (_e3302[2] * _e3233)) * 3f);
+                                let _e3619 = ((((_e3359[0] * _e3248) + (_e3359[1] * _e3251)) + (_e3359[2] * _e3254)) * 3f);
+                                if (_e3618 < _e3619) {
+                                    phi_5671_ = _e3618;
                                 } else {
-                                    phi_5648_ = _e3598;
+                                    phi_5671_ = _e3619;
                                 }
-                                let _e3601 = phi_5648_;
-                                let _e3606 = local.member_3;
-                                let _e3619 = ((((_e3303[0] * _e3228) + (_e3303[1] * _e3231)) + (_e3303[2] * _e3234)) * 3f);
-                                let _e3620 = ((((_e3360[0] * _e3249) + (_e3360[1] * _e3252)) + (_e3360[2] * _e3255)) * 3f);
-                                if (_e3619 < _e3620) {
-                                    phi_5672_ = _e3619;
+                                let _e3622 = phi_5671_;
+                                if (_e3333 < _e3356) {
+                                    phi_5676_ = _e3333;
                                 } else {
-                                    phi_5672_ = _e3620;
+                                    phi_5676_ = _e3356;
                                 }
-                                let _e3623 = phi_5672_;
-                                if (_e3334 < _e3357) {
-                                    phi_5677_ = _e3334;
+                                let _e3625 = phi_5676_;
+                                if (_e3622 < _e3625) {
+                                    phi_5681_ = _e3622;
                                 } else {
-                                    phi_5677_ = _e3357;
+                                    phi_5681_ = _e3625;
                                 }
-                                let _e3626 = phi_5677_;
-                                if (_e3623 < _e3626) {
-                                    phi_5682_ = _e3623;
+                                let _e3628 = phi_5681_;
+                                if (_e3618 > _e3619) {
+                                    phi_5686_ = _e3618;
                                 } else {
-                                    phi_5682_ = _e3626;
+                                    phi_5686_ = _e3619;
                                 }
-                                let _e3629 = phi_5682_;
-                                if (_e3619 > _e3620) {
-                                    phi_5687_ = _e3619;
+                                let _e3631 = phi_5686_;
+                                if (_e3333 > _e3356) {
+                                    phi_5691_ = _e3333;
                                 } else {
-                                    phi_5687_ = _e3620;
+                                    phi_5691_ = _e3356;
                                 }
-                                let _e3632 = phi_5687_;
-                                if (_e3334 > _e3357) {
-                                    phi_5692_ = _e3334;
+                                let _e3634 = phi_5691_;
+                                if (_e3631 > _e3634) {
+                                    phi_5696_ = _e3631;
                                 } else {
-                                    phi_5692_ = _e3357;
+                                    phi_5696_ = _e3634;
                                 }
-                                let _e3635 = phi_5692_;
-                                if (_e3632 > _e3635) {
-                                    phi_5697_ = _e3632;
+                                let _e3637 = phi_5696_;
+                                let _e3642 = -(_e3637);
+                                if (_e3628 > _e3642) {
+                                    phi_5706_ = _e3628;
                                 } else {
-                                    phi_5697_ = _e3635;
+                                    phi_5706_ = _e3642;
                                 }
-                                let _e3638 = phi_5697_;
-                                let _e3643 = -(_e3638);
-                                if (_e3629 > _e3643) {
-                                    phi_5707_ = _e3629;
+                                let _e3645 = phi_5706_;
+                                let _e3647 = ((_e3645 - ((((((_e3421 * 8f) * _e3531) * (0.000000059604645f * (524f / 64f))) + ((_e3538 * 19f) * ((_e3421 * (_e3475 + _e3529)) + (_e3475 * _e3529)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3421) * ((1f + _e3475) * (1f + _e3529))))) + ((_e91.member_5 * (((_e3600 + (_e3531 * (0.000000059604645f * 8f))) + ((_e3605 * 6f) * (_e3475 + _e3529))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3475) * (1f + _e3529))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3647 {
+                                    phi_6675_ = _e3647;
                                 } else {
-                                    phi_5707_ = _e3643;
-                                }
-                                let _e3646 = phi_5707_;
-                                let _e3648 = ((_e3646 - ((((((_e3422 * 8f) * _e3532) * (0.000000059604645f * (524f / 64f))) + ((_e3539 * 19f) * ((_e3422 * (_e3476 + _e3530)) + (_e3476 * _e3530)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3422) * ((1f + _e3476) * (1f + _e3530))))) + ((_e91.member_5 * (((_e3601 + (_e3532 * (0.000000059604645f * 8f))) + ((_e3606 * 6f) * (_e3476 + _e3530))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3476) * (1f + _e3530))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3648 {
-                                    phi_6676_ = _e3648;
-                                } else {
-                                    let _e3651 = local.member_1[0u];
-                                    let _e3657 = local.member_1[1u];
-                                    let _e3661 = (_e3651[0] + _e3657[0]);
-                                    let _e3662 = (_e3651[1] + _e3657[1]);
-                                    let _e3663 = (_e3651[2] + _e3657[2]);
-                                    let _e3666 = local.member_2[0u];
-                                    let _e3672 = local.member_2[1u];
-                                    let _e3676 = (_e3666[0] + _e3672[0]);
-                                    let _e3677 = (_e3666[1] + _e3672[1]);
-                                    let _e3678 = (_e3666[2] + _e3672[2]);
-                                    let _e3681 = ((_e3662 * _e3678) - (_e3663 * _e3677));
-                                    let _e3684 = ((_e3663 * _e3676) - (_e3661 * _e3678));
-                                    let _e3687 = ((_e3661 * _e3677) - (_e3662 * _e3676));
-                                    let _e3690 = local.member[0u];
-                                    let _e3697 = local.member_1[0u];
-                                    let _e3703 = local.member_2[0u];
-                                    let _e3707 = (_e3690[0] - _e3697[0]);
-                                    let _e3708 = (_e3690[1] - _e3697[1]);
-                                    let _e3709 = (_e3690[2] - _e3697[2]);
-                                    if (_e2990.member == 0u) {
-                                        phi_5823_ = array<f32, 3>(_e3690[0], _e3690[1], _e3690[2]);
-                                    } else {
-                                        phi_5823_ = array<f32, 3>((_e3707 - _e3703[0]), (_e3708 - _e3703[1]), (_e3709 - _e3703[2]));
-                                    }
-                                    let _e3716 = phi_5823_;
-                                    let _e3717 = (_e3690[0] - _e3703[0]);
-                                    let _e3718 = (_e3690[1] - _e3703[1]);
-                                    let _e3719 = (_e3690[2] - _e3703[2]);
-                                    let _e3722 = local.member[1u];
-                                    let _e3729 = local.member_1[1u];
-                                    let _e3735 = local.member_2[1u];
-                                    let _e3739 = (_e3722[0] - _e3729[0]);
-                                    let _e3740 = (_e3722[1] - _e3729[1]);
-                                    let _e3741 = (_e3722[2] - _e3729[2]);
-                                    if (_e2990.member == 0u) {
-                                        phi_5888_ = array<f32, 3>(_e3722[0], _e3722[1], _e3722[2]);
-                                    } else {
-                                        phi_5888_ = array<f32, 3>((_e3739 - _e3735[0]), (_e3740 - _e3735[1]), (_e3741 - _e3735[2]));
-                                    }
-                                    let _e3748 = phi_5888_;
-                                    let _e3749 = (_e3722[0] - _e3735[0]);
-                                    let _e3750 = (_e3722[1] - _e3735[1]);
-                                    let _e3751 = (_e3722[2] - _e3735[2]);
-                                    let _e3754 = local.member[0u];
-                                    if (_e3754[0] < 0f) {
-                                        phi_5910_ = -(_e3754[0]);
-                                    } else {
-                                        phi_5910_ = _e3754[0];
-                                    }
-                                    let _e3761 = phi_5910_;
-                                    if (_e3754[1] < 0f) {
-                                        phi_5917_ = -(_e3754[1]);
-                                    } else {
-                                        phi_5917_ = _e3754[1];
-                                    }
-                                    let _e3765 = phi_5917_;
-                                    if (_e3761 > _e3765) {
-                                        phi_5922_ = _e3761;
-                                    } else {
-                                        phi_5922_ = _e3765;
-                                    }
-                                    let _e3768 = phi_5922_;
-                                    if (_e3754[2] < 0f) {
-                                        phi_5929_ = -(_e3754[2]);
-                                    } else {
-                                        phi_5929_ = _e3754[2];
-                                    }
-                                    let _e3772 = phi_5929_;
-                                    if (_e3768 > _e3772) {
-                                        phi_5934_ = _e3768;
-                                    } else {
-                                        phi_5934_ = _e3772;
+                                    let _e3650 = local.member_1[0u];
+                                    let _e3656 = local.member_1[1u];
+                                    let _e3660 = (_e3650[0] + _e3656[0]);
+                                    let _e3661 = (_e3650[1] + _e3656[1]);
+                                    let _e3662 = (_e3650[2] + _e3656[2]);
+                                    let _e3665 = local.member_2[0u];
+                                    let _e3671 = local.member_2[1u];
+                                    let _e3675 = (_e3665[0] + _e3671[0]);
+                                    let _e3676 = (_e3665[1] + _e3671[1]);
+                                    let _e3677 = (_e3665[2] + _e3671[2]);
+                                    let _e3680 = ((_e3661 * _e3677) - (_e3662 * _e3676));
+                                    let _e3683 = ((_e3662 * _e3675) - (_e3660 * _e3677));
+                                    let _e3686 = ((_e3660 * _e3676) - (_e3661 * _e3675));
+                                    let _e3689 = local.member[0u];
+                                    let _e3696 = local.member_1[0u];
+                                    let _e3702 = local.member_2[0u];
+                                    let _e3706 = (_e3689[0] - _e3696[0]);
+                                    let _e3707 = (_e3689[1] - _e3696[1]);
+                                    let _e3708 = (_e3689[2] - _e3696[2]);
+                                    if (_e2989.member == 0u) {
+                                        phi_5822_ = array<f32, 3>(_e3689[0], _e3689[1], _e3689[2]);
+                                    } else {
+                                        phi_5822_ = array<f32, 3>((_e3706 - _e3702[0]), (_e3707 - _e3702[1]), (_e3708 - _e3702[2]));
+                                    }
+                                    let _e3715 = phi_5822_;
+                                    let _e3716 = (_e3689[0] - _e3702[0]);
+                                    let _e3717 = (_e3689[1] - _e3702[1]);
+                                    let _e3718 = (_e3689[2] - _e3702[2]);
+                                    let _e3721 = local.member[1u];
+                                    let _e3728 = local.member_1[1u];
+                                    let _e3734 = local.member_2[1u];
+                                    let _e3738 = (_e3721[0] - _e3728[0]);
+                                    let _e3739 = (_e3721[1] - _e3728[1]);
+                                    let _e3740 = (_e3721[2] - _e3728[2]);
+                                    if (_e2989.member == 0u) {
+                                        phi_5887_ = array<f32, 3>(_e3721[0], _e3721[1], _e3721[2]);
+                                    } else {
+                                        phi_5887_ = array<f32, 3>((_e3738 - _e3734[0]), (_e3739 - _e3734[1]), (_e3740 - _e3734[2]));
+                                    }
+                                    let _e3747 = phi_5887_;
+                                    let _e3748 = (_e3721[0] - _e3734[0]);
+                                    let _e3749 = (_e3721[1] - _e3734[1]);
+                                    let _e3750 = (_e3721[2] - _e3734[2]);
+                                    let _e3753 = local.member[0u];
+                                    if (_e3753[0] < 0f) {
+                                        phi_5909_ = -(_e3753[0]);
+                                    } else {
+                                        phi_5909_ = _e3753[0];
+                                    }
+                                    let _e3760 = phi_5909_;
+                                    if (_e3753[1] < 0f) {
+                                        phi_5916_ = -(_e3753[1]);
+                                    } else {
+                                        phi_5916_ = _e3753[1];
+                                    }
+                                    let _e3764 = phi_5916_;
+                                    if (_e3760 > _e3764) {
+                                        phi_5921_ = _e3760;
+                                    } else {
+                                        phi_5921_ = _e3764;
+                                    }
+                                    let _e3767 = phi_5921_;
+                                    if (_e3753[2] < 0f) {
+                                        phi_5928_ = -(_e3753[2]);
+                                    } else {
+                                        phi_5928_ = _e3753[2];
+                                    }
+                                    let _e3771 = phi_5928_;
+                                    if (_e3767 > _e3771) {
+                                        phi_5933_ = _e3767;
+                                    } else {
+                                        phi_5933_ = _e3771;
                                     }
-                                    let _e3775 = phi_5934_;
-                                    let _e3778 = local.member[1u];
-                                    if (_e3778[0] < 0f) {
-                                        phi_5947_ = -(_e3778[0]);
+                                    let _e3774 = phi_5933_;
+                                    let _e3777 = local.member[1u];
+                                    if (_e3777[0] < 0f) {
+                                        phi_5946_ = -(_e3777[0]);
                                     } else {
-                                        phi_5947_ = _e3778[0];
+                                        phi_5946_ = _e3777[0];
                                     }
-                                    let _e3785 = phi_5947_;
-                                    if (_e3778[1] < 0f) {
-                                        phi_5954_ = -(_e3778[1]);
+                                    let _e3784 = phi_5946_;
+                                    if (_e3777[1] < 0f) {
+                                        phi_5953_ = -(_e3777[1]);
                                     } else {
-                                        phi_5954_ = _e3778[1];
+                                        phi_5953_ = _e3777[1];
                                     }
-                                    let _e3789 = phi_5954_;
-                                    if (_e3785 > _e3789) {
-                                        phi_5959_ = _e3785;
+                                    let _e3788 = phi_5953_;
+                                    if (_e3784 > _e3788) {
+                                        phi_5958_ = _e3784;
                                     } else {
-                                        phi_5959_ = _e3789;
+                                        phi_5958_ = _e3788;
                                     }
-                                    let _e3792 = phi_5959_;
-                                    if (_e3778[2] < 0f) {
-                                        phi_5966_ = -(_e3778[2]);
+                                    let _e3791 = phi_5958_;
+                                    if (_e3777[2] < 0f) {
+                                        phi_5965_ = -(_e3777[2]);
                                     } else {
-                                        phi_5966_ = _e3778[2];
+                                        phi_5965_ = _e3777[2];
                                     }
-                                    let _e3796 = phi_5966_;
-                                    if (_e3792 > _e3796) {
-                                        phi_5971_ = _e3792;
+                                    let _e3795 = phi_5965_;
+                                    if (_e3791 > _e3795) {
+                                        phi_5970_ = _e3791;
                                     } else {
-                                        phi_5971_ = _e3796;
+                                        phi_5970_ = _e3795;
                                     }
-                                    let _e3799 = phi_5971_;
-                                    if (_e3775 > _e3799) {
-                                        phi_5976_ = _e3775;
+                                    let _e3798 = phi_5970_;
+                                    if (_e3774 > _e3798) {
+                                        phi_5975_ = _e3774;
                                     } else {
-                                        phi_5976_ = _e3799;
+                                        phi_5975_ = _e3798;
                                     }
-                                    let _e3802 = phi_5976_;
-                                    let _e3804 = local.member_3;
-                                    let _e3808 = local.member_1[0u];
-                                    if (_e3808[0] < 0f) {
-                                        phi_5993_ = -(_e3808[0]);
+                                    let _e3801 = phi_5975_;
+                                    let _e3803 = local.member_3;
+                                    let _e3807 = local.member_1[0u];
+                                    if (_e3807[0] < 0f) {
+                                        phi_5992_ = -(_e3807[0]);
                                     } else {
-                                        phi_5993_ = _e3808[0];
+                                        phi_5992_ = _e3807[0];
                                     }
-                                    let _e3815 = phi_5993_;
-                                    if (_e3808[1] < 0f) {
-                                        phi_6000_ = -(_e3808[1]);
+                                    let _e3814 = phi_5992_;
+                                    if (_e3807[1] < 0f) {
+                                        phi_5999_ = -(_e3807[1]);
                                     } else {
-                                        phi_6000_ = _e3808[1];
+                                        phi_5999_ = _e3807[1];
                                     }
-                                    let _e3819 = phi_6000_;
-                                    if (_e3815 > _e3819) {
-                                        phi_6005_ = _e3815;
+                                    let _e3818 = phi_5999_;
+                                    if (_e3814 > _e3818) {
+                                        phi_6004_ = _e3814;
                                     } else {
-                                        phi_6005_ = _e3819;
+                                        phi_6004_ = _e3818;
                                     }
-                                    let _e3822 = phi_6005_;
-                                    if (_e3808[2] < 0f) {
-                                        phi_6012_ = -(_e3808[2]);
+                                    let _e3821 = phi_6004_;
+                                    if (_e3807[2] < 0f) {
+                                        phi_6011_ = -(_e3807[2]);
                                     } else {
-                                        phi_6012_ = _e3808[2];
+                                        phi_6011_ = _e3807[2];
                                     }
-                                    let _e3826 = phi_6012_;
-                                    if (_e3822 > _e3826) {
-                                        phi_6017_ = _e3822;
+                                    let _e3825 = phi_6011_;
+                                    if (_e3821 > _e3825) {
+                                        phi_6016_ = _e3821;
                                     } else {
-                                        phi_6017_ = _e3826;
+                                        phi_6016_ = _e3825;
                                     }
-                                    let _e3829 = phi_6017_;
-                                    let _e3832 = local.member_1[1u];
-                                    if (_e3832[0] < 0f) {
-                                        phi_6031_ = -(_e3832[0]);
+                                    let _e3828 = phi_6016_;
+                                    let _e3831 = local.member_1[1u];
+                                    if (_e3831[0] < 0f) {
+                                        phi_6030_ = -(_e3831[0]);
                                     } else {
-                                        phi_6031_ = _e3832[0];
+                                        phi_6030_ = _e3831[0];
                                     }
-                                    let _e3839 = phi_6031_;
-                                    if (_e3832[1] < 0f) {
-                                        phi_6038_ = -(_e3832[1]);
+                                    let _e3838 = phi_6030_;
+                                    if (_e3831[1] < 0f) {
+                                        phi_6037_ = -(_e3831[1]);
                                     } else {
-                                        phi_6038_ = _e3832[1];
+                                        phi_6037_ = _e3831[1];
                                     }
-                                    let _e3843 = phi_6038_;
-                                    if (_e3839 > _e3843) {
-                                        phi_6043_ = _e3839;
+                                    let _e3842 = phi_6037_;
+                                    if (_e3838 > _e3842) {
+                                        phi_6042_ = _e3838;
                                     } else {
-                                        phi_6043_ = _e3843;
+                                        phi_6042_ = _e3842;
                                     }
-                                    let _e3846 = phi_6043_;
-                                    if (_e3832[2] < 0f) {
-                                        phi_6050_ = -(_e3832[2]);
+                                    let _e3845 = phi_6042_;
+                                    if (_e3831[2] < 0f) {
+                                        phi_6049_ = -(_e3831[2]);
                                     } else {
-                                        phi_6050_ = _e3832[2];
+                                        phi_6049_ = _e3831[2];
                                     }
-                                    let _e3850 = phi_6050_;
-                                    if (_e3846 > _e3850) {
-                                        phi_6055_ = _e3846;
+                                    let _e3849 = phi_6049_;
+                                    if (_e3845 > _e3849) {
+                                        phi_6054_ = _e3845;
                                     } else {
-                                        phi_6055_ = _e3850;
+                                        phi_6054_ = _e3849;
                                     }
-                                    let _e3853 = phi_6055_;
-                                    if (_e3829 > _e3853) {
-                                        phi_6060_ = _e3829;
+                                    let _e3852 = phi_6054_;
+                                    if (_e3828 > _e3852) {
+                                        phi_6059_ = _e3828;
                                     } else {
-                                        phi_6060_ = _e3853;
+                                        phi_6059_ = _e3852;
                                     }
-                                    let _e3856 = phi_6060_;
-                                    let _e3858 = local.member_3;
-                                    let _e3862 = local.member_2[0u];
-                                    if (_e3862[0] < 0f) {
-                                        phi_6077_ = -(_e3862[0]);
+                                    let _e3855 = phi_6059_;
+                                    let _e3857 = local.member_3;
+                                    let _e3861 = local.member_2[0u];
+                                    if (_e3861[0] < 0f) {
+                                        phi_6076_ = -(_e3861[0]);
                                     } else {
-                                        phi_6077_ = _e3862[0];
+                                        phi_6076_ = _e3861[0];
                                     }
-                                    let _e3869 = phi_6077_;
-                                    if (_e3862[1] < 0f) {
-                                        phi_6084_ = -(_e3862[1]);
+                                    let _e3868 = phi_6076_;
+                                    if (_e3861[1] < 0f) {
+                                        phi_6083_ = -(_e3861[1]);
                                     } else {
-                                        phi_6084_ = _e3862[1];
+                                        phi_6083_ = _e3861[1];
                                     }
-                                    let _e3873 = phi_6084_;
-                                    if (_e3869 > _e3873) {
-                                        phi_6089_ = _e3869;
+                                    let _e3872 = phi_6083_;
+                                    if (_e3868 > _e3872) {
+                                        phi_6088_ = _e3868;
                                     } else {
-                                        phi_6089_ = _e3873;
+                                        phi_6088_ = _e3872;
                                     }
-                                    let _e3876 = phi_6089_;
-                                    if (_e3862[2] < 0f) {
-                                        phi_6096_ = -(_e3862[2]);
+                                    let _e3875 = phi_6088_;
+                                    if (_e3861[2] < 0f) {
+                                        phi_6095_ = -(_e3861[2]);
                                     } else {
-                                        phi_6096_ = _e3862[2];
+                                        phi_6095_ = _e3861[2];
                                     }
-                                    let _e3880 = phi_6096_;
-                                    if (_e3876 > _e3880) {
-                                        phi_6101_ = _e3876;
+                                    let _e3879 = phi_6095_;
+                                    if (_e3875 > _e3879) {
+                                        phi_6100_ = _e3875;
                                     } else {
-                                        phi_6101_ = _e3880;
+                                        phi_6100_ = _e3879;
                                     }
-                                    let _e3883 = phi_6101_;
-                                    let _e3886 = local.member_2[1u];
-                                    if (_e3886[0] < 0f) {
-                                        phi_6115_ = -(_e3886[0]);
+                                    let _e3882 = phi_6100_;
+                                    let _e3885 = local.member_2[1u];
+                                    if (_e3885[0] < 0f) {
+                                        phi_6114_ = -(_e3885[0]);
                                     } else {
-                                        phi_6115_ = _e3886[0];
+                                        phi_6114_ = _e3885[0];
                                     }
-                                    let _e3893 = phi_6115_;
-                                    if (_e3886[1] < 0f) {
-                                        phi_6122_ = -(_e3886[1]);
+                                    let _e3892 = phi_6114_;
+                                    if (_e3885[1] < 0f) {
+                                        phi_6121_ = -(_e3885[1]);
                                     } else {
-                                        phi_6122_ = _e3886[1];
+                                        phi_6121_ = _e3885[1];
                                     }
-                                    let _e3897 = phi_6122_;
-                                    if (_e3893 > _e3897) {
-                                        phi_6127_ = _e3893;
+                                    let _e3896 = phi_6121_;
+                                    if (_e3892 > _e3896) {
+                                        phi_6126_ = _e3892;
                                     } else {
-                                        phi_6127_ = _e3897;
+                                        phi_6126_ = _e3896;
                                     }
-                                    let _e3900 = phi_6127_;
-                                    if (_e3886[2] < 0f) {
-                                        phi_6134_ = -(_e3886[2]);
+                                    let _e3899 = phi_6126_;
+                                    if (_e3885[2] < 0f) {
+                                        phi_6133_ = -(_e3885[2]);
                                     } else {
-                                        phi_6134_ = _e3886[2];
+                                        phi_6133_ = _e3885[2];
                                     }
-                                    let _e3904 = phi_6134_;
-                                    if (_e3900 > _e3904) {
-                                        phi_6139_ = _e3900;
+                                    let _e3903 = phi_6133_;
+                                    if (_e3899 > _e3903) {
+                                        phi_6138_ = _e3899;
                                     } else {
-                                        phi_6139_ = _e3904;
+                                        phi_6138_ = _e3903;
                                     }
-                                    let _e3907 = phi_6139_;
-                                    if (_e3883 > _e3907) {
-                                        phi_6144_ = _e3883;
+                                    let _e3906 = phi_6138_;
+                                    if (_e3882 > _e3906) {
+                                        phi_6143_ = _e3882;
                                     } else {
-                                        phi_6144_ = _e3907;
+                                        phi_6143_ = _e3906;
                                     }
-                                    let _e3910 = phi_6144_;
-                                    let _e3912 = local.member_3;
-                                    let _e3916 = ((((_e3802 + _e3804) + (_e3856 + _e3858)) + (_e3910 + _e3912)) * 2f);
-                                    let _e3919 = local.member_3;
-                                    let _e3923 = (((_e91.member_5 * 1.0001f) + (_e3919 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3926 = ((_e3684 * _e3663) - (_e3687 * _e3662));
-                                    let _e3929 = ((_e3687 * _e3661) - (_e3681 * _e3663));
-                                    let _e3932 = ((_e3681 * _e3662) - (_e3684 * _e3661));
-                                    let _e3937 = (((_e3926 * _e3690[0]) + (_e3929 * _e3690[1])) + (_e3932 * _e3690[2]));
-                                    let _e3942 = (((_e3926 * _e3707) + (_e3929 * _e3708)) + (_e3932 * _e3709));
-                                    let _e3947 = (((_e3926 * _e3717) + (_e3929 * _e3718)) + (_e3932 * _e3719));
-                                    let _e3955 = (((_e3926 * _e3716[0]) + (_e3929 * _e3716[1])) + (_e3932 * _e3716[2]));
-                                    let _e3960 = (((_e3926 * _e3722[0]) + (_e3929 * _e3722[1])) + (_e3932 * _e3722[2]));
-                                    let _e3965 = (((_e3926 * _e3739) + (_e3929 * _e3740)) + (_e3932 * _e3741));
-                                    let _e3970 = (((_e3926 * _e3749) + (_e3929 * _e3750)) + (_e3932 * _e3751));
-                                    let _e3978 = (((_e3926 * _e3748[0]) + (_e3929 * _e3748[1])) + (_e3932 * _e3748[2]));
-                                    if (_e3937 < _e3942) {
-                                        phi_6223_ = _e3937;
+                                    let _e3909 = phi_6143_;
+                                    let _e3911 = local.member_3;
+                                    let _e3915 = ((((_e3801 + _e3803) + (_e3855 + _e3857)) + (_e3909 + _e3911)) * 2f);
+                                    let _e3918 = local.member_3;
+                                    let _e3922 = (((_e91.member_5 * 1.0001f) + (_e3918 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3925 = ((_e3683 * _e3662) - (_e3686 * _e3661));
+                                    let _e3928 = ((_e3686 * _e3660) - (_e3680 * _e3662));
+                                    let _e3931 = ((_e3680 * _e3661) - (_e3683 * _e3660));
+                                    let _e3936 = (((_e3925 * _e3689[0]) + (_e3928 * _e3689[1])) + (_e3931 * _e3689[2]));
+                                    let _e3941 = (((_e3925 * _e3706) + (_e3928 * _e3707)) + (_e3931 * _e3708));
+                                    let _e3946 = (((_e3925 * _e3716) + (_e3928 * _e3717)) + (_e3931 * _e3718));
+                                    let _e3954 = (((_e3925 * _e3715[0]) + (_e3928 * _e3715[1])) + (_e3931 * _e3715[2]));
+                                    let _e3959 = (((_e3925 * _e3721[0]) + (_e3928 * _e3721[1])) + (_e3931 * _e3721[2]));
+                                    let _e3964 = (((_e3925 * _e3738) + (_e3928 * _e3739)) + (_e3931 * _e3740));
+                                    let _e3969 = (((_e3925 * _e3748) + (_e3928 * _e3749)) + (_e3931 * _e3750));
+                                    let _e3977 = (((_e3925 * _e3747[0]) + (_e3928 * _e3747[1])) + (_e3931 * _e3747[2]));
+                                    if (_e3936 < _e3941) {
+                                        phi_6222_ = _e3936;
                                     } else {
-                                        phi_6223_ = _e3942;
+                                        phi_6222_ = _e3941;
                                     }
-                                    let _e3981 = phi_6223_;
-                                    if (_e3947 < _e3955) {
-                                        phi_6228_ = _e3947;
+                                    let _e3980 = phi_6222_;
+                                    if (_e3946 < _e3954) {
+                                        phi_6227_ = _e3946;
                                     } else {
-                                        phi_6228_ = _e3955;
+                                        phi_6227_ = _e3954;
                                     }
-                                    let _e3984 = phi_6228_;
-                                    if (_e3981 < _e3984) {
-                                        phi_6233_ = _e3981;
+                                    let _e3983 = phi_6227_;
+                                    if (_e3980 < _e3983) {
+                                        phi_6232_ = _e3980;
                                     } else {
-                                        phi_6233_ = _e3984;
+                                        phi_6232_ = _e3983;
                                     }
-                                    let _e3987 = phi_6233_;
-                                    if (_e3960 < _e3965) {
-                                        phi_6238_ = _e3960;
+                                    let _e3986 = phi_6232_;
+                                    if (_e3959 < _e3964) {
+                                        phi_6237_ = _e3959;
                                     } else {
-                                        phi_6238_ = _e3965;
+                                        phi_6237_ = _e3964;
                                     }
-                                    let _e3990 = phi_6238_;
-                                    if (_e3970 < _e3978) {
-                                        phi_6243_ = _e3970;
+                                    let _e3989 = phi_6237_;
+                                    if (_e3969 < _e3977) {
+                                        phi_6242_ = _e3969;
                                     } else {
-                                        phi_6243_ = _e3978;
+                                        phi_6242_ = _e3977;
                                     }
-                                    let _e3993 = phi_6243_;
-                                    if (_e3990 < _e3993) {
-                                        phi_6248_ = _e3990;
+                                    let _e3992 = phi_6242_;
+                                    if (_e3989 < _e3992) {
+                                        phi_6247_ = _e3989;
                                     } else {
-                                        phi_6248_ = _e3993;
+                                        phi_6247_ = _e3992;
                                     }
-                                    let _e3996 = phi_6248_;
-                                    if (_e3987 < _e3996) {
-                                        phi_6253_ = _e3987;
+                                    let _e3995 = phi_6247_;
+                                    if (_e3986 < _e3995) {
+                                        phi_6252_ = _e3986;
                                     } else {
-                                        phi_6253_ = _e3996;
+                                        phi_6252_ = _e3995;
                                     }
-                                    let _e3999 = phi_6253_;
-                                    if (_e3937 > _e3942) {
-                                        phi_6258_ = _e3937;
+                                    let _e3998 = phi_6252_;
+                                    if (_e3936 > _e3941) {
+                                        phi_6257_ = _e3936;
                                     } else {
-                                        phi_6258_ = _e3942;
+                                        phi_6257_ = _e3941;
                                     }
-                                    let _e4002 = phi_6258_;
-                                    if (_e3947 > _e3955) {
-                                        phi_6263_ = _e3947;
+                                    let _e4001 = phi_6257_;
+                                    if (_e3946 > _e3954) {
+                                        phi_6262_ = _e3946;
                                     } else {
-                                        phi_6263_ = _e3955;
+                                        phi_6262_ = _e3954;
                                     }
-                                    let _e4005 = phi_6263_;
-                                    if (_e4002 > _e4005) {
-                                        phi_6268_ = _e4002;
+                                    let _e4004 = phi_6262_;
+                                    if (_e4001 > _e4004) {
+                                        phi_6267_ = _e4001;
                                     } else {
-                                        phi_6268_ = _e4005;
+                                        phi_6267_ = _e4004;
                                     }
-                                    let _e4008 = phi_6268_;
-                                    if (_e3960 > _e3965) {
-                                        phi_6273_ = _e3960;
+                                    let _e4007 = phi_6267_;
+                                    if (_e3959 > _e3964) {
+                                        phi_6272_ = _e3959;
                                     } else {
-                                        phi_6273_ = _e3965;
+                                        phi_6272_ = _e3964;
                                     }
-                                    let _e4011 = phi_6273_;
-                                    if (_e3970 > _e3978) {
-                                        phi_6278_ = _e3970;
+                                    let _e4010 = phi_6272_;
+                                    if (_e3969 > _e3977) {
+                                        phi_6277_ = _e3969;
                                     } else {
-                                        phi_6278_ = _e3978;
+                                        phi_6277_ = _e3977;
                                     }
-                                    let _e4014 = phi_6278_;
-                                    if (_e4011 > _e4014) {
-                                        phi_6283_ = _e4011;
+                                    let _e4013 = phi_6277_;
+                                    if (_e4010 > _e4013) {
+                                        phi_6282_ = _e4010;
                                     } else {
-                                        phi_6283_ = _e4014;
+                                        phi_6282_ = _e4013;
                                     }
-                                    let _e4017 = phi_6283_;
-                                    if (_e4008 > _e4017) {
-                                        phi_6288_ = _e4008;
+                                    let _e4016 = phi_6282_;
+                                    if (_e4007 > _e4016) {
+                                        phi_6287_ = _e4007;
                                     } else {
-                                        phi_6288_ = _e4017;
+                                        phi_6287_ = _e4016;
                                     }
-                                    let _e4020 = phi_6288_;
-                                    if (_e3926 < 0f) {
-                                        phi_6294_ = -(_e3926);
+                                    let _e4019 = phi_6287_;
+                                    if (_e3925 < 0f) {
+                                        phi_6293_ = -(_e3925);
                                     } else {
-                                        phi_6294_ = _e3926;
+                                        phi_6293_ = _e3925;
                                     }
-                                    let _e4024 = phi_6294_;
-                                    if (_e3929 < 0f) {
-                                        phi_6300_ = -(_e3929);
+                                    let _e4023 = phi_6293_;
+                                    if (_e3928 < 0f) {
+                                        phi_6299_ = -(_e3928);
                                     } else {
-                                        phi_6300_ = _e3929;
+                                        phi_6299_ = _e3928;
                                     }
-                                    let _e4028 = phi_6300_;
-                                    if (_e3932 < 0f) {
-                                        phi_6307_ = -(_e3932);
+                                    let _e4027 = phi_6299_;
+                                    if (_e3931 < 0f) {
+                                        phi_6306_ = -(_e3931);
                                     } else {
-                                        phi_6307_ = _e3932;
+                                        phi_6306_ = _e3931;
                                     }
-                                    let _e4033 = phi_6307_;
-                                    let _e4034 = ((_e4024 + _e4028) + _e4033);
-                                    let _e4039 = -(_e4020);
-                                    if (_e3999 > _e4039) {
-                                        phi_6318_ = _e3999;
+                                    let _e4032 = phi_6306_;
+                                    let _e4033 = ((_e4023 + _e4027) + _e4032);
+                                    let _e4038 = -(_e4019);
+                                    if (_e3998 > _e4038) {
+                                        phi_6317_ = _e3998;
                                     } else {
-                                        phi_6318_ = _e4039;
+                                        phi_6317_ = _e4038;
                                     }
-                                    let _e4042 = phi_6318_;
-                                    let _e4047 = (((_e4042 - ((_e4034 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4034 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e4050 = ((_e3684 * _e3678) - (_e3687 * _e3677));
-                                    let _e4053 = ((_e3687 * _e3676) - (_e3681 * _e3678));
-                                    let _e4056 = ((_e3681 * _e3677) - (_e3684 * _e3676));
-                                    let _e4061 = (((_e4050 * _e3690[0]) + (_e4053 * _e3690[1])) + (_e4056 * _e3690[2]));
-                                    let _e4066 = (((_e4050 * _e3707) + (_e4053 * _e3708)) + (_e4056 * _e3709));
-                                    let _e4071 = (((_e4050 * _e3717) + (_e4053 * _e3718)) + (_e4056 * _e3719));
-                                    let _e4079 = (((_e4050 * _e3716[0]) + (_e4053 * _e3716[1])) + (_e4056 * _e3716[2]));
-                                    let _e4084 = (((_e4050 * _e3722[0]) + (_e4053 * _e3722[1])) + (_e4056 * _e3722[2]));
-                                    let _e4089 = (((_e4050 * _e3739) + (_e4053 * _e3740)) + (_e4056 * _e3741));
-                                    let _e4094 = (((_e4050 * _e3749) + (_e4053 * _e3750)) + (_e4056 * _e3751));
-                                    let _e4102 = (((_e4050 * _e3748[0]) + (_e4053 * _e3748[1])) + (_e4056 * _e3748[2]));
-                                    if (_e4061 < _e4066) {
-                                        phi_6389_ = _e4061;
+                                    let _e4041 = phi_6317_;
+                                    let _e4046 = (((_e4041 - ((_e4033 * _e3915) * (0.000000059604645f * (17f / 2f)))) - (_e4033 * _e3922)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4049 = ((_e3683 * _e3677) - (_e3686 * _e3676));
+                                    let _e4052 = ((_e3686 * _e3675) - (_e3680 * _e3677));
+                                    let _e4055 = ((_e3680 * _e3676) - (_e3683 * _e3675));
+                                    let _e4060 = (((_e4049 * _e3689[0]) + (_e4052 * _e3689[1])) + (_e4055 * _e3689[2]));
+                                    let _e4065 = (((_e4049 * _e3706) + (_e4052 * _e3707)) + (_e4055 * _e3708));
+                                    let _e4070 = (((_e4049 * _e3716) + (_e4052 * _e3717)) + (_e4055 * _e3718));
+                                    let _e4078 = (((_e4049 * _e3715[0]) + (_e4052 * _e3715[1])) + (_e4055 * _e3715[2]));
+                                    let _e4083 = (((_e4049 * _e3721[0]) + (_e4052 * _e3721[1])) + (_e4055 * _e3721[2]));
+                                    let _e4088 = (((_e4049 * _e3738) + (_e4052 * _e3739)) + (_e4055 * _e3740));
+                                    let _e4093 = (((_e4049 * _e3748) + (_e4052 * _e3749)) + (_e4055 * _e3750));
+                                    let _e4101 = (((_e4049 * _e3747[0]) + (_e4052 * _e3747[1])) + (_e4055 * _e3747[2]));
+                                    if (_e4060 < _e4065) {
+                                        phi_6388_ = _e4060;
                                     } else {
-                                        phi_6389_ = _e4066;
+                                        phi_6388_ = _e4065;
                                     }
-                                    let _e4105 = phi_6389_;
-                                    if (_e4071 < _e4079) {
-                                        phi_6394_ = _e4071;
+                                    let _e4104 = phi_6388_;
+                                    if (_e4070 < _e4078) {
+                                        phi_6393_ = _e4070;
                                     } else {
-                                        phi_6394_ = _e4079;
+                                        phi_6393_ = _e4078;
                                     }
-                                    let _e4108 = phi_6394_;
-                                    if (_e4105 < _e4108) {
-                                        phi_6399_ = _e4105;
+                                    let _e4107 = phi_6393_;
+                                    if (_e4104 < _e4107) {
+                                        phi_6398_ = _e4104;
                                     } else {
-                                        phi_6399_ = _e4108;
+                                        phi_6398_ = _e4107;
                                     }
-                                    let _e4111 = phi_6399_;
-                                    if (_e4084 < _e4089) {
-                                        phi_6404_ = _e4084;
+                                    let _e4110 = phi_6398_;
+                                    if (_e4083 < _e4088) {
+                                        phi_6403_ = _e4083;
                                     } else {
-                                        phi_6404_ = _e4089;
+                                        phi_6403_ = _e4088;
                                     }
-                                    let _e4114 = phi_6404_;
-                                    if (_e4094 < _e4102) {
-                                        phi_6409_ = _e4094;
+                                    let _e4113 = phi_6403_;
+                                    if (_e4093 < _e4101) {
+                                        phi_6408_ = _e4093;
                                     } else {
-                                        phi_6409_ = _e4102;
+                                        phi_6408_ = _e4101;
                                     }
-                                    let _e4117 = phi_6409_;
-                                    if (_e4114 < _e4117) {
-                                        phi_6414_ = _e4114;
+                                    let _e4116 = phi_6408_;
+                                    if (_e4113 < _e4116) {
+                                        phi_6413_ = _e4113;
                                     } else {
-                                        phi_6414_ = _e4117;
+                                        phi_6413_ = _e4116;
                                     }
-                                    let _e4120 = phi_6414_;
-                                    if (_e4111 < _e4120) {
-                                        phi_6419_ = _e4111;
+                                    let _e4119 = phi_6413_;
+                                    if (_e4110 < _e4119) {
+                                        phi_6418_ = _e4110;
                                     } else {
-                                        phi_6419_ = _e4120;
+                                        phi_6418_ = _e4119;
                                     }
-                                    let _e4123 = phi_6419_;
-                                    if (_e4061 > _e4066) {
-                                        phi_6424_ = _e4061;
+                                    let _e4122 = phi_6418_;
+                                    if (_e4060 > _e4065) {
+                                        phi_6423_ = _e4060;
                                     } else {
-                                        phi_6424_ = _e4066;
+                                        phi_6423_ = _e4065;
                                     }
-                                    let _e4126 = phi_6424_;
-                                    if (_e4071 > _e4079) {
-                                        phi_6429_ = _e4071;
+                                    let _e4125 = phi_6423_;
+                                    if (_e4070 > _e4078) {
+                                        phi_6428_ = _e4070;
                                     } else {
-                                        phi_6429_ = _e4079;
+                                        phi_6428_ = _e4078;
                                     }
-                                    let _e4129 = phi_6429_;
-                                    if (_e4126 > _e4129) {
-                                        phi_6434_ = _e4126;
+                                    let _e4128 = phi_6428_;
+                                    if (_e4125 > _e4128) {
+                                        phi_6433_ = _e4125;
                                     } else {
-                                        phi_6434_ = _e4129;
+                                        phi_6433_ = _e4128;
                                     }
-                                    let _e4132 = phi_6434_;
-                                    if (_e4084 > _e4089) {
-                                        phi_6439_ = _e4084;
+                                    let _e4131 = phi_6433_;
+                                    if (_e4083 > _e4088) {
+                                        phi_6438_ = _e4083;
                                     } else {
-                                        phi_6439_ = _e4089;
+                                        phi_6438_ = _e4088;
                                     }
-                                    let _e4135 = phi_6439_;
-                                    if (_e4094 > _e4102) {
-                                        phi_6444_ = _e4094;
+                                    let _e4134 = phi_6438_;
+                                    if (_e4093 > _e4101) {
+                                        phi_6443_ = _e4093;
                                     } else {
-                                        phi_6444_ = _e4102;
+                                        phi_6443_ = _e4101;
                                     }
-                                    let _e4138 = phi_6444_;
-                                    if (_e4135 > _e4138) {
-                                        phi_6449_ = _e4135;
+                                    let _e4137 = phi_6443_;
+                                    if (_e4134 > _e4137) {
+                                        phi_6448_ = _e4134;
                                     } else {
-                                        phi_6449_ = _e4138;
+                                        phi_6448_ = _e4137;
                                     }
-                                    let _e4141 = phi_6449_;
-                                    if (_e4132 > _e4141) {
-                                        phi_6454_ = _e4132;
+                                    let _e4140 = phi_6448_;
+                                    if (_e4131 > _e4140) {
+                                        phi_6453_ = _e4131;
                                     } else {
-                                        phi_6454_ = _e4141;
+                                        phi_6453_ = _e4140;
                                     }
-                                    let _e4144 = phi_6454_;
-                                    if (_e4050 < 0f) {
-                                        phi_6460_ = -(_e4050);
+                                    let _e4143 = phi_6453_;
+                                    if (_e4049 < 0f) {
+                                        phi_6459_ = -(_e4049);
                                     } else {
-                                        phi_6460_ = _e4050;
+                                        phi_6459_ = _e4049;
                                     }
-                                    let _e4148 = phi_6460_;
-                                    if (_e4053 < 0f) {
-                                        phi_6466_ = -(_e4053);
+                                    let _e4147 = phi_6459_;
+                                    if (_e4052 < 0f) {
+                                        phi_6465_ = -(_e4052);
                                     } else {
-                                        phi_6466_ = _e4053;
+                                        phi_6465_ = _e4052;
                                     }
-                                    let _e4152 = phi_6466_;
-                                    if (_e4056 < 0f) {
-                                        phi_6473_ = -(_e4056);
+                                    let _e4151 = phi_6465_;
+                                    if (_e4055 < 0f) {
+                                        phi_6472_ = -(_e4055);
                                     } else {
-                                        phi_6473_ = _e4056;
+                                        phi_6472_ = _e4055;
                                     }
-                                    let _e4157 = phi_6473_;
-                                    let _e4158 = ((_e4148 + _e4152) + _e4157);
-                                    let _e4163 = -(_e4144);
-                                    if (_e4123 > _e4163) {
-                                        phi_6484_ = _e4123;
+                                    let _e4156 = phi_6472_;
+                                    let _e4157 = ((_e4147 + _e4151) + _e4156);
+                                    let _e4162 = -(_e4143);
+                                    if (_e4122 > _e4162) {
+                                        phi_6483_ = _e4122;
                                     } else {
-                                        phi_6484_ = _e4163;
+                                        phi_6483_ = _e4162;
                                     }
-                                    let _e4166 = phi_6484_;
-                                    let _e4171 = (((_e4166 - ((_e4158 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4158 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e4047 > _e4171) {
-                                        phi_6494_ = _e4047;
+                                    let _e4165 = phi_6483_;
+                                    let _e4170 = (((_e4165 - ((_e4157 * _e3915) * (0.000000059604645f * (17f / 2f)))) - (_e4157 * _e3922)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4046 > _e4170) {
+                                        phi_6493_ = _e4046;
                                     } else {
-                                        phi_6494_ = _e4171;
+                                        phi_6493_ = _e4170;
                                     }
-                                    let _e4174 = phi_6494_;
-                                    if (_e2990.member == 0u) {
+                                    let _e4173 = phi_6493_;
+                                    if (_e2989.member == 0u) {
+                                        let _e4175 = (_e3675 - _e3660);
                                         let _e4176 = (_e3676 - _e3661);
                                         let _e4177 = (_e3677 - _e3662);
-                                        let _e4178 = (_e3678 - _e3663);
-                                        let _e4181 = ((_e3684 * _e4178) - (_e3687 * _e4177));
-                                        let _e4184 = ((_e3687 * _e4176) - (_e3681 * _e4178));
-                                        let _e4187 = ((_e3681 * _e4177) - (_e3684 * _e4176));
-                                        let _e4192 = (((_e4181 * _e3690[0]) + (_e4184 * _e3690[1])) + (_e4187 * _e3690[2]));
-                                        let _e4197 = (((_e4181 * _e3707) + (_e4184 * _e3708)) + (_e4187 * _e3709));
-                                        let _e4202 = (((_e4181 * _e3717) + (_e4184 * _e3718)) + (_e4187 * _e3719));
-                                        let _e4210 = (((_e4181 * _e3716[0]) + (_e4184 * _e3716[1])) + (_e4187 * _e3716[2]));
-                                        let _e4215 = (((_e4181 * _e3722[0]) + (_e4184 * _e3722[1])) + (_e4187 * _e3722[2]));
-                                        let _e4220 = (((_e4181 * _e3739) + (_e4184 * _e3740)) + (_e4187 * _e3741));
-                                        let _e4225 = (((_e4181 * _e3749) + (_e4184 * _e3750)) + (_e4187 * _e3751));
-                                        let _e4233 = (((_e4181 * _e3748[0]) + (_e4184 * _e3748[1])) + (_e4187 * _e3748[2]));
-                                        if (_e4192 < _e4197) {
-                                            phi_6567_ = _e4192;
+                                        let _e4180 = ((_e3683 * _e4177) - (_e3686 * _e4176));
+                                        let _e4183 = ((_e3686 * _e4175) - (_e3680 * _e4177));
+                                        let _e4186 = ((_e3680 * _e4176) - (_e3683 * _e4175));
+                                        let _e4191 = (((_e4180 * _e3689[0]) + (_e4183 * _e3689[1])) + (_e4186 * _e3689[2]));
+                                        let _e4196 = (((_e4180 * _e3706) + (_e4183 * _e3707)) + (_e4186 * _e3708));
+                                        let _e4201 = (((_e4180 * _e3716) + (_e4183 * _e3717)) + (_e4186 * _e3718));
+                                        let _e4209 = (((_e4180 * _e3715[0]) + (_e4183 * _e3715[1])) + (_e4186 * _e3715[2]));
+                                        let _e4214 = (((_e4180 * _e3721[0]) + (_e4183 * _e3721[1])) + (_e4186 * _e3721[2]));
+                                        let _e4219 = (((_e4180 * _e3738) + (_e4183 * _e3739)) + (_e4186 * _e3740));
+                                        let _e4224 = (((_e4180 * _e3748) + (_e4183 * _e3749)) + (_e4186 * _e3750));
+                                        let _e4232 = (((_e4180 * _e3747[0]) + (_e4183 * _e3747[1])) + (_e4186 * _e3747[2]));
+                                        if (_e4191 < _e4196) {
+                                            phi_6566_ = _e4191;
                                         } else {
-                                            phi_6567_ = _e4197;
+                                            phi_6566_ = _e4196;
                                         }
-                                        let _e4236 = phi_6567_;
-                                        if (_e4202 < _e4210) {
-                                            phi_6572_ = _e4202;
+                                        let _e4235 = phi_6566_;
+                                        if (_e4201 < _e4209) {
+                                            phi_6571_ = _e4201;
                                         } else {
-                                            phi_6572_ = _e4210;
+                                            phi_6571_ = _e4209;
                                         }
-                                        let _e4239 = phi_6572_;
-                                        if (_e4236 < _e4239) {
-                                            phi_6577_ = _e4236;
+                                        let _e4238 = phi_6571_;
+                                        if (_e4235 < _e4238) {
+                                            phi_6576_ = _e4235;
                                         } else {
-                                            phi_6577_ = _e4239;
+                                            phi_6576_ = _e4238;
                                         }
-                                        let _e4242 = phi_6577_;
-                                        if (_e4215 < _e4220) {
-                                            phi_6582_ = _e4215;
+                                        let _e4241 = phi_6576_;
+                                        if (_e4214 < _e4219) {
+                                            phi_6581_ = _e4214;
                                         } else {
-                                            phi_6582_ = _e4220;
+                                            phi_6581_ = _e4219;
                                         }
-                                        let _e4245 = phi_6582_;
-                                        if (_e4225 < _e4233) {
-                                            phi_6587_ = _e4225;
+                                        let _e4244 = phi_6581_;
+                                        if (_e4224 < _e4232) {
+                                            phi_6586_ = _e4224;
                                         } else {
-                                            phi_6587_ = _e4233;
+                                            phi_6586_ = _e4232;
                                         }
-                                        let _e4248 = phi_6587_;
-                                        if (_e4245 < _e4248) {
-                                            phi_6592_ = _e4245;
+                                        let _e4247 = phi_6586_;
+                                        if (_e4244 < _e4247) {
+                                            phi_6591_ = _e4244;
                                         } else {
-                                            phi_6592_ = _e4248;
+                                            phi_6591_ = _e4247;
                                         }
-                                        let _e4251 = phi_6592_;
-                                        if (_e4242 < _e4251) {
-                                            phi_6597_ = _e4242;
+                                        let _e4250 = phi_6591_;
+                                        if (_e4241 < _e4250) {
+                                            phi_6596_ = _e4241;
                                         } else {
-                                            phi_6597_ = _e4251;
+                                            phi_6596_ = _e4250;
                                         }
-                                        let _e4254 = phi_6597_;
-                                        if (_e4192 > _e4197) {
-                                            phi_6602_ = _e4192;
+                                        let _e4253 = phi_6596_;
+                                        if (_e4191 > _e4196) {
+                                            phi_6601_ = _e4191;
                                         } else {
-                                            phi_6602_ = _e4197;
+                                            phi_6601_ = _e4196;
                                         }
-                                        let _e4257 = phi_6602_;
-                                        if (_e4202 > _e4210) {
-                                            phi_6607_ = _e4202;
+                                        let _e4256 = phi_6601_;
+                                        if (_e4201 > _e4209) {
+                                            phi_6606_ = _e4201;
                                         } else {
-                                            phi_6607_ = _e4210;
+                                            phi_6606_ = _e4209;
                                         }
-                                        let _e4260 = phi_6607_;
-                                        if (_e4257 > _e4260) {
-                                            phi_6612_ = _e4257;
+                                        let _e4259 = phi_6606_;
+                                        if (_e4256 > _e4259) {
+                                            phi_6611_ = _e4256;
                                         } else {
-                                            phi_6612_ = _e4260;
+                                            phi_6611_ = _e4259;
                                         }
-                                        let _e4263 = phi_6612_;
-                                        if (_e4215 > _e4220) {
-                                            phi_6617_ = _e4215;
+                                        let _e4262 = phi_6611_;
+                                        if (_e4214 > _e4219) {
+                                            phi_6616_ = _e4214;
                                         } else {
-                                            phi_6617_ = _e4220;
+                                            phi_6616_ = _e4219;
                                         }
-                                        let _e4266 = phi_6617_;
-                                        if (_e4225 > _e4233) {
-                                            phi_6622_ = _e4225;
+                                        let _e4265 = phi_6616_;
+                                        if (_e4224 > _e4232) {
+                                            phi_6621_ = _e4224;
                                         } else {
-                                            phi_6622_ = _e4233;
+                                            phi_6621_ = _e4232;
                                         }
-                                        let _e4269 = phi_6622_;
-                                        if (_e4266 > _e4269) {
-                                            phi_6627_ = _e4266;
+                                        let _e4268 = phi_6621_;
+                                        if (_e4265 > _e4268) {
+                                            phi_6626_ = _e4265;
                                         } else {
-                                            phi_6627_ = _e4269;
+                                            phi_6626_ = _e4268;
                                         }
-                                        let _e4272 = phi_6627_;
-                                        if (_e4263 > _e4272) {
-                                            phi_6632_ = _e4263;
+                                        let _e4271 = phi_6626_;
+                                        if (_e4262 > _e4271) {
+                                            phi_6631_ = _e4262;
                                         } else {
-                                            phi_6632_ = _e4272;
+                                            phi_6631_ = _e4271;
                                         }
-                                        let _e4275 = phi_6632_;
-                                        if (_e4181 < 0f) {
-                                            phi_6638_ = -(_e4181);
+                                        let _e4274 = phi_6631_;
+                                        if (_e4180 < 0f) {
+                                            phi_6637_ = -(_e4180);
                                         } else {
-                                            phi_6638_ = _e4181;
+                                            phi_6637_ = _e4180;
                                         }
-                                        let _e4279 = phi_6638_;
-                                        if (_e4184 < 0f) {
-                                            phi_6644_ = -(_e4184);
+                                        let _e4278 = phi_6637_;
+                                        if (_e4183 < 0f) {
+                                            phi_6643_ = -(_e4183);
                                         } else {
-                                            phi_6644_ = _e4184;
+                                            phi_6643_ = _e4183;
                                         }
-                                        let _e4283 = phi_6644_;
-                                        if (_e4187 < 0f) {
-                                            phi_6651_ = -(_e4187);
+                                        let _e4282 = phi_6643_;
+                                        if (_e4186 < 0f) {
+                                            phi_6650_ = -(_e4186);
                                         } else {
-                                            phi_6651_ = _e4187;
+                                            phi_6650_ = _e4186;
                                         }
-                                        let _e4288 = phi_6651_;
-                                        let _e4289 = ((_e4279 + _e4283) + _e4288);
-                                        let _e4294 = -(_e4275);
-                                        if (_e4254 > _e4294) {
-                                            phi_6662_ = _e4254;
+                                        let _e4287 = phi_6650_;
+                                        let _e4288 = ((_e4278 + _e4282) + _e4287);
+                                        let _e4293 = -(_e4274);
+                                        if (_e4253 > _e4293) {
+                                            phi_6661_ = _e4253;
                                         } else {
-                                            phi_6662_ = _e4294;
+                                            phi_6661_ = _e4293;
                                         }
-                                        let _e4297 = phi_6662_;
-                                        let _e4302 = (((_e4297 - ((_e4289 * _e3916) * (0.000000059604645f * (17f / 2f)))) - (_e4289 * _e3923)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4174 > _e4302) {
-                                            phi_6672_ = _e4174;
+                                        let _e4296 = phi_6661_;
+                                        let _e4301 = (((_e4296 - ((_e4288 * _e3915) * (0.000000059604645f * (17f / 2f)))) - (_e4288 * _e3922)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4173 > _e4301) {
+                                            phi_6671_ = _e4173;
                                         } else {
-                                            phi_6672_ = _e4302;
+                                            phi_6671_ = _e4301;
                                         }
-                                        let _e4305 = phi_6672_;
-                                        phi_6673_ = _e4305;
+                                        let _e4304 = phi_6671_;
+                                        phi_6672_ = _e4304;
                                     } else {
-                                        phi_6673_ = _e4174;
+                                        phi_6672_ = _e4173;
                                     }
-                                    let _e4307 = phi_6673_;
-                                    phi_6676_ = (_e3648 || (_e4307 > 0f));
+                                    let _e4306 = phi_6672_;
+                                    phi_6675_ = (_e3647 || (_e4306 > 0f));
                                 }
-                                let _e4311 = phi_6676_;
-                                if _e4311 {
-                                    let _e4314 = local_1.member_1[0u];
-                                    let _e4320 = local_1.member_2[0u];
-                                    let _e4326 = ((_e4314[1] * _e4320[2]) - (_e4314[2] * _e4320[1]));
-                                    let _e4329 = ((_e4314[2] * _e4320[0]) - (_e4314[0] * _e4320[2]));
-                                    let _e4332 = ((_e4314[0] * _e4320[1]) - (_e4314[1] * _e4320[0]));
-                                    let _e4335 = local_1.member_1[1u];
-                                    let _e4341 = local_1.member_2[1u];
-                                    let _e4347 = ((_e4335[1] * _e4341[2]) - (_e4335[2] * _e4341[1]));
-                                    let _e4350 = ((_e4335[2] * _e4341[0]) - (_e4335[0] * _e4341[2]));
-                                    let _e4353 = ((_e4335[0] * _e4341[1]) - (_e4335[1] * _e4341[0]));
-                                    let _e4356 = local_1.member_1[0u];
-                                    let _e4362 = local_1.member_2[1u];
-                                    let _e4377 = local_1.member_1[1u];
-                                    let _e4383 = local_1.member_2[0u];
-                                    let _e4396 = (((_e4356[1] * _e4362[2]) - (_e4356[2] * _e4362[1])) + ((_e4377[1] * _e4383[2]) - (_e4377[2] * _e4383[1])));
-                                    let _e4397 = (((_e4356[2] * _e4362[0]) - (_e4356[0] * _e4362[2])) + ((_e4377[2] * _e4383[0]) - (_e4377[0] * _e4383[2])));
-                                    let _e4398 = (((_e4356[0] * _e4362[1]) - (_e4356[1] * _e4362[0])) + ((_e4377[0] * _e4383[1]) - (_e4377[1] * _e4383[0])));
-                                    let _e4401 = local_1.member[0u];
-                                    let _e4412 = local_1.member[1u];
-                                    let _e4423 = local_1.member[0u];
-                                    let _e4432 = ((((_e4412[0] * _e4326) + (_e4412[1] * _e4329)) + (_e4412[2] * _e4332)) + (((_e4423[0] * _e4396) + (_e4423[1] * _e4397)) + (_e4423[2] * _e4398)));
-                                    let _e4435 = local_1.member[0u];
-                                    let _e4446 = local_1.member[1u];
-                                    let _e4455 = ((((_e4435[0] * _e4347) + (_e4435[1] * _e4350)) + (_e4435[2] * _e4353)) + (((_e4446[0] * _e4396) + (_e4446[1] * _e4397)) + (_e4446[2] * _e4398)));
-                                    let _e4458 = local_1.member[1u];
-                                    let _e4469 = local_1.member[0u];
-                                    if (_e4469[0] < 0f) {
-                                        phi_6921_ = -(_e4469[0]);
+                                let _e4310 = phi_6675_;
+                                if _e4310 {
+                                    let _e4313 = local_1.member_1[0u];
+                                    let _e4319 = local_1.member_2[0u];
+                                    let _e4325 = ((_e4313[1] * _e4319[2]) - (_e4313[2] * _e4319[1]));
+                                    let _e4328 = ((_e4313[2] * _e4319[0]) - (_e4313[0] * _e4319[2]));
+                                    let _e4331 = ((_e4313[0] * _e4319[1]) - (_e4313[1] * _e4319[0]));
+                                    let _e4334 = local_1.member_1[1u];
+                                    let _e4340 = local_1.member_2[1u];
+                                    let _e4346 = ((_e4334[1] * _e4340[2]) - (_e4334[2] * _e4340[1]));
+                                    let _e4349 = ((_e4334[2] * _e4340[0]) - (_e4334[0] * _e4340[2]));
+                                    let _e4352 = ((_e4334[0] * _e4340[1]) - (_e4334[1] * _e4340[0]));
+                                    let _e4355 = local_1.member_1[0u];
+                                    let _e4361 = local_1.member_2[1u];
+                                    let _e4376 = local_1.member_1[1u];
+                                    let _e4382 = local_1.member_2[0u];
+                                    let _e4395 = (((_e4355[1] * _e4361[2]) - (_e4355[2] * _e4361[1])) + ((_e4376[1] * _e4382[2]) - (_e4376[2] * _e4382[1])));
+                                    let _e4396 = (((_e4355[2] * _e4361[0]) - (_e4355[0] * _e4361[2])) + ((_e4376[2] * _e4382[0]) - (_e4376[0] * _e4382[2])));
+                                    let _e4397 = (((_e4355[0] * _e4361[1]) - (_e4355[1] * _e4361[0])) + ((_e4376[0] * _e4382[1]) - (_e4376[1] * _e4382[0])));
+                                    let _e4400 = local_1.member[0u];
+                                    let _e4411 = local_1.member[1u];
+                                    let _e4422 = local_1.member[0u];
+                                    let _e4431 = ((((_e4411[0] * _e4325) + (_e4411[1] * _e4328)) + (_e4411[2] * _e4331)) + (((_e4422[0] * _e4395) + (_e4422[1] * _e4396)) + (_e4422[2] * _e4397)));
+                                    let _e4434 = local_1.member[0u];
+                                    let _e4445 = local_1.member[1u];
+                                    let _e4454 = ((((_e4434[0] * _e4346) + (_e4434[1] * _e4349)) + (_e4434[2] * _e4352)) + (((_e4445[0] * _e4395) + (_e4445[1] * _e4396)) + (_e4445[2] * _e4397)));
+                                    let _e4457 = local_1.member[1u];
+                                    let _e4468 = local_1.member[0u];
+                                    if (_e4468[0] < 0f) {
+                                        phi_6920_ = -(_e4468[0]);
                                     } else {
-                                        phi_6921_ = _e4469[0];
+                                        phi_6920_ = _e4468[0];
                                     }
-                                    let _e4476 = phi_6921_;
-                                    if (_e4469[1] < 0f) {
-                                        phi_6928_ = -(_e4469[1]);
+                                    let _e4475 = phi_6920_;
+                                    if (_e4468[1] < 0f) {
+                                        phi_6927_ = -(_e4468[1]);
                                     } else {
-                                        phi_6928_ = _e4469[1];
+                                        phi_6927_ = _e4468[1];
                                     }
-                                    let _e4480 = phi_6928_;
-                                    if (_e4476 > _e4480) {
-                                        phi_6933_ = _e4476;
+                                    let _e4479 = phi_6927_;
+                                    if (_e4475 > _e4479) {
+                                        phi_6932_ = _e4475;
                                     } else {
-                                        phi_6933_ = _e4480;
+                                        phi_6932_ = _e4479;
                                     }
-                                    let _e4483 = phi_6933_;
-                                    if (_e4469[2] < 0f) {
-                                        phi_6940_ = -(_e4469[2]);
+                                    let _e4482 = phi_6932_;
+                                    if (_e4468[2] < 0f) {
+                                        phi_6939_ = -(_e4468[2]);
                                     } else {
-                                        phi_6940_ = _e4469[2];
+                                        phi_6939_ = _e4468[2];
                                     }
-                                    let _e4487 = phi_6940_;
-                                    if (_e4483 > _e4487) {
-                                        phi_6945_ = _e4483;
+                                    let _e4486 = phi_6939_;
+                                    if (_e4482 > _e4486) {
+                                        phi_6944_ = _e4482;
                                     } else {
-                                        phi_6945_ = _e4487;
+                                        phi_6944_ = _e4486;
                                     }
-                                    let _e4490 = phi_6945_;
-                                    let _e4493 = local_1.member[1u];
-                                    if (_e4493[0] < 0f) {
-                                        phi_6958_ = -(_e4493[0]);
+                                    let _e4489 = phi_6944_;
+                                    let _e4492 = local_1.member[1u];
+                                    if (_e4492[0] < 0f) {
+                                        phi_6957_ = -(_e4492[0]);
                                     } else {
-                                        phi_6958_ = _e4493[0];
+                                        phi_6957_ = _e4492[0];
                                     }
-                                    let _e4500 = phi_6958_;
-                                    if (_e4493[1] < 0f) {
-                                        phi_6965_ = -(_e4493[1]);
+                                    let _e4499 = phi_6957_;
+                                    if (_e4492[1] < 0f) {
+                                        phi_6964_ = -(_e4492[1]);
                                     } else {
-                                        phi_6965_ = _e4493[1];
+                                        phi_6964_ = _e4492[1];
                                     }
-                                    let _e4504 = phi_6965_;
-                                    if (_e4500 > _e4504) {
-                                        phi_6970_ = _e4500;
+                                    let _e4503 = phi_6964_;
+                                    if (_e4499 > _e4503) {
+                                        phi_6969_ = _e4499;
                                     } else {
-                                        phi_6970_ = _e4504;
+                                        phi_6969_ = _e4503;
                                     }
-                                    let _e4507 = phi_6970_;
-                                    if (_e4493[2] < 0f) {
-                                        phi_6977_ = -(_e4493[2]);
+                                    let _e4506 = phi_6969_;
+                                    if (_e4492[2] < 0f) {
+                                        phi_6976_ = -(_e4492[2]);
                                     } else {
-                                        phi_6977_ = _e4493[2];
+                                        phi_6976_ = _e4492[2];
                                     }
-                                    let _e4511 = phi_6977_;
-                                    if (_e4507 > _e4511) {
-                                        phi_6982_ = _e4507;
+                                    let _e4510 = phi_6976_;
+                                    if (_e4506 > _e4510) {
+                                        phi_6981_ = _e4506;
                                     } else {
-                                        phi_6982_ = _e4511;
+                                        phi_6981_ = _e4510;
                                     }
-                                    let _e4514 = phi_6982_;
-                                    if (_e4490 > _e4514) {
-                                        phi_6987_ = _e4490;
+                                    let _e4513 = phi_6981_;
+                                    if (_e4489 > _e4513) {
+                                        phi_6986_ = _e4489;
                                     } else {
-                                        phi_6987_ = _e4514;
+                                        phi_6986_ = _e4513;
                                     }
-                                    let _e4517 = phi_6987_;
-                                    let _e4519 = local_1.member_3;
-                                    let _e4520 = (_e4517 + _e4519);
-                                    let _e4523 = local_1.member_1[0u];
-                                    if (_e4523[0] < 0f) {
-                                        phi_7004_ = -(_e4523[0]);
+                                    let _e4516 = phi_6986_;
+                                    let _e4518 = local_1.member_3;
+                                    let _e4519 = (_e4516 + _e4518);
+                                    let _e4522 = local_1.member_1[0u];
+                                    if (_e4522[0] < 0f) {
+                                        phi_7003_ = -(_e4522[0]);
                                     } else {
-                                        phi_7004_ = _e4523[0];
+                                        phi_7003_ = _e4522[0];
                                     }
-                                    let _e4530 = phi_7004_;
-                                    if (_e4523[1] < 0f) {
-                                        phi_7011_ = -(_e4523[1]);
+                                    let _e4529 = phi_7003_;
+                                    if (_e4522[1] < 0f) {
+                                        phi_7010_ = -(_e4522[1]);
                                     } else {
-                                        phi_7011_ = _e4523[1];
+                                        phi_7010_ = _e4522[1];
                                     }
-                                    let _e4534 = phi_7011_;
-                                    if (_e4530 > _e4534) {
-                                        phi_7016_ = _e4530;
+                                    let _e4533 = phi_7010_;
+                                    if (_e4529 > _e4533) {
+                                        phi_7015_ = _e4529;
                                     } else {
-                                        phi_7016_ = _e4534;
+                                        phi_7015_ = _e4533;
                                     }
-                                    let _e4537 = phi_7016_;
-                                    if (_e4523[2] < 0f) {
-                                        phi_7023_ = -(_e4523[2]);
+                                    let _e4536 = phi_7015_;
+                                    if (_e4522[2] < 0f) {
+                                        phi_7022_ = -(_e4522[2]);
                                     } else {
-                                        phi_7023_ = _e4523[2];
+                                        phi_7022_ = _e4522[2];
                                     }
-                                    let _e4541 = phi_7023_;
-                                    if (_e4537 > _e4541) {
-                                        phi_7028_ = _e4537;
+                                    let _e4540 = phi_7022_;
+                                    if (_e4536 > _e4540) {
+                                        phi_7027_ = _e4536;
                                     } else {
-                                        phi_7028_ = _e4541;
+                                        phi_7027_ = _e4540;
                                     }
-                                    let _e4544 = phi_7028_;
-                                    let _e4547 = local_1.member_1[1u];
-                                    if (_e4547[0] < 0f) {
-                                        phi_7042_ = -(_e4547[0]);
+                                    let _e4543 = phi_7027_;
+                                    let _e4546 = local_1.member_1[1u];
+                                    if (_e4546[0] < 0f) {
+                                        phi_7041_ = -(_e4546[0]);
                                     } else {
-                                        phi_7042_ = _e4547[0];
+                                        phi_7041_ = _e4546[0];
                                     }
-                                    let _e4554 = phi_7042_;
-                                    if (_e4547[1] < 0f) {
-                                        phi_7049_ = -(_e4547[1]);
+                                    let _e4553 = phi_7041_;
+                                    if (_e4546[1] < 0f) {
+                                        phi_7048_ = -(_e4546[1]);
                                     } else {
-                                        phi_7049_ = _e4547[1];
+                                        phi_7048_ = _e4546[1];
                                     }
-                                    let _e4558 = phi_7049_;
-                                    if (_e4554 > _e4558) {
-                                        phi_7054_ = _e4554;
+                                    let _e4557 = phi_7048_;
+                                    if (_e4553 > _e4557) {
+                                        phi_7053_ = _e4553;
                                     } else {
-                                        phi_7054_ = _e4558;
+                                        phi_7053_ = _e4557;
                                     }
-                                    let _e4561 = phi_7054_;
-                                    if (_e4547[2] < 0f) {
-                                        phi_7061_ = -(_e4547[2]);
+                                    let _e4560 = phi_7053_;
+                                    if (_e4546[2] < 0f) {
+                                        phi_7060_ = -(_e4546[2]);
                                     } else {
-                                        phi_7061_ = _e4547[2];
+                                        phi_7060_ = _e4546[2];
                                     }
-                                    let _e4565 = phi_7061_;
-                                    if (_e4561 > _e4565) {
-                                        phi_7066_ = _e4561;
+                                    let _e4564 = phi_7060_;
+                                    if (_e4560 > _e4564) {
+                                        phi_7065_ = _e4560;
                                     } else {
-                                        phi_7066_ = _e4565;
+                                        phi_7065_ = _e4564;
                                     }
-                                    let _e4568 = phi_7066_;
-                                    if (_e4544 > _e4568) {
-                                        phi_7071_ = _e4544;
+                                    let _e4567 = phi_7065_;
+                                    if (_e4543 > _e4567) {
+                                        phi_7070_ = _e4543;
                                     } else {
-                                        phi_7071_ = _e4568;
+                                        phi_7070_ = _e4567;
                                     }
-                                    let _e4571 = phi_7071_;
-                                    let _e4573 = local_1.member_3;
-                                    let _e4574 = (_e4571 + _e4573);
-                                    let _e4577 = local_1.member_2[0u];
-                                    if (_e4577[0] < 0f) {
-                                        phi_7088_ = -(_e4577[0]);
+                                    let _e4570 = phi_7070_;
+                                    let _e4572 = local_1.member_3;
+                                    let _e4573 = (_e4570 + _e4572);
+                                    let _e4576 = local_1.member_2[0u];
+                                    if (_e4576[0] < 0f) {
+                                        phi_7087_ = -(_e4576[0]);
                                     } else {
-                                        phi_7088_ = _e4577[0];
+                                        phi_7087_ = _e4576[0];
                                     }
-                                    let _e4584 = phi_7088_;
-                                    if (_e4577[1] < 0f) {
-                                        phi_7095_ = -(_e4577[1]);
+                                    let _e4583 = phi_7087_;
+                                    if (_e4576[1] < 0f) {
+                                        phi_7094_ = -(_e4576[1]);
                                     } else {
-                                        phi_7095_ = _e4577[1];
+                                        phi_7094_ = _e4576[1];
                                     }
-                                    let _e4588 = phi_7095_;
-                                    if (_e4584 > _e4588) {
-                                        phi_7100_ = _e4584;
+                                    let _e4587 = phi_7094_;
+                                    if (_e4583 > _e4587) {
+                                        phi_7099_ = _e4583;
                                     } else {
-                                        phi_7100_ = _e4588;
+                                        phi_7099_ = _e4587;
                                     }
-                                    let _e4591 = phi_7100_;
-                                    if (_e4577[2] < 0f) {
-                                        phi_7107_ = -(_e4577[2]);
+                                    let _e4590 = phi_7099_;
+                                    if (_e4576[2] < 0f) {
+                                        phi_7106_ = -(_e4576[2]);
                                     } else {
-                                        phi_7107_ = _e4577[2];
+                                        phi_7106_ = _e4576[2];
                                     }
-                                    let _e4595 = phi_7107_;
-                                    if (_e4591 > _e4595) {
-                                        phi_7112_ = _e4591;
+                                    let _e4594 = phi_7106_;
+                                    if (_e4590 > _e4594) {
+                                        phi_7111_ = _e4590;
                                     } else {
-                                        phi_7112_ = _e4595;
+                                        phi_7111_ = _e4594;
                                     }
-                                    let _e4598 = phi_7112_;
-                                    let _e4601 = local_1.member_2[1u];
-                                    if (_e4601[0] < 0f) {
-                                        phi_7126_ = -(_e4601[0]);
+                                    let _e4597 = phi_7111_;
+                                    let _e4600 = local_1.member_2[1u];
+                                    if (_e4600[0] < 0f) {
+                                        phi_7125_ = -(_e4600[0]);
                                     } else {
-                                        phi_7126_ = _e4601[0];
+                                        phi_7125_ = _e4600[0];
                                     }
-                                    let _e4608 = phi_7126_;
-                                    if (_e4601[1] < 0f) {
-                                        phi_7133_ = -(_e4601[1]);
+                                    let _e4607 = phi_7125_;
+                                    if (_e4600[1] < 0f) {
+                                        phi_7132_ = -(_e4600[1]);
                                     } else {
-                                        phi_7133_ = _e4601[1];
+                                        phi_7132_ = _e4600[1];
                                     }
-                                    let _e4612 = phi_7133_;
-                                    if (_e4608 > _e4612) {
-                                        phi_7138_ = _e4608;
+                                    let _e4611 = phi_7132_;
+                                    if (_e4607 > _e4611) {
+                                        phi_7137_ = _e4607;
                                     } else {
-                                        phi_7138_ = _e4612;
+                                        phi_7137_ = _e4611;
                                     }
-                                    let _e4615 = phi_7138_;
-                                    if (_e4601[2] < 0f) {
-                                        phi_7145_ = -(_e4601[2]);
+                                    let _e4614 = phi_7137_;
+                                    if (_e4600[2] < 0f) {
+                                        phi_7144_ = -(_e4600[2]);
                                     } else {
-                                        phi_7145_ = _e4601[2];
+                                        phi_7144_ = _e4600[2];
                                     }
-                                    let _e4619 = phi_7145_;
-                                    if (_e4615 > _e4619) {
-                                        phi_7150_ = _e4615;
+                                    let _e4618 = phi_7144_;
+                                    if (_e4614 > _e4618) {
+                                        phi_7149_ = _e4614;
                                     } else {
-                                        phi_7150_ = _e4619;
+                                        phi_7149_ = _e4618;
                                     }
-                                    let _e4622 = phi_7150_;
-                                    if (_e4598 > _e4622) {
-                                        phi_7155_ = _e4598;
+                                    let _e4621 = phi_7149_;
+                                    if (_e4597 > _e4621) {
+                                        phi_7154_ = _e4597;
                                     } else {
-                                        phi_7155_ = _e4622;
+                                        phi_7154_ = _e4621;
                                     }
-                                    let _e4625 = phi_7155_;
-                                    let _e4627 = local_1.member_3;
-                                    let _e4628 = (_e4625 + _e4627);
-                                    let _e4630 = ((_e4574 * 8f) * _e4628);
-                                    let _e4637 = local_1.member_3;
-                                    if (_e4326 < 0f) {
-                                        phi_7186_ = -(_e4326);
+                                    let _e4624 = phi_7154_;
+                                    let _e4626 = local_1.member_3;
+                                    let _e4627 = (_e4624 + _e4626);
+                                    let _e4629 = ((_e4573 * 8f) * _e4627);
+                                    let _e4636 = local_1.member_3;
+                                    if (_e4325 < 0f) {
+                                        phi_7185_ = -(_e4325);
                                     } else {
-                                        phi_7186_ = _e4326;
+                                        phi_7185_ = _e4325;
                                     }
-                                    let _e4654 = phi_7186_;
-                                    if (_e4329 < 0f) {
-                                        phi_7192_ = -(_e4329);
+                                    let _e4653 = phi_7185_;
+                                    if (_e4328 < 0f) {
+                                        phi_7191_ = -(_e4328);
                                     } else {
-                                        phi_7192_ = _e4329;
+                                        phi_7191_ = _e4328;
                                     }
-                                    let _e4658 = phi_7192_;
-                                    if (_e4332 < 0f) {
-                                        phi_7199_ = -(_e4332);
+                                    let _e4657 = phi_7191_;
+                                    if (_e4331 < 0f) {
+                                        phi_7198_ = -(_e4331);
                                     } else {
-                                        phi_7199_ = _e4332;
+                                        phi_7198_ = _e4331;
                                     }
-                                    let _e4663 = phi_7199_;
-                                    let _e4664 = ((_e4654 + _e4658) + _e4663);
-                                    if (_e4347 < 0f) {
-                                        phi_7206_ = -(_e4347);
+                                    let _e4662 = phi_7198_;
+                                    let _e4663 = ((_e4653 + _e4657) + _e4662);
+                                    if (_e4346 < 0f) {
+                                        phi_7205_ = -(_e4346);
                                     } else {
-                                        phi_7206_ = _e4347;
+                                        phi_7205_ = _e4346;
                                     }
-                                    let _e4668 = phi_7206_;
-                                    if (_e4350 < 0f) {
-                                        phi_7212_ = -(_e4350);
+                                    let _e4667 = phi_7205_;
+                                    if (_e4349 < 0f) {
+                                        phi_7211_ = -(_e4349);
                                     } else {
-                                        phi_7212_ = _e4350;
+                                        phi_7211_ = _e4349;
                                     }
-                                    let _e4672 = phi_7212_;
-                                    if (_e4353 < 0f) {
-                                        phi_7219_ = -(_e4353);
+                                    let _e4671 = phi_7211_;
+                                    if (_e4352 < 0f) {
+                                        phi_7218_ = -(_e4352);
                                     } else {
-                                        phi_7219_ = _e4353;
+                                        phi_7218_ = _e4352;
                                     }
-                                    let _e4677 = phi_7219_;
-                                    let _e4678 = ((_e4668 + _e4672) + _e4677);
-                                    if (_e4664 > _e4678) {
-                                        phi_7225_ = _e4664;
+                                    let _e4676 = phi_7218_;
+                                    let _e4677 = ((_e4667 + _e4671) + _e4676);
+                                    if (_e4663 > _e4677) {
+                                        phi_7224_ = _e4663;
                                     } else {
-                                        phi_7225_ = _e4678;
+                                        phi_7224_ = _e4677;
                                     }
-                                    let _e4681 = phi_7225_;
+                                    let _e4680 = phi_7224_;
+                                    if (_e4395 < 0f) {
+                                        phi_7230_ = -(_e4395);
+                                    } else {
+                                        phi_7230_ = _e4395;
+                                    }
+                                    let _e4684 = phi_7230_;
                                     if (_e4396 < 0f) {
-                                        phi_7231_ = -(_e4396);
+                                        phi_7236_ = -(_e4396);
                                     } else {
-                                        phi_7231_ = _e4396;
+                                        phi_7236_ = _e4396;
                                     }
-                                    let _e4685 = phi_7231_;
+                                    let _e4688 = phi_7236_;
                                     if (_e4397 < 0f) {
-                                        phi_7237_ = -(_e4397);
+                                        phi_7243_ = -(_e4397);
                                     } else {
-                                        phi_7237_ = _e4397;
+                                        phi_7243_ = _e4397;
                                     }
-                                    let _e4689 = phi_7237_;
-                                    if (_e4398 < 0f) {
-                                        phi_7244_ = -(_e4398);
+                                    let _e4693 = phi_7243_;
+                                    let _e4695 = (((_e4684 + _e4688) + _e4693) * 0.5f);
+                                    if (_e4680 > _e4695) {
+                                        phi_7250_ = _e4680;
                                     } else {
-                                        phi_7244_ = _e4398;
+                                        phi_7250_ = _e4695;
                                     }
-                                    let _e4694 = phi_7244_;
-                                    let _e4696 = (((_e4685 + _e4689) + _e4694) * 0.5f);
-                                    if (_e4681 > _e4696) {
-                                        phi_7251_ = _e4681;
+                                    let _e4698 = phi_7250_;
+                                    let _e4703 = local_1.member_3;
+                                    let _e4716 = ((((_e4400[0] * _e4325) + (_e4400[1] * _e4328)) + (_e4400[2] * _e4331)) * 3f);
+                                    let _e4717 = ((((_e4457[0] * _e4346) + (_e4457[1] * _e4349)) + (_e4457[2] * _e4352)) * 3f);
+                                    if (_e4716 < _e4717) {
+                                        phi_7274_ = _e4716;
                                     } else {
-                                        phi_7251_ = _e4696;
+                                        phi_7274_ = _e4717;
                                     }
-                                    let _e4699 = phi_7251_;
-                                    let _e4704 = local_1.member_3;
-                                    let _e4717 = ((((_e4401[0] * _e4326) + (_e4401[1] * _e4329)) + (_e4401[2] * _e4332)) * 3f);
-                                    let _e4718 = ((((_e4458[0] * _e4347) + (_e4458[1] * _e4350)) + (_e4458[2] * _e4353)) * 3f);
-                                    if (_e4717 < _e4718) {
-                                        phi_7275_ = _e4717;
+                                    let _e4720 = phi_7274_;
+                                    if (_e4431 < _e4454) {
+                                        phi_7279_ = _e4431;
                                     } else {
-                                        phi_7275_ = _e4718;
+                                        phi_7279_ = _e4454;
                                     }
-                                    let _e4721 = phi_7275_;
-                                    if (_e4432 < _e4455) {
-                                        phi_7280_ = _e4432;
+                                    let _e4723 = phi_7279_;
+                                    if (_e4720 < _e4723) {
+                                        phi_7284_ = _e4720;
                                     } else {
-                                        phi_7280_ = _e4455;
+                                        phi_7284_ = _e4723;
                                     }
-                                    let _e4724 = phi_7280_;
-                                    if (_e4721 < _e4724) {
-                                        phi_7285_ = _e4721;
+                                    let _e4726 = phi_7284_;
+                                    if (_e4716 > _e4717) {
+                                        phi_7289_ = _e4716;
                                     } else {
-                                        phi_7285_ = _e4724;
+                                        phi_7289_ = _e4717;
                                     }
-                                    let _e4727 = phi_7285_;
-                                    if (_e4717 > _e4718) {
-                                        phi_7290_ = _e4717;
+                                    let _e4729 = phi_7289_;
+                                    if (_e4431 > _e4454) {
+                                        phi_7294_ = _e4431;
                                     } else {
-                                        phi_7290_ = _e4718;
+                                        phi_7294_ = _e4454;
                                     }
-                                    let _e4730 = phi_7290_;
-                                    if (_e4432 > _e4455) {
-                                        phi_7295_ = _e4432;
+                                    let _e4732 = phi_7294_;
+                                    if (_e4729 > _e4732) {
+                                        phi_7299_ = _e4729;
                                     } else {
-                                        phi_7295_ = _e4455;
+                                        phi_7299_ = _e4732;
                                     }
-                                    let _e4733 = phi_7295_;
-                                    if (_e4730 > _e4733) {
-                                        phi_7300_ = _e4730;
+                                    let _e4735 = phi_7299_;
+                                    let _e4740 = -(_e4735);
+                                    if (_e4726 > _e4740) {
+                                        phi_7309_ = _e4726;
                                     } else {
-                                        phi_7300_ = _e4733;
+                                        phi_7309_ = _e4740;
                                     }
-                                    let _e4736 = phi_7300_;
-                                    let _e4741 = -(_e4736);
-                                    if (_e4727 > _e4741) {
-                                        phi_7310_ = _e4727;
+                                    let _e4743 = phi_7309_;
+                                    let _e4745 = ((_e4743 - ((((((_e4519 * 8f) * _e4629) * (0.000000059604645f * (524f / 64f))) + ((_e4636 * 19f) * ((_e4519 * (_e4573 + _e4627)) + (_e4573 * _e4627)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4519) * ((1f + _e4573) * (1f + _e4627))))) + ((_e91.member_5 * (((_e4698 + (_e4629 * (0.000000059604645f * 8f))) + ((_e4703 * 6f) * (_e4573 + _e4627))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4573) * (1f + _e4627))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4745 {
+                                        phi_8278_ = _e4745;
                                     } else {
-                                        phi_7310_ = _e4741;
-                                    }
-                                    let _e4744 = phi_7310_;
-                                    let _e4746 = ((_e4744 - ((((((_e4520 * 8f) * _e4630) * (0.000000059604645f * (524f / 64f))) + ((_e4637 * 19f) * ((_e4520 * (_e4574 + _e4628)) + (_e4574 * _e4628)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4520) * ((1f + _e4574) * (1f + _e4628))))) + ((_e91.member_5 * (((_e4699 + (_e4630 * (0.000000059604645f * 8f))) + ((_e4704 * 6f) * (_e4574 + _e4628))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4574) * (1f + _e4628))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4746 {
-                                        phi_8279_ = _e4746;
-                                    } else {
-                                        let _e4749 = local_1.member_1[0u];
-                                        let _e4755 = local_1.member_1[1u];
-                                        let _e4759 = (_e4749[0] + _e4755[0]);
-                                        let _e4760 = (_e4749[1] + _e4755[1]);
-                                        let _e4761 = (_e4749[2] + _e4755[2]);
-                                        let _e4764 = local_1.member_2[0u];
-                                        let _e4770 = local_1.member_2[1u];
-                                        let _e4774 = (_e4764[0] + _e4770[0]);
-                                        let _e4775 = (_e4764[1] + _e4770[1]);
-                                        let _e4776 = (_e4764[2] + _e4770[2]);
-                                        let _e4779 = ((_e4760 * _e4776) - (_e4761 * _e4775));
-                                        let _e4782 = ((_e4761 * _e4774) - (_e4759 * _e4776));
-                                        let _e4785 = ((_e4759 * _e4775) - (_e4760 * _e4774));
-                                        let _e4788 = local_1.member[0u];
-                                        let _e4795 = local_1.member_1[0u];
-                                        let _e4801 = local_1.member_2[0u];
-                                        let _e4805 = (_e4788[0] - _e4795[0]);
-                                        let _e4806 = (_e4788[1] - _e4795[1]);
-                                        let _e4807 = (_e4788[2] - _e4795[2]);
-                                        if (_e2990.member == 0u) {
-                                            phi_7426_ = array<f32, 3>(_e4788[0], _e4788[1], _e4788[2]);
-                                        } else {
-                                            phi_7426_ = array<f32, 3>((_e4805 - _e4801[0]), (_e4806 - _e4801[1]), (_e4807 - _e4801[2]));
-                                        }
-                                        let _e4814 = phi_7426_;
-                                        let _e4815 = (_e4788[0] - _e4801[0]);
-                                        let _e4816 = (_e4788[1] - _e4801[1]);
-                                        let _e4817 = (_e4788[2] - _e4801[2]);
-                                        let _e4820 = local_1.member[1u];
-                                        let _e4827 = local_1.member_1[1u];
-                                        let _e4833 = local_1.member_2[1u];
-                                        let _e4837 = (_e4820[0] - _e4827[0]);
-                                        let _e4838 = (_e4820[1] - _e4827[1]);
-                                        let _e4839 = (_e4820[2] - _e4827[2]);
-                                        if (_e2990.member == 0u) {
-                                            phi_7491_ = array<f32, 3>(_e4820[0], _e4820[1], _e4820[2]);
-                                        } else {
-                                            phi_7491_ = array<f32, 3>((_e4837 - _e4833[0]), (_e4838 - _e4833[1]), (_e4839 - _e4833[2]));
-                                        }
-                                        let _e4846 = phi_7491_;
-                                        let _e4847 = (_e4820[0] - _e4833[0]);
-                                        let _e4848 = (_e4820[1] - _e4833[1]);
-                                        let _e4849 = (_e4820[2] - _e4833[2]);
-                                        let _e4852 = local_1.member[0u];
-                                        if (_e4852[0] < 0f) {
-                                            phi_7513_ = -(_e4852[0]);
-                                        } else {
-                                            phi_7513_ = _e4852[0];
-                                        }
-                                        let _e4859 = phi_7513_;
-                                        if (_e4852[1] < 0f) {
-                                            phi_7520_ = -(_e4852[1]);
-                                        } else {
-                                            phi_7520_ = _e4852[1];
-                                        }
-                                        let _e4863 = phi_7520_;
-                                        if (_e4859 > _e4863) {
-                                            phi_7525_ = _e4859;
-                                        } else {
-                                            phi_7525_ = _e4863;
-                                        }
-                                        let _e4866 = phi_7525_;
-                                        if (_e4852[2] < 0f) {
-                                            phi_7532_ = -(_e4852[2]);
-                                        } else {
-                                            phi_7532_ = _e4852[2];
-                                        }
-                                        let _e4870 = phi_7532_;
-                                        if (_e4866 > _e4870) {
-                                            phi_7537_ = _e4866;
-                                        } else {
-                                            phi_7537_ = _e4870;
+                                        let _e4748 = local_1.member_1[0u];
+                                        let _e4754 = local_1.member_1[1u];
+                                        let _e4758 = (_e4748[0] + _e4754[0]);
+                                        let _e4759 = (_e4748[1] + _e4754[1]);
+                                        let _e4760 = (_e4748[2] + _e4754[2]);
+                                        let _e4763 = local_1.member_2[0u];
+                                        let _e4769 = local_1.member_2[1u];
+                                        let _e4773 = (_e4763[0] + _e4769[0]);
+                                        let _e4774 = (_e4763[1] + _e4769[1]);
+                                        let _e4775 = (_e4763[2] + _e4769[2]);
+                                        let _e4778 = ((_e4759 * _e4775) - (_e4760 * _e4774));
+                                        let _e4781 = ((_e4760 * _e4773) - (_e4758 * _e4775));
+                                        let _e4784 = ((_e4758 * _e4774) - (_e4759 * _e4773));
+                                        let _e4787 = local_1.member[0u];
+                                        let _e4794 = local_1.member_1[0u];
+                                        let _e4800 = local_1.member_2[0u];
+                                        let _e4804 = (_e4787[0] - _e4794[0]);
+                                        let _e4805 = (_e4787[1] - _e4794[1]);
+                                        let _e4806 = (_e4787[2] - _e4794[2]);
+                                        if (_e2989.member == 0u) {
+                                            phi_7425_ = array<f32, 3>(_e4787[0], _e4787[1], _e4787[2]);
+                                        } else {
+                                            phi_7425_ = array<f32, 3>((_e4804 - _e4800[0]), (_e4805 - _e4800[1]), (_e4806 - _e4800[2]));
+                                        }
+                                        let _e4813 = phi_7425_;
+                                        let _e4814 = (_e4787[0] - _e4800[0]);
+                                        let _e4815 = (_e4787[1] - _e4800[1]);
+                                        let _e4816 = (_e4787[2] - _e4800[2]);
+                                        let _e4819 = local_1.member[1u];
+                                        let _e4826 = local_1.member_1[1u];
+                                        let _e4832 = local_1.member_2[1u];
+                                        let _e4836 = (_e4819[0] - _e4826[0]);
+                                        let _e4837 = (_e4819[1] - _e4826[1]);
+                                        let _e4838 = (_e4819[2] - _e4826[2]);
+                                        if (_e2989.member == 0u) {
+                                            phi_7490_ = array<f32, 3>(_e4819[0], _e4819[1], _e4819[2]);
+                                        } else {
+                                            phi_7490_ = array<f32, 3>((_e4836 - _e4832[0]), (_e4837 - _e4832[1]), (_e4838 - _e4832[2]));
+                                        }
+                                        let _e4845 = phi_7490_;
+                                        let _e4846 = (_e4819[0] - _e4832[0]);
+                                        let _e4847 = (_e4819[1] - _e4832[1]);
+                                        let _e4848 = (_e4819[2] - _e4832[2]);
+                                        let _e4851 = local_1.member[0u];
+                                        if (_e4851[0] < 0f) {
+                                            phi_7512_ = -(_e4851[0]);
+                                        } else {
+                                            phi_7512_ = _e4851[0];
+                                        }
+                                        let _e4858 = phi_7512_;
+                                        if (_e4851[1] < 0f) {
+                                            phi_7519_ = -(_e4851[1]);
+                                        } else {
+                                            phi_7519_ = _e4851[1];
+                                        }
+                                        let _e4862 = phi_7519_;
+                                        if (_e4858 > _e4862) {
+                                            phi_7524_ = _e4858;
+                                        } else {
+                                            phi_7524_ = _e4862;
+                                        }
+                                        let _e4865 = phi_7524_;
+                                        if (_e4851[2] < 0f) {
+                                            phi_7531_ = -(_e4851[2]);
+                                        } else {
+                                            phi_7531_ = _e4851[2];
+                                        }
+                                        let _e4869 = phi_7531_;
+                                        if (_e4865 > _e4869) {
+                                            phi_7536_ = _e4865;
+                                        } else {
+                                            phi_7536_ = _e4869;
                                         }
-                                        let _e4873 = phi_7537_;
-                                        let _e4876 = local_1.member[1u];
-                                        if (_e4876[0] < 0f) {
-                                            phi_7550_ = -(_e4876[0]);
+                                        let _e4872 = phi_7536_;
+                                        let _e4875 = local_1.member[1u];
+                                        if (_e4875[0] < 0f) {
+                                            phi_7549_ = -(_e4875[0]);
                                         } else {
-                                            phi_7550_ = _e4876[0];
+                                            phi_7549_ = _e4875[0];
                                         }
-                                        let _e4883 = phi_7550_;
-                                        if (_e4876[1] < 0f) {
-                                            phi_7557_ = -(_e4876[1]);
+                                        let _e4882 = phi_7549_;
+                                        if (_e4875[1] < 0f) {
+                                            phi_7556_ = -(_e4875[1]);
                                         } else {
-                                            phi_7557_ = _e4876[1];
+                                            phi_7556_ = _e4875[1];
                                         }
-                                        let _e4887 = phi_7557_;
-                                        if (_e4883 > _e4887) {
-                                            phi_7562_ = _e4883;
+                                        let _e4886 = phi_7556_;
+                                        if (_e4882 > _e4886) {
+                                            phi_7561_ = _e4882;
                                         } else {
-                                            phi_7562_ = _e4887;
+                                            phi_7561_ = _e4886;
                                         }
-                                        let _e4890 = phi_7562_;
-                                        if (_e4876[2] < 0f) {
-                                            phi_7569_ = -(_e4876[2]);
+                                        let _e4889 = phi_7561_;
+                                        if (_e4875[2] < 0f) {
+                                            phi_7568_ = -(_e4875[2]);
                                         } else {
-                                            phi_7569_ = _e4876[2];
+                                            phi_7568_ = _e4875[2];
                                         }
-                                        let _e4894 = phi_7569_;
-                                        if (_e4890 > _e4894) {
-                                            phi_7574_ = _e4890;
+                                        let _e4893 = phi_7568_;
+                                        if (_e4889 > _e4893) {
+                                            phi_7573_ = _e4889;
                                         } else {
-                                            phi_7574_ = _e4894;
+                                            phi_7573_ = _e4893;
                                         }
-                                        let _e4897 = phi_7574_;
-                                        if (_e4873 > _e4897) {
-                                            phi_7579_ = _e4873;
+                                        let _e4896 = phi_7573_;
+                                        if (_e4872 > _e4896) {
+                                            phi_7578_ = _e4872;
                                         } else {
-                                            phi_7579_ = _e4897;
+                                            phi_7578_ = _e4896;
                                         }
-                                        let _e4900 = phi_7579_;
-                                        let _e4902 = local_1.member_3;
-                                        let _e4906 = local_1.member_1[0u];
-                                        if (_e4906[0] < 0f) {
-                                            phi_7596_ = -(_e4906[0]);
+                                        let _e4899 = phi_7578_;
+                                        let _e4901 = local_1.member_3;
+                                        let _e4905 = local_1.member_1[0u];
+                                        if (_e4905[0] < 0f) {
+                                            phi_7595_ = -(_e4905[0]);
                                         } else {
-                                            phi_7596_ = _e4906[0];
+                                            phi_7595_ = _e4905[0];
                                         }
-                                        let _e4913 = phi_7596_;
-                                        if (_e4906[1] < 0f) {
-                                            phi_7603_ = -(_e4906[1]);
+                                        let _e4912 = phi_7595_;
+                                        if (_e4905[1] < 0f) {
+                                            phi_7602_ = -(_e4905[1]);
                                         } else {
-                                            phi_7603_ = _e4906[1];
+                                            phi_7602_ = _e4905[1];
                                         }
-                                        let _e4917 = phi_7603_;
-                                        if (_e4913 > _e4917) {
-                                            phi_7608_ = _e4913;
+                                        let _e4916 = phi_7602_;
+                                        if (_e4912 > _e4916) {
+                                            phi_7607_ = _e4912;
                                         } else {
-                                            phi_7608_ = _e4917;
+                                            phi_7607_ = _e4916;
                                         }
-                                        let _e4920 = phi_7608_;
-                                        if (_e4906[2] < 0f) {
-                                            phi_7615_ = -(_e4906[2]);
+                                        let _e4919 = phi_7607_;
+                                        if (_e4905[2] < 0f) {
+                                            phi_7614_ = -(_e4905[2]);
                                         } else {
-                                            phi_7615_ = _e4906[2];
+                                            phi_7614_ = _e4905[2];
                                         }
-                                        let _e4924 = phi_7615_;
-                                        if (_e4920 > _e4924) {
-                                            phi_7620_ = _e4920;
+                                        let _e4923 = phi_7614_;
+                                        if (_e4919 > _e4923) {
+                                            phi_7619_ = _e4919;
                                         } else {
-                                            phi_7620_ = _e4924;
+                                            phi_7619_ = _e4923;
                                         }
-                                        let _e4927 = phi_7620_;
-                                        let _e4930 = local_1.member_1[1u];
-                                        if (_e4930[0] < 0f) {
-                                            phi_7634_ = -(_e4930[0]);
+                                        let _e4926 = phi_7619_;
+                                        let _e4929 = local_1.member_1[1u];
+                                        if (_e4929[0] < 0f) {
+                                            phi_7633_ = -(_e4929[0]);
                                         } else {
-                                            phi_7634_ = _e4930[0];
+                                            phi_7633_ = _e4929[0];
                                         }
-                                        let _e4937 = phi_7634_;
-                                        if (_e4930[1] < 0f) {
-                                            phi_7641_ = -(_e4930[1]);
+                                        let _e4936 = phi_7633_;
+                                        if (_e4929[1] < 0f) {
+                                            phi_7640_ = -(_e4929[1]);
                                         } else {
-                                            phi_7641_ = _e4930[1];
+                                            phi_7640_ = _e4929[1];
                                         }
-                                        let _e4941 = phi_7641_;
-                                        if (_e4937 > _e4941) {
-                                            phi_7646_ = _e4937;
+                                        let _e4940 = phi_7640_;
+                                        if (_e4936 > _e4940) {
+                                            phi_7645_ = _e4936;
                                         } else {
-                                            phi_7646_ = _e4941;
+                                            phi_7645_ = _e4940;
                                         }
-                                        let _e4944 = phi_7646_;
-                                        if (_e4930[2] < 0f) {
-                                            phi_7653_ = -(_e4930[2]);
+                                        let _e4943 = phi_7645_;
+                                        if (_e4929[2] < 0f) {
+                                            phi_7652_ = -(_e4929[2]);
                                         } else {
-                                            phi_7653_ = _e4930[2];
+                                            phi_7652_ = _e4929[2];
                                         }
-                                        let _e4948 = phi_7653_;
-                                        if (_e4944 > _e4948) {
-                                            phi_7658_ = _e4944;
+                                        let _e4947 = phi_7652_;
+                                        if (_e4943 > _e4947) {
+                                            phi_7657_ = _e4943;
                                         } else {
-                                            phi_7658_ = _e4948;
+                                            phi_7657_ = _e4947;
                                         }
-                                        let _e4951 = phi_7658_;
-                                        if (_e4927 > _e4951) {
-                                            phi_7663_ = _e4927;
+                                        let _e4950 = phi_7657_;
+                                        if (_e4926 > _e4950) {
+                                            phi_7662_ = _e4926;
                                         } else {
-                                            phi_7663_ = _e4951;
+                                            phi_7662_ = _e4950;
                                         }
-                                        let _e4954 = phi_7663_;
-                                        let _e4956 = local_1.member_3;
-                                        let _e4960 = local_1.member_2[0u];
-                                        if (_e4960[0] < 0f) {
-                                            phi_7680_ = -(_e4960[0]);
+                                        let _e4953 = phi_7662_;
+                                        let _e4955 = local_1.member_3;
+                                        let _e4959 = local_1.member_2[0u];
+                                        if (_e4959[0] < 0f) {
+                                            phi_7679_ = -(_e4959[0]);
                                         } else {
-                                            phi_7680_ = _e4960[0];
+                                            phi_7679_ = _e4959[0];
                                         }
-                                        let _e4967 = phi_7680_;
-                                        if (_e4960[1] < 0f) {
-                                            phi_7687_ = -(_e4960[1]);
+                                        let _e4966 = phi_7679_;
+                                        if (_e4959[1] < 0f) {
+                                            phi_7686_ = -(_e4959[1]);
                                         } else {
-                                            phi_7687_ = _e4960[1];
+                                            phi_7686_ = _e4959[1];
                                         }
-                                        let _e4971 = phi_7687_;
-                                        if (_e4967 > _e4971) {
-                                            phi_7692_ = _e4967;
+                                        let _e4970 = phi_7686_;
+                                        if (_e4966 > _e4970) {
+                                            phi_7691_ = _e4966;
                                         } else {
-                                            phi_7692_ = _e4971;
+                                            phi_7691_ = _e4970;
                                         }
-                                        let _e4974 = phi_7692_;
-                                        if (_e4960[2] < 0f) {
-                                            phi_7699_ = -(_e4960[2]);
+                                        let _e4973 = phi_7691_;
+                                        if (_e4959[2] < 0f) {
+                                            phi_7698_ = -(_e4959[2]);
                                         } else {
-                                            phi_7699_ = _e4960[2];
+                                            phi_7698_ = _e4959[2];
                                         }
-                                        let _e4978 = phi_7699_;
-                                        if (_e4974 > _e4978) {
-                                            phi_7704_ = _e4974;
+                                        let _e4977 = phi_7698_;
+                                        if (_e4973 > _e4977) {
+                                            phi_7703_ = _e4973;
                                         } else {
-                                            phi_7704_ = _e4978;
+                                            phi_7703_ = _e4977;
                                         }
-                                        let _e4981 = phi_7704_;
-                                        let _e4984 = local_1.member_2[1u];
-                                        if (_e4984[0] < 0f) {
-                                            phi_7718_ = -(_e4984[0]);
+                                        let _e4980 = phi_7703_;
+                                        let _e4983 = local_1.member_2[1u];
+                                        if (_e4983[0] < 0f) {
+                                            phi_7717_ = -(_e4983[0]);
                                         } else {
-                                            phi_7718_ = _e4984[0];
+                                            phi_7717_ = _e4983[0];
                                         }
-                                        let _e4991 = phi_7718_;
-                                        if (_e4984[1] < 0f) {
-                                            phi_7725_ = -(_e4984[1]);
+                                        let _e4990 = phi_7717_;
+                                        if (_e4983[1] < 0f) {
+                                            phi_7724_ = -(_e4983[1]);
                                         } else {
-                                            phi_7725_ = _e4984[1];
+                                            phi_7724_ = _e4983[1];
                                         }
-                                        let _e4995 = phi_7725_;
-                                        if (_e4991 > _e4995) {
-                                            phi_7730_ = _e4991;
+                                        let _e4994 = phi_7724_;
+                                        if (_e4990 > _e4994) {
+                                            phi_7729_ = _e4990;
                                         } else {
-                                            phi_7730_ = _e4995;
+                                            phi_7729_ = _e4994;
                                         }
-                                        let _e4998 = phi_7730_;
-                                        if (_e4984[2] < 0f) {
-                                            phi_7737_ = -(_e4984[2]);
+                                        let _e4997 = phi_7729_;
+                                        if (_e4983[2] < 0f) {
+                                            phi_7736_ = -(_e4983[2]);
                                         } else {
-                                            phi_7737_ = _e4984[2];
+                                            phi_7736_ = _e4983[2];
                                         }
-                                        let _e5002 = phi_7737_;
-                                        if (_e4998 > _e5002) {
-                                            phi_7742_ = _e4998;
+                                        let _e5001 = phi_7736_;
+                                        if (_e4997 > _e5001) {
+                                            phi_7741_ = _e4997;
                                         } else {
-                                            phi_7742_ = _e5002;
+                                            phi_7741_ = _e5001;
                                         }
-                                        let _e5005 = phi_7742_;
-                                        if (_e4981 > _e5005) {
-                                            phi_7747_ = _e4981;
+                                        let _e5004 = phi_7741_;
+                                        if (_e4980 > _e5004) {
+                                            phi_7746_ = _e4980;
                                         } else {
-                                            phi_7747_ = _e5005;
+                                            phi_7746_ = _e5004;
                                         }
-                                        let _e5008 = phi_7747_;
-                                        let _e5010 = local_1.member_3;
-                                        let _e5014 = ((((_e4900 + _e4902) + (_e4954 + _e4956)) + (_e5008 + _e5010)) * 2f);
-                                        let _e5017 = local_1.member_3;
-                                        let _e5021 = (((_e91.member_5 * 1.0001f) + (_e5017 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e5024 = ((_e4782 * _e4761) - (_e4785 * _e4760));
-                                        let _e5027 = ((_e4785 * _e4759) - (_e4779 * _e4761));
-                                        let _e5030 = ((_e4779 * _e4760) - (_e4782 * _e4759));
-                                        let _e5035 = (((_e5024 * _e4788[0]) + (_e5027 * _e4788[1])) + (_e5030 * _e4788[2]));
-                                        let _e5040 = (((_e5024 * _e4805) + (_e5027 * _e4806)) + (_e5030 * _e4807));
-                                        let _e5045 = (((_e5024 * _e4815) + (_e5027 * _e4816)) + (_e5030 * _e4817));
-                                        let _e5053 = (((_e5024 * _e4814[0]) + (_e5027 * _e4814[1])) + (_e5030 * _e4814[2]));
-                                        let _e5058 = (((_e5024 * _e4820[0]) + (_e5027 * _e4820[1])) + (_e5030 * _e4820[2]));
-                                        let _e5063 = (((_e5024 * _e4837) + (_e5027 * _e4838)) + (_e5030 * _e4839));
-                                        let _e5068 = (((_e5024 * _e4847) + (_e5027 * _e4848)) + (_e5030 * _e4849));
-                                        let _e5076 = (((_e5024 * _e4846[0]) + (_e5027 * _e4846[1])) + (_e5030 * _e4846[2]));
-                                        if (_e5035 < _e5040) {
-                                            phi_7826_ = _e5035;
+                                        let _e5007 = phi_7746_;
+                                        let _e5009 = local_1.member_3;
+                                        let _e5013 = ((((_e4899 + _e4901) + (_e4953 + _e4955)) + (_e5007 + _e5009)) * 2f);
+                                        let _e5016 = local_1.member_3;
+                                        let _e5020 = (((_e91.member_5 * 1.0001f) + (_e5016 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e5023 = ((_e4781 * _e4760) - (_e4784 * _e4759));
+                                        let _e5026 = ((_e4784 * _e4758) - (_e4778 * _e4760));
+                                        let _e5029 = ((_e4778 * _e4759) - (_e4781 * _e4758));
+                                        let _e5034 = (((_e5023 * _e4787[0]) + (_e5026 * _e4787[1])) + (_e5029 * _e4787[2]));
+                                        let _e5039 = (((_e5023 * _e4804) + (_e5026 * _e4805)) + (_e5029 * _e4806));
+                                        let _e5044 = (((_e5023 * _e4814) + (_e5026 * _e4815)) + (_e5029 * _e4816));
+                                        let _e5052 = (((_e5023 * _e4813[0]) + (_e5026 * _e4813[1])) + (_e5029 * _e4813[2]));
+                                        let _e5057 = (((_e5023 * _e4819[0]) + (_e5026 * _e4819[1])) + (_e5029 * _e4819[2]));
+                                        let _e5062 = (((_e5023 * _e4836) + (_e5026 * _e4837)) + (_e5029 * _e4838));
+                                        let _e5067 = (((_e5023 * _e4846) + (_e5026 * _e4847)) + (_e5029 * _e4848));
+                                        let _e5075 = (((_e5023 * _e4845[0]) + (_e5026 * _e4845[1])) + (_e5029 * _e4845[2]));
+                                        if (_e5034 < _e5039) {
+                                            phi_7825_ = _e5034;
                                         } else {
-                                            phi_7826_ = _e5040;
+                                            phi_7825_ = _e5039;
                                         }
-                                        let _e5079 = phi_7826_;
-                                        if (_e5045 < _e5053) {
-                                            phi_7831_ = _e5045;
+                                        let _e5078 = phi_7825_;
+                                        if (_e5044 < _e5052) {
+                                            phi_7830_ = _e5044;
                                         } else {
-                                            phi_7831_ = _e5053;
+                                            phi_7830_ = _e5052;
                                         }
-                                        let _e5082 = phi_7831_;
-                                        if (_e5079 < _e5082) {
-                                            phi_7836_ = _e5079;
+                                        let _e5081 = phi_7830_;
+                                        if (_e5078 < _e5081) {
+                                            phi_7835_ = _e5078;
                                         } else {
-                                            phi_7836_ = _e5082;
+                                            phi_7835_ = _e5081;
                                         }
-                                        let _e5085 = phi_7836_;
-                                        if (_e5058 < _e5063) {
-                                            phi_7841_ = _e5058;
+                                        let _e5084 = phi_7835_;
+                                        if (_e5057 < _e5062) {
+                                            phi_7840_ = _e5057;
                                         } else {
-                                            phi_7841_ = _e5063;
+                                            phi_7840_ = _e5062;
                                         }
-                                        let _e5088 = phi_7841_;
-                                        if (_e5068 < _e5076) {
-                                            phi_7846_ = _e5068;
+                                        let _e5087 = phi_7840_;
+                                        if (_e5067 < _e5075) {
+                                            phi_7845_ = _e5067;
                                         } else {
-                                            phi_7846_ = _e5076;
+                                            phi_7845_ = _e5075;
                                         }
-                                        let _e5091 = phi_7846_;
-                                        if (_e5088 < _e5091) {
-                                            phi_7851_ = _e5088;
+                                        let _e5090 = phi_7845_;
+                                        if (_e5087 < _e5090) {
+                                            phi_7850_ = _e5087;
                                         } else {
-                                            phi_7851_ = _e5091;
+                                            phi_7850_ = _e5090;
                                         }
-                                        let _e5094 = phi_7851_;
-                                        if (_e5085 < _e5094) {
-                                            phi_7856_ = _e5085;
+                                        let _e5093 = phi_7850_;
+                                        if (_e5084 < _e5093) {
+                                            phi_7855_ = _e5084;
                                         } else {
-                                            phi_7856_ = _e5094;
+                                            phi_7855_ = _e5093;
                                         }
-                                        let _e5097 = phi_7856_;
-                                        if (_e5035 > _e5040) {
-                                            phi_7861_ = _e5035;
+                                        let _e5096 = phi_7855_;
+                                        if (_e5034 > _e5039) {
+                                            phi_7860_ = _e5034;
                                         } else {
-                                            phi_7861_ = _e5040;
+                                            phi_7860_ = _e5039;
                                         }
-                                        let _e5100 = phi_7861_;
-                                        if (_e5045 > _e5053) {
-                                            phi_7866_ = _e5045;
+                                        let _e5099 = phi_7860_;
+                                        if (_e5044 > _e5052) {
+                                            phi_7865_ = _e5044;
                                         } else {
-                                            phi_7866_ = _e5053;
+                                            phi_7865_ = _e5052;
                                         }
-                                        let _e5103 = phi_7866_;
-                                        if (_e5100 > _e5103) {
-                                            phi_7871_ = _e5100;
+                                        let _e5102 = phi_7865_;
+                                        if (_e5099 > _e5102) {
+                                            phi_7870_ = _e5099;
                                         } else {
-                                            phi_7871_ = _e5103;
+                                            phi_7870_ = _e5102;
                                         }
-                                        let _e5106 = phi_7871_;
-                                        if (_e5058 > _e5063) {
-                                            phi_7876_ = _e5058;
+                                        let _e5105 = phi_7870_;
+                                        if (_e5057 > _e5062) {
+                                            phi_7875_ = _e5057;
                                         } else {
-                                            phi_7876_ = _e5063;
+                                            phi_7875_ = _e5062;
                                         }
-                                        let _e5109 = phi_7876_;
-                                        if (_e5068 > _e5076) {
-                                            phi_7881_ = _e5068;
+                                        let _e5108 = phi_7875_;
+                                        if (_e5067 > _e5075) {
+                                            phi_7880_ = _e5067;
                                         } else {
-                                            phi_7881_ = _e5076;
+                                            phi_7880_ = _e5075;
                                         }
-                                        let _e5112 = phi_7881_;
-                                        if (_e5109 > _e5112) {
-                                            phi_7886_ = _e5109;
+                                        let _e5111 = phi_7880_;
+                                        if (_e5108 > _e5111) {
+                                            phi_7885_ = _e5108;
                                         } else {
-                                            phi_7886_ = _e5112;
+                                            phi_7885_ = _e5111;
                                         }
-                                        let _e5115 = phi_7886_;
-                                        if (_e5106 > _e5115) {
-                                            phi_7891_ = _e5106;
+                                        let _e5114 = phi_7885_;
+                                        if (_e5105 > _e5114) {
+                                            phi_7890_ = _e5105;
                                         } else {
-                                            phi_7891_ = _e5115;
+                                            phi_7890_ = _e5114;
                                         }
-                                        let _e5118 = phi_7891_;
-                                        if (_e5024 < 0f) {
-                                            phi_7897_ = -(_e5024);
+                                        let _e5117 = phi_7890_;
+                                        if (_e5023 < 0f) {
+                                            phi_7896_ = -(_e5023);
                                         } else {
-                                            phi_7897_ = _e5024;
+                                            phi_7896_ = _e5023;
                                         }
-                                        let _e5122 = phi_7897_;
-                                        if (_e5027 < 0f) {
-                                            phi_7903_ = -(_e5027);
+                                        let _e5121 = phi_7896_;
+                                        if (_e5026 < 0f) {
+                                            phi_7902_ = -(_e5026);
                                         } else {
-                                            phi_7903_ = _e5027;
+                                            phi_7902_ = _e5026;
                                         }
-                                        let _e5126 = phi_7903_;
-                                        if (_e5030 < 0f) {
-                                            phi_7910_ = -(_e5030);
+                                        let _e5125 = phi_7902_;
+                                        if (_e5029 < 0f) {
+                                            phi_7909_ = -(_e5029);
                                         } else {
-                                            phi_7910_ = _e5030;
+                                            phi_7909_ = _e5029;
                                         }
-                                        let _e5131 = phi_7910_;
-                                        let _e5132 = ((_e5122 + _e5126) + _e5131);
-                                        let _e5137 = -(_e5118);
-                                        if (_e5097 > _e5137) {
-                                            phi_7921_ = _e5097;
+                                        let _e5130 = phi_7909_;
+                                        let _e5131 = ((_e5121 + _e5125) + _e5130);
+                                        let _e5136 = -(_e5117);
+                                        if (_e5096 > _e5136) {
+                                            phi_7920_ = _e5096;
                                         } else {
-                                            phi_7921_ = _e5137;
+                                            phi_7920_ = _e5136;
                                         }
-                                        let _e5140 = phi_7921_;
-                                        let _e5145 = (((_e5140 - ((_e5132 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5132 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e5148 = ((_e4782 * _e4776) - (_e4785 * _e4775));
-                                        let _e5151 = ((_e4785 * _e4774) - (_e4779 * _e4776));
-                                        let _e5154 = ((_e4779 * _e4775) - (_e4782 * _e4774));
-                                        let _e5159 = (((_e5148 * _e4788[0]) + (_e5151 * _e4788[1])) + (_e5154 * _e4788[2]));
-                                        let _e5164 = (((_e5148 * _e4805) + (_e5151 * _e4806)) + (_e5154 * _e4807));
-                                        let _e5169 = (((_e5148 * _e4815) + (_e5151 * _e4816)) + (_e5154 * _e4817));
-                                        let _e5177 = (((_e5148 * _e4814[0]) + (_e5151 * _e4814[1])) + (_e5154 * _e4814[2]));
-                                        let _e5182 = (((_e5148 * _e4820[0]) + (_e5151 * _e4820[1])) + (_e5154 * _e4820[2]));
-                                        let _e5187 = (((_e5148 * _e4837) + (_e5151 * _e4838)) + (_e5154 * _e4839));
-                                        let _e5192 = (((_e5148 * _e4847) + (_e5151 * _e4848)) + (_e5154 * _e4849));
-                                        let _e5200 = (((_e5148 * _e4846[0]) + (_e5151 * _e4846[1])) + (_e5154 * _e4846[2]));
-                                        if (_e5159 < _e5164) {
-                                            phi_7992_ = _e5159;
+                                        let _e5139 = phi_7920_;
+                                        let _e5144 = (((_e5139 - ((_e5131 * _e5013) * (0.000000059604645f * (17f / 2f)))) - (_e5131 * _e5020)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e5147 = ((_e4781 * _e4775) - (_e4784 * _e4774));
+                                        let _e5150 = ((_e4784 * _e4773) - (_e4778 * _e4775));
+                                        let _e5153 = ((_e4778 * _e4774) - (_e4781 * _e4773));
+                                        let _e5158 = (((_e5147 * _e4787[0]) + (_e5150 * _e4787[1])) + (_e5153 * _e4787[2]));
+                                        let _e5163 = (((_e5147 * _e4804) + (_e5150 * _e4805)) + (_e5153 * _e4806));
+                                        let _e5168 = (((_e5147 * _e4814) + (_e5150 * _e4815)) + (_e5153 * _e4816));
+                                        let _e5176 = (((_e5147 * _e4813[0]) + (_e5150 * _e4813[1])) + (_e5153 * _e4813[2]));
+                                        let _e5181 = (((_e5147 * _e4819[0]) + (_e5150 * _e4819[1])) + (_e5153 * _e4819[2]));
+                                        let _e5186 = (((_e5147 * _e4836) + (_e5150 * _e4837)) + (_e5153 * _e4838));
+                                        let _e5191 = (((_e5147 * _e4846) + (_e5150 * _e4847)) + (_e5153 * _e4848));
+                                        let _e5199 = (((_e5147 * _e4845[0]) + (_e5150 * _e4845[1])) + (_e5153 * _e4845[2]));
+                                        if (_e5158 < _e5163) {
+                                            phi_7991_ = _e5158;
                                         } else {
-                                            phi_7992_ = _e5164;
+                                            phi_7991_ = _e5163;
                                         }
-                                        let _e5203 = phi_7992_;
-                                        if (_e5169 < _e5177) {
-                                            phi_7997_ = _e5169;
+                                        let _e5202 = phi_7991_;
+                                        if (_e5168 < _e5176) {
+                                            phi_7996_ = _e5168;
                                         } else {
-                                            phi_7997_ = _e5177;
+                                            phi_7996_ = _e5176;
                                         }
-                                        let _e5206 = phi_7997_;
-                                        if (_e5203 < _e5206) {
-                                            phi_8002_ = _e5203;
+                                        let _e5205 = phi_7996_;
+                                        if (_e5202 < _e5205) {
+                                            phi_8001_ = _e5202;
                                         } else {
-                                            phi_8002_ = _e5206;
+                                            phi_8001_ = _e5205;
                                         }
-                                        let _e5209 = phi_8002_;
-                                        if (_e5182 < _e5187) {
-                                            phi_8007_ = _e5182;
+                                        let _e5208 = phi_8001_;
+                                        if (_e5181 < _e5186) {
+                                            phi_8006_ = _e5181;
                                         } else {
-                                            phi_8007_ = _e5187;
+                                            phi_8006_ = _e5186;
                                         }
-                                        let _e5212 = phi_8007_;
-                                        if (_e5192 < _e5200) {
-                                            phi_8012_ = _e5192;
+                                        let _e5211 = phi_8006_;
+                                        if (_e5191 < _e5199) {
+                                            phi_8011_ = _e5191;
                                         } else {
-                                            phi_8012_ = _e5200;
+                                            phi_8011_ = _e5199;
                                         }
-                                        let _e5215 = phi_8012_;
-                                        if (_e5212 < _e5215) {
-                                            phi_8017_ = _e5212;
+                                        let _e5214 = phi_8011_;
+                                        if (_e5211 < _e5214) {
+                                            phi_8016_ = _e5211;
                                         } else {
-                                            phi_8017_ = _e5215;
+                                            phi_8016_ = _e5214;
                                         }
-                                        let _e5218 = phi_8017_;
-                                        if (_e5209 < _e5218) {
-                                            phi_8022_ = _e5209;
+                                        let _e5217 = phi_8016_;
+                                        if (_e5208 < _e5217) {
+                                            phi_8021_ = _e5208;
                                         } else {
-                                            phi_8022_ = _e5218;
+                                            phi_8021_ = _e5217;
                                         }
-                                        let _e5221 = phi_8022_;
-                                        if (_e5159 > _e5164) {
-                                            phi_8027_ = _e5159;
+                                        let _e5220 = phi_8021_;
+                                        if (_e5158 > _e5163) {
+                                            phi_8026_ = _e5158;
                                         } else {
-                                            phi_8027_ = _e5164;
+                                            phi_8026_ = _e5163;
                                         }
-                                        let _e5224 = phi_8027_;
-                                        if (_e5169 > _e5177) {
-                                            phi_8032_ = _e5169;
+                                        let _e5223 = phi_8026_;
+                                        if (_e5168 > _e5176) {
+                                            phi_8031_ = _e5168;
                                         } else {
-                                            phi_8032_ = _e5177;
+                                            phi_8031_ = _e5176;
                                         }
-                                        let _e5227 = phi_8032_;
-                                        if (_e5224 > _e5227) {
-                                            phi_8037_ = _e5224;
+                                        let _e5226 = phi_8031_;
+                                        if (_e5223 > _e5226) {
+                                            phi_8036_ = _e5223;
                                         } else {
-                                            phi_8037_ = _e5227;
+                                            phi_8036_ = _e5226;
                                         }
-                                        let _e5230 = phi_8037_;
-                                        if (_e5182 > _e5187) {
-                                            phi_8042_ = _e5182;
+                                        let _e5229 = phi_8036_;
+                                        if (_e5181 > _e5186) {
+                                            phi_8041_ = _e5181;
                                         } else {
-                                            phi_8042_ = _e5187;
+                                            phi_8041_ = _e5186;
                                         }
-                                        let _e5233 = phi_8042_;
-                                        if (_e5192 > _e5200) {
-                                            phi_8047_ = _e5192;
+                                        let _e5232 = phi_8041_;
+                                        if (_e5191 > _e5199) {
+                                            phi_8046_ = _e5191;
                                         } else {
-                                            phi_8047_ = _e5200;
+                                            phi_8046_ = _e5199;
                                         }
-                                        let _e5236 = phi_8047_;
-                                        if (_e5233 > _e5236) {
-                                            phi_8052_ = _e5233;
+                                        let _e5235 = phi_8046_;
+                                        if (_e5232 > _e5235) {
+                                            phi_8051_ = _e5232;
                                         } else {
-                                            phi_8052_ = _e5236;
+                                            phi_8051_ = _e5235;
                                         }
-                                        let _e5239 = phi_8052_;
-                                        if (_e5230 > _e5239) {
-                                            phi_8057_ = _e5230;
+                                        let _e5238 = phi_8051_;
+                                        if (_e5229 > _e5238) {
+                                            phi_8056_ = _e5229;
                                         } else {
-                                            phi_8057_ = _e5239;
+                                            phi_8056_ = _e5238;
                                         }
-                                        let _e5242 = phi_8057_;
-                                        if (_e5148 < 0f) {
-                                            phi_8063_ = -(_e5148);
+                                        let _e5241 = phi_8056_;
+                                        if (_e5147 < 0f) {
+                                            phi_8062_ = -(_e5147);
                                         } else {
-                                            phi_8063_ = _e5148;
+                                            phi_8062_ = _e5147;
                                         }
-                                        let _e5246 = phi_8063_;
-                                        if (_e5151 < 0f) {
-                                            phi_8069_ = -(_e5151);
+                                        let _e5245 = phi_8062_;
+                                        if (_e5150 < 0f) {
+                                            phi_8068_ = -(_e5150);
                                         } else {
-                                            phi_8069_ = _e5151;
+                                            phi_8068_ = _e5150;
                                         }
-                                        let _e5250 = phi_8069_;
-                                        if (_e5154 < 0f) {
-                                            phi_8076_ = -(_e5154);
+                                        let _e5249 = phi_8068_;
+                                        if (_e5153 < 0f) {
+                                            phi_8075_ = -(_e5153);
                                         } else {
-                                            phi_8076_ = _e5154;
+                                            phi_8075_ = _e5153;
                                         }
-                                        let _e5255 = phi_8076_;
-                                        let _e5256 = ((_e5246 + _e5250) + _e5255);
-                                        let _e5261 = -(_e5242);
-                                        if (_e5221 > _e5261) {
-                                            phi_8087_ = _e5221;
+                                        let _e5254 = phi_8075_;
+                                        let _e5255 = ((_e5245 + _e5249) + _e5254);
+                                        let _e5260 = -(_e5241);
+                                        if (_e5220 > _e5260) {
+                                            phi_8086_ = _e5220;
                                         } else {
-                                            phi_8087_ = _e5261;
+                                            phi_8086_ = _e5260;
                                         }
-                                        let _e5264 = phi_8087_;
-                                        let _e5269 = (((_e5264 - ((_e5256 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5256 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e5145 > _e5269) {
-                                            phi_8097_ = _e5145;
+                                        let _e5263 = phi_8086_;
+                                        let _e5268 = (((_e5263 - ((_e5255 * _e5013) * (0.000000059604645f * (17f / 2f)))) - (_e5255 * _e5020)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5144 > _e5268) {
+                                            phi_8096_ = _e5144;
                                         } else {
-                                            phi_8097_ = _e5269;
+                                            phi_8096_ = _e5268;
                                         }
-                                        let _e5272 = phi_8097_;
-                                        if (_e2990.member == 0u) {
+                                        let _e5271 = phi_8096_;
+                                        if (_e2989.member == 0u) {
+                                            let _e5273 = (_e4773 - _e4758);
                                             let _e5274 = (_e4774 - _e4759);
                                             let _e5275 = (_e4775 - _e4760);
-                                            let _e5276 = (_e4776 - _e4761);
-                                            let _e5279 = ((_e4782 * _e5276) - (_e4785 * _e5275));
-                                            let _e5282 = ((_e4785 * _e5274) - (_e4779 * _e5276));
-                                            let _e5285 = ((_e4779 * _e5275) - (_e4782 * _e5274));
-                                            let _e5290 = (((_e5279 * _e4788[0]) + (_e5282 * _e4788[1])) + (_e5285 * _e4788[2]));
-                                            let _e5295 = (((_e5279 * _e4805) + (_e5282 * _e4806)) + (_e5285 * _e4807));
-                                            let _e5300 = (((_e5279 * _e4815) + (_e5282 * _e4816)) + (_e5285 * _e4817));
-                                            let _e5308 = (((_e5279 * _e4814[0]) + (_e5282 * _e4814[1])) + (_e5285 * _e4814[2]));
-                                            let _e5313 = (((_e5279 * _e4820[0]) + (_e5282 * _e4820[1])) + (_e5285 * _e4820[2]));
-                                            let _e5318 = (((_e5279 * _e4837) + (_e5282 * _e4838)) + (_e5285 * _e4839));
-                                            let _e5323 = (((_e5279 * _e4847) + (_e5282 * _e4848)) + (_e5285 * _e4849));
-                                            let _e5331 = (((_e5279 * _e4846[0]) + (_e5282 * _e4846[1])) + (_e5285 * _e4846[2]));
-                                            if (_e5290 < _e5295) {
-                                                phi_8170_ = _e5290;
+                                            let _e5278 = ((_e4781 * _e5275) - (_e4784 * _e5274));
+                                            let _e5281 = ((_e4784 * _e5273) - (_e4778 * _e5275));
+                                            let _e5284 = ((_e4778 * _e5274) - (_e4781 * _e5273));
+                                            let _e5289 = (((_e5278 * _e4787[0]) + (_e5281 * _e4787[1])) + (_e5284 * _e4787[2]));
+                                            let _e5294 = (((_e5278 * _e4804) + (_e5281 * _e4805)) + (_e5284 * _e4806));
+                                            let _e5299 = (((_e5278 * _e4814) + (_e5281 * _e4815)) + (_e5284 * _e4816));
+                                            let _e5307 = (((_e5278 * _e4813[0]) + (_e5281 * _e4813[1])) + (_e5284 * _e4813[2]));
+                                            let _e5312 = (((_e5278 * _e4819[0]) + (_e5281 * _e4819[1])) + (_e5284 * _e4819[2]));
+                                            let _e5317 = (((_e5278 * _e4836) + (_e5281 * _e4837)) + (_e5284 * _e4838));
+                                            let _e5322 = (((_e5278 * _e4846) + (_e5281 * _e4847)) + (_e5284 * _e4848));
+                                            let _e5330 = (((_e5278 * _e4845[0]) + (_e5281 * _e4845[1])) + (_e5284 * _e4845[2]));
+                                            if (_e5289 < _e5294) {
+                                                phi_8169_ = _e5289;
                                             } else {
-                                                phi_8170_ = _e5295;
+                                                phi_8169_ = _e5294;
                                             }
-                                            let _e5334 = phi_8170_;
-                                            if (_e5300 < _e5308) {
-                                                phi_8175_ = _e5300;
+                                            let _e5333 = phi_8169_;
+                                            if (_e5299 < _e5307) {
+                                                phi_8174_ = _e5299;
                                             } else {
-                                                phi_8175_ = _e5308;
+                                                phi_8174_ = _e5307;
                                             }
-                                            let _e5337 = phi_8175_;
-                                            if (_e5334 < _e5337) {
-                                                phi_8180_ = _e5334;
+                                            let _e5336 = phi_8174_;
+                                            if (_e5333 < _e5336) {
+                                                phi_8179_ = _e5333;
                                             } else {
-                                                phi_8180_ = _e5337;
+                                                phi_8179_ = _e5336;
                                             }
-                                            let _e5340 = phi_8180_;
-                                            if (_e5313 < _e5318) {
-                                                phi_8185_ = _e5313;
+                                            let _e5339 = phi_8179_;
+                                            if (_e5312 < _e5317) {
+                                                phi_8184_ = _e5312;
                                             } else {
-                                                phi_8185_ = _e5318;
+                                                phi_8184_ = _e5317;
                                             }
-                                            let _e5343 = phi_8185_;
-                                            if (_e5323 < _e5331) {
-                                                phi_8190_ = _e5323;
+                                            let _e5342 = phi_8184_;
+                                            if (_e5322 < _e5330) {
+                                                phi_8189_ = _e5322;
                                             } else {
-                                                phi_8190_ = _e5331;
+                                                phi_8189_ = _e5330;
                                             }
-                                            let _e5346 = phi_8190_;
-                                            if (_e5343 < _e5346) {
-                                                phi_8195_ = _e5343;
+                                            let _e5345 = phi_8189_;
+                                            if (_e5342 < _e5345) {
+                                                phi_8194_ = _e5342;
                                             } else {
-                                                phi_8195_ = _e5346;
+                                                phi_8194_ = _e5345;
                                             }
-                                            let _e5349 = phi_8195_;
-                                            if (_e5340 < _e5349) {
-                                                phi_8200_ = _e5340;
+                                            let _e5348 = phi_8194_;
+                                            if (_e5339 < _e5348) {
+                                                phi_8199_ = _e5339;
                                             } else {
-                                                phi_8200_ = _e5349;
+                                                phi_8199_ = _e5348;
                                             }
-                                            let _e5352 = phi_8200_;
-                                            if (_e5290 > _e5295) {
-                                                phi_8205_ = _e5290;
+                                            let _e5351 = phi_8199_;
+                                            if (_e5289 > _e5294) {
+                                                phi_8204_ = _e5289;
                                             } else {
-                                                phi_8205_ = _e5295;
+                                                phi_8204_ = _e5294;
                                             }
-                                            let _e5355 = phi_8205_;
-                                            if (_e5300 > _e5308) {
-                                                phi_8210_ = _e5300;
+                                            let _e5354 = phi_8204_;
+                                            if (_e5299 > _e5307) {
+                                                phi_8209_ = _e5299;
                                             } else {
-                                                phi_8210_ = _e5308;
+                                                phi_8209_ = _e5307;
                                             }
-                                            let _e5358 = phi_8210_;
-                                            if (_e5355 > _e5358) {
-                                                phi_8215_ = _e5355;
+                                            let _e5357 = phi_8209_;
+                                            if (_e5354 > _e5357) {
+                                                phi_8214_ = _e5354;
                                             } else {
-                                                phi_8215_ = _e5358;
+                                                phi_8214_ = _e5357;
                                             }
-                                            let _e5361 = phi_8215_;
-                                            if (_e5313 > _e5318) {
-                                                phi_8220_ = _e5313;
+                                            let _e5360 = phi_8214_;
+                                            if (_e5312 > _e5317) {
+                                                phi_8219_ = _e5312;
                                             } else {
-                                                phi_8220_ = _e5318;
+                                                phi_8219_ = _e5317;
                                             }
-                                            let _e5364 = phi_8220_;
-                                            if (_e5323 > _e5331) {
-                                                phi_8225_ = _e5323;
+                                            let _e5363 = phi_8219_;
+                                            if (_e5322 > _e5330) {
+                                                phi_8224_ = _e5322;
                                             } else {
-                                                phi_8225_ = _e5331;
+                                                phi_8224_ = _e5330;
                                             }
-                                            let _e5367 = phi_8225_;
-                                            if (_e5364 > _e5367) {
-                                                phi_8230_ = _e5364;
+                                            let _e5366 = phi_8224_;
+                                            if (_e5363 > _e5366) {
+                                                phi_8229_ = _e5363;
                                             } else {
-                                                phi_8230_ = _e5367;
+                                                phi_8229_ = _e5366;
                                             }
-                                            let _e5370 = phi_8230_;
-                                            if (_e5361 > _e5370) {
-                                                phi_8235_ = _e5361;
+                                            let _e5369 = phi_8229_;
+                                            if (_e5360 > _e5369) {
+                                                phi_8234_ = _e5360;
                                             } else {
-                                                phi_8235_ = _e5370;
+                                                phi_8234_ = _e5369;
                                             }
-                                            let _e5373 = phi_8235_;
-                                            if (_e5279 < 0f) {
-                                                phi_8241_ = -(_e5279);
+                                            let _e5372 = phi_8234_;
+                                            if (_e5278 < 0f) {
+                                                phi_8240_ = -(_e5278);
                                             } else {
-                                                phi_8241_ = _e5279;
+                                                phi_8240_ = _e5278;
                                             }
-                                            let _e5377 = phi_8241_;
-                                            if (_e5282 < 0f) {
-                                                phi_8247_ = -(_e5282);
+                                            let _e5376 = phi_8240_;
+                                            if (_e5281 < 0f) {
+                                                phi_8246_ = -(_e5281);
                                             } else {
-                                                phi_8247_ = _e5282;
+                                                phi_8246_ = _e5281;
                                             }
-                                            let _e5381 = phi_8247_;
-                                            if (_e5285 < 0f) {
-                                                phi_8254_ = -(_e5285);
+                                            let _e5380 = phi_8246_;
+                                            if (_e5284 < 0f) {
+                                                phi_8253_ = -(_e5284);
                                             } else {
-                                                phi_8254_ = _e5285;
+                                                phi_8253_ = _e5284;
                                             }
-                                            let _e5386 = phi_8254_;
-                                            let _e5387 = ((_e5377 + _e5381) + _e5386);
-                                            let _e5392 = -(_e5373);
-                                            if (_e5352 > _e5392) {
-                                                phi_8265_ = _e5352;
+                                            let _e5385 = phi_8253_;
+                                            let _e5386 = ((_e5376 + _e5380) + _e5385);
+                                            let _e5391 = -(_e5372);
+                                            if (_e5351 > _e5391) {
+                                                phi_8264_ = _e5351;
                                             } else {
-                                                phi_8265_ = _e5392;
+                                                phi_8264_ = _e5391;
                                             }
-                                            let _e5395 = phi_8265_;
-                                            let _e5400 = (((_e5395 - ((_e5387 * _e5014) * (0.000000059604645f * (17f / 2f)))) - (_e5387 * _e5021)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                            if (_e5272 > _e5400) {
-                                                phi_8275_ = _e5272;
+                                            let _e5394 = phi_8264_;
+                                            let _e5399 = (((_e5394 - ((_e5386 * _e5013) * (0.000000059604645f * (17f / 2f)))) - (_e5386 * _e5020)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                            if (_e5271 > _e5399) {
+                                                phi_8274_ = _e5271;
                                             } else {
-                                                phi_8275_ = _e5400;
+                                                phi_8274_ = _e5399;
                                             }
-                                            let _e5403 = phi_8275_;
-                                            phi_8276_ = _e5403;
+                                            let _e5402 = phi_8274_;
+                                            phi_8275_ = _e5402;
                                         } else {
-                                            phi_8276_ = _e5272;
+                                            phi_8275_ = _e5271;
                                         }
-                                        let _e5405 = phi_8276_;
-                                        phi_8279_ = (_e4746 || (_e5405 > 0f));
+                                        let _e5404 = phi_8275_;
+                                        phi_8278_ = (_e4745 || (_e5404 > 0f));
                                     }
-                                    let _e5409 = phi_8279_;
-                                    phi_8281_ = (_e4311 && _e5409);
+                                    let _e5408 = phi_8278_;
+                                    phi_8280_ = (_e4310 && _e5408);
                                 } else {
-                                    phi_8281_ = _e4311;
+                                    phi_8280_ = _e4310;
                                 }
-                                let _e5412 = phi_8281_;
-                                if !(_e5412) {
-                                    let _e5415 = atomicAdd((&counters[7u]), 1u);
-                                    hits[_e2954] = ((2147483648u | (_e5415 << bitcast<u32>(12i))) | _e2957);
+                                let _e5411 = phi_8280_;
+                                if _e5411 {
+                                } else {
+                                    let _e5413 = atomicAdd((&counters[7u]), 1u);
+                                    hits[_e2953] = ((2147483648u | (_e5413 << bitcast<u32>(12i))) | _e2956);
                                 }
-                                phi_8292_ = true;
+                                phi_8290_ = true;
                             }
-                            let _e5422 = phi_8292_;
-                            phi_8293_ = _e5422;
+                            let _e5420 = phi_8290_;
+                            phi_8291_ = _e5420;
                         } else {
-                            phi_8293_ = false;
+                            phi_8291_ = false;
                         }
-                        let _e5424 = phi_8293_;
+                        let _e5422 = phi_8291_;
                         continue;
                         continuing {
-                            phi_4710_ = _e2946;
-                            break if !(_e5424);
+                            phi_4709_ = _e2945;
+                            break if !(_e5422);
                         }
                     }
-                    let _e5428 = params.member.member_1.member_3;
+                    let _e5426 = params.member.member_1.member_3;
                     workgroupBarrier();
                     if (_e73 == 0u) {
-                        let _e5431 = atomicLoad((&counters[7u]));
-                        if (_e5431 > 0u) {
-                            let _e5434 = atomicAdd((&output.member[0u]), _e5431);
-                            if ((_e5434 + _e5431) < _e5434) {
-                                let _e5438 = atomicAdd((&output.member[2u]), 1u);
+                        let _e5429 = atomicLoad((&counters[7u]));
+                        if (_e5429 > 0u) {
+                            let _e5432 = atomicAdd((&output.member[0u]), _e5429);
+                            if ((_e5432 + _e5429) < _e5432) {
+                                let _e5436 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            atomicStore((&counters[8u]), _e5434);
+                            atomicStore((&counters[8u]), _e5432);
                         }
                         atomicStore((&counters[5u]), 0u);
                         atomicStore((&counters[6u]), 0u);
                         atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e5444 = atomicLoad((&counters[8u]));
-                    phi_8329_ = type_9(0u, 4u);
+                    let _e5442 = atomicLoad((&counters[8u]));
+                    phi_8327_ = type_9(0u, 4u);
                     loop {
-                        let _e5446 = phi_8329_;
-                        if (_e5446.member < _e5446.member_1) {
-                            phi_8330_ = type_9((_e5446.member + 1u), _e5446.member_1);
-                            phi_8353_ = type_9(1u, _e5446.member);
+                        let _e5444 = phi_8327_;
+                        if (_e5444.member < _e5444.member_1) {
+                            phi_8328_ = type_9((_e5444.member + 1u), _e5444.member_1);
+                            phi_8351_ = type_9(1u, _e5444.member);
                         } else {
-                            phi_8330_ = _e5446;
-                            phi_8353_ = type_9(0u, type_9().member_1);
+                            phi_8328_ = _e5444;
+                            phi_8351_ = type_9(0u, type_9().member_1);
                         }
-                        let _e5458 = phi_8330_;
-                        let _e5460 = phi_8353_;
-                        if (bitcast<i32>(_e5460.member) != 0i) {
-                            let _e5466 = (_e73 + (_e5460.member_1 * 128u));
-                            if (_e5466 >= _e2932) {
-                                phi_8448_ = false;
+                        let _e5456 = phi_8328_;
+                        let _e5458 = phi_8351_;
+                        if (bitcast<i32>(_e5458.member) != 0i) {
+                            let _e5464 = (_e73 + (_e5458.member_1 * 128u));
+                            if (_e5464 >= _e2931) {
+                                phi_8446_ = false;
                             } else {
-                                let _e5469 = hits[_e5466];
-                                if ((_e5469 & 2147483648u) == 0u) {
-                                    phi_8377_ = 4294967295u;
+                                let _e5467 = hits[_e5464];
+                                if ((_e5467 & 2147483648u) == 0u) {
+                                    phi_8375_ = 4294967295u;
                                 } else {
-                                    phi_8377_ = ((_e5469 & 2147483647u) >> bitcast<u32>(12i));
+                                    phi_8375_ = ((_e5467 & 2147483647u) >> bitcast<u32>(12i));
                                 }
-                                let _e5476 = phi_8377_;
-                                if (_e5476 != 4294967295u) {
-                                    let _e5480 = ((_e5469 >> bitcast<u32>(10i)) & 3u);
-                                    let _e5487 = firsts[(2u * _e5480)];
-                                    let _e5492 = firsts[((2u * _e5480) + 1u)];
-                                    let _e5495 = leaves.member[(_e5487 + ((_e5469 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e5498 = leaves.member[(_e5492 + (_e5469 & 31u))];
-                                    let _e5500 = (_e5444 + _e5476);
-                                    if (_e5495.w < _e5498.w) {
-                                        phi_8429_ = type_9(_e5495.w, _e5498.w);
+                                let _e5474 = phi_8375_;
+                                if (_e5474 != 4294967295u) {
+                                    let _e5478 = ((_e5467 >> bitcast<u32>(10i)) & 3u);
+                                    let _e5485 = firsts[(2u * _e5478)];
+                                    let _e5490 = firsts[((2u * _e5478) + 1u)];
+                                    let _e5493 = leaves.member[(_e5485 + ((_e5467 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e5496 = leaves.member[(_e5490 + (_e5467 & 31u))];
+                                    let _e5498 = (_e5442 + _e5474);
+                                    if (_e5493.w < _e5496.w) {
+                                        phi_8427_ = type_9(_e5493.w, _e5496.w);
                                     } else {
-                                        phi_8429_ = type_9(_e5498.w, _e5495.w);
+                                        phi_8427_ = type_9(_e5496.w, _e5493.w);
                                     }
-                                    let _e5505 = phi_8429_;
-                                    if (_e5500 < _e5428) {
-                                        let _e5509 = (2u * _e5500);
-                                        atomicStore((&output.member[(4u + _e5509)]), _e5505.member);
-                                        atomicStore((&output.member[(_e5509 + 5u)]), _e5505.member_1);
+                                    let _e5503 = phi_8427_;
+                                    if (_e5498 < _e5426) {
+                                        let _e5507 = (2u * _e5498);
+                                        atomicStore((&output.member[(4u + _e5507)]), _e5503.member);
+                                        atomicStore((&output.member[(_e5507 + 5u)]), _e5503.member_1);
                                     }
                                 }
-                                phi_8448_ = true;
+                                phi_8446_ = true;
                             }
-                            let _e5515 = phi_8448_;
-                            phi_8449_ = _e5515;
+                            let _e5513 = phi_8446_;
+                            phi_8447_ = _e5513;
                         } else {
-                            phi_8449_ = false;
+                            phi_8447_ = false;
                         }
-                        let _e5517 = phi_8449_;
+                        let _e5515 = phi_8447_;
                         continue;
                         continuing {
-                            phi_8329_ = _e5458;
-                            break if !(_e5517);
+                            phi_8327_ = _e5456;
+                            break if !(_e5515);
                         }
                     }
                     workgroupBarrier();
-                    let _e6121 = local_8;
-                    phi_1245_ = _e6121;
+                    let _e6119 = local_8;
+                    phi_1245_ = _e6119;
                 } else {
                     phi_1245_ = type_9();
                 }
-                let _e5520 = phi_1245_;
+                let _e5518 = phi_1245_;
                 continue;
                 continuing {
                     phi_1241_ = _e677;
-                    phi_1244_ = _e5520;
+                    phi_1244_ = _e5518;
                     break if !(_e683);
                 }
             }
@@ -5142,11 +5144,11 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     if (_e73 == 0u) {
-        let _e5525 = atomicLoad((&counters[9u]));
-        if (_e5525 > 0u) {
-            let _e5528 = atomicAdd((&output.member[1u]), _e5525);
-            if ((_e5528 + _e5525) < _e5528) {
-                let _e5532 = atomicAdd((&output.member[3u]), 1u);
+        let _e5523 = atomicLoad((&counters[9u]));
+        if (_e5523 > 0u) {
+            let _e5526 = atomicAdd((&output.member[1u]), _e5523);
+            if ((_e5526 + _e5523) < _e5526) {
+                let _e5530 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -594,309 +594,309 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4724_: f32;
     var phi_4725_: f32;
     var phi_4728_: bool;
+    var phi_4735_: bool;
     var phi_4736_: bool;
-    var phi_4737_: bool;
+    var phi_4741_: type_9;
     var phi_4742_: type_9;
-    var phi_4743_: type_9;
-    var phi_4766_: type_9;
-    var phi_4971_: type_39;
-    var phi_5350_: f32;
-    var phi_5357_: f32;
-    var phi_5362_: f32;
-    var phi_5369_: f32;
-    var phi_5374_: f32;
-    var phi_5387_: f32;
-    var phi_5394_: f32;
-    var phi_5399_: f32;
-    var phi_5406_: f32;
-    var phi_5411_: f32;
-    var phi_5416_: f32;
-    var phi_5433_: f32;
-    var phi_5440_: f32;
-    var phi_5445_: f32;
-    var phi_5452_: f32;
-    var phi_5457_: f32;
-    var phi_5471_: f32;
-    var phi_5478_: f32;
-    var phi_5483_: f32;
-    var phi_5490_: f32;
-    var phi_5495_: f32;
-    var phi_5500_: f32;
-    var phi_5517_: f32;
-    var phi_5524_: f32;
-    var phi_5529_: f32;
-    var phi_5536_: f32;
-    var phi_5541_: f32;
-    var phi_5555_: f32;
-    var phi_5562_: f32;
-    var phi_5567_: f32;
-    var phi_5574_: f32;
-    var phi_5579_: f32;
-    var phi_5584_: f32;
-    var phi_5615_: f32;
-    var phi_5621_: f32;
-    var phi_5628_: f32;
-    var phi_5635_: f32;
-    var phi_5641_: f32;
-    var phi_5648_: f32;
-    var phi_5654_: f32;
-    var phi_5660_: f32;
-    var phi_5666_: f32;
-    var phi_5673_: f32;
-    var phi_5680_: f32;
-    var phi_5704_: f32;
-    var phi_5709_: f32;
-    var phi_5714_: f32;
-    var phi_5719_: f32;
-    var phi_5724_: f32;
-    var phi_5729_: f32;
-    var phi_5739_: f32;
-    var phi_5855_: array<f32, 3>;
-    var phi_5920_: array<f32, 3>;
-    var phi_5942_: f32;
-    var phi_5949_: f32;
-    var phi_5954_: f32;
-    var phi_5961_: f32;
-    var phi_5966_: f32;
-    var phi_5979_: f32;
-    var phi_5986_: f32;
-    var phi_5991_: f32;
-    var phi_5998_: f32;
-    var phi_6003_: f32;
-    var phi_6008_: f32;
-    var phi_6025_: f32;
-    var phi_6032_: f32;
-    var phi_6037_: f32;
-    var phi_6044_: f32;
-    var phi_6049_: f32;
-    var phi_6063_: f32;
-    var phi_6070_: f32;
-    var phi_6075_: f32;
-    var phi_6082_: f32;
-    var phi_6087_: f32;
-    var phi_6092_: f32;
-    var phi_6109_: f32;
-    var phi_6116_: f32;
-    var phi_6121_: f32;
-    var phi_6128_: f32;
-    var phi_6133_: f32;
-    var phi_6147_: f32;
-    var phi_6154_: f32;
-    var phi_6159_: f32;
-    var phi_6166_: f32;
-    var phi_6171_: f32;
-    var phi_6176_: f32;
-    var phi_6255_: f32;
-    var phi_6260_: f32;
-    var phi_6265_: f32;
-    var phi_6270_: f32;
-    var phi_6275_: f32;
-    var phi_6280_: f32;
-    var phi_6285_: f32;
-    var phi_6290_: f32;
-    var phi_6295_: f32;
-    var phi_6300_: f32;
-    var phi_6305_: f32;
-    var phi_6310_: f32;
-    var phi_6315_: f32;
-    var phi_6320_: f32;
-    var phi_6326_: f32;
-    var phi_6332_: f32;
-    var phi_6339_: f32;
-    var phi_6350_: f32;
-    var phi_6421_: f32;
-    var phi_6426_: f32;
-    var phi_6431_: f32;
-    var phi_6436_: f32;
-    var phi_6441_: f32;
-    var phi_6446_: f32;
-    var phi_6451_: f32;
-    var phi_6456_: f32;
-    var phi_6461_: f32;
-    var phi_6466_: f32;
-    var phi_6471_: f32;
-    var phi_6476_: f32;
-    var phi_6481_: f32;
-    var phi_6486_: f32;
-    var phi_6492_: f32;
-    var phi_6498_: f32;
-    var phi_6505_: f32;
-    var phi_6516_: f32;
-    var phi_6526_: f32;
-    var phi_6599_: f32;
-    var phi_6604_: f32;
-    var phi_6609_: f32;
-    var phi_6614_: f32;
-    var phi_6619_: f32;
-    var phi_6624_: f32;
-    var phi_6629_: f32;
-    var phi_6634_: f32;
-    var phi_6639_: f32;
-    var phi_6644_: f32;
-    var phi_6649_: f32;
-    var phi_6654_: f32;
-    var phi_6659_: f32;
-    var phi_6664_: f32;
-    var phi_6670_: f32;
-    var phi_6676_: f32;
-    var phi_6683_: f32;
-    var phi_6694_: f32;
+    var phi_4765_: type_9;
+    var phi_4970_: type_39;
+    var phi_5349_: f32;
+    var phi_5356_: f32;
+    var phi_5361_: f32;
+    var phi_5368_: f32;
+    var phi_5373_: f32;
+    var phi_5386_: f32;
+    var phi_5393_: f32;
+    var phi_5398_: f32;
+    var phi_5405_: f32;
+    var phi_5410_: f32;
+    var phi_5415_: f32;
+    var phi_5432_: f32;
+    var phi_5439_: f32;
+    var phi_5444_: f32;
+    var phi_5451_: f32;
+    var phi_5456_: f32;
+    var phi_5470_: f32;
+    var phi_5477_: f32;
+    var phi_5482_: f32;
+    var phi_5489_: f32;
+    var phi_5494_: f32;
+    var phi_5499_: f32;
+    var phi_5516_: f32;
+    var phi_5523_: f32;
+    var phi_5528_: f32;
+    var phi_5535_: f32;
+    var phi_5540_: f32;
+    var phi_5554_: f32;
+    var phi_5561_: f32;
+    var phi_5566_: f32;
+    var phi_5573_: f32;
+    var phi_5578_: f32;
+    var phi_5583_: f32;
+    var phi_5614_: f32;
+    var phi_5620_: f32;
+    var phi_5627_: f32;
+    var phi_5634_: f32;
+    var phi_5640_: f32;
+    var phi_5647_: f32;
+    var phi_5653_: f32;
+    var phi_5659_: f32;
+    var phi_5665_: f32;
+    var phi_5672_: f32;
+    var phi_5679_: f32;
+    var phi_5703_: f32;
+    var phi_5708_: f32;
+    var phi_5713_: f32;
+    var phi_5718_: f32;
+    var phi_5723_: f32;
+    var phi_5728_: f32;
+    var phi_5738_: f32;
+    var phi_5854_: array<f32, 3>;
+    var phi_5919_: array<f32, 3>;
+    var phi_5941_: f32;
+    var phi_5948_: f32;
+    var phi_5953_: f32;
+    var phi_5960_: f32;
+    var phi_5965_: f32;
+    var phi_5978_: f32;
+    var phi_5985_: f32;
+    var phi_5990_: f32;
+    var phi_5997_: f32;
+    var phi_6002_: f32;
+    var phi_6007_: f32;
+    var phi_6024_: f32;
+    var phi_6031_: f32;
+    var phi_6036_: f32;
+    var phi_6043_: f32;
+    var phi_6048_: f32;
+    var phi_6062_: f32;
+    var phi_6069_: f32;
+    var phi_6074_: f32;
+    var phi_6081_: f32;
+    var phi_6086_: f32;
+    var phi_6091_: f32;
+    var phi_6108_: f32;
+    var phi_6115_: f32;
+    var phi_6120_: f32;
+    var phi_6127_: f32;
+    var phi_6132_: f32;
+    var phi_6146_: f32;
+    var phi_6153_: f32;
+    var phi_6158_: f32;
+    var phi_6165_: f32;
+    var phi_6170_: f32;
+    var phi_6175_: f32;
+    var phi_6254_: f32;
+    var phi_6259_: f32;
+    var phi_6264_: f32;
+    var phi_6269_: f32;
+    var phi_6274_: f32;
+    var phi_6279_: f32;
+    var phi_6284_: f32;
+    var phi_6289_: f32;
+    var phi_6294_: f32;
+    var phi_6299_: f32;
+    var phi_6304_: f32;
+    var phi_6309_: f32;
+    var phi_6314_: f32;
+    var phi_6319_: f32;
+    var phi_6325_: f32;
+    var phi_6331_: f32;
+    var phi_6338_: f32;
+    var phi_6349_: f32;
+    var phi_6420_: f32;
+    var phi_6425_: f32;
+    var phi_6430_: f32;
+    var phi_6435_: f32;
+    var phi_6440_: f32;
+    var phi_6445_: f32;
+    var phi_6450_: f32;
+    var phi_6455_: f32;
+    var phi_6460_: f32;
+    var phi_6465_: f32;
+    var phi_6470_: f32;
+    var phi_6475_: f32;
+    var phi_6480_: f32;
+    var phi_6485_: f32;
+    var phi_6491_: f32;
+    var phi_6497_: f32;
+    var phi_6504_: f32;
+    var phi_6515_: f32;
+    var phi_6525_: f32;
+    var phi_6598_: f32;
+    var phi_6603_: f32;
+    var phi_6608_: f32;
+    var phi_6613_: f32;
+    var phi_6618_: f32;
+    var phi_6623_: f32;
+    var phi_6628_: f32;
+    var phi_6633_: f32;
+    var phi_6638_: f32;
+    var phi_6643_: f32;
+    var phi_6648_: f32;
+    var phi_6653_: f32;
+    var phi_6658_: f32;
+    var phi_6663_: f32;
+    var phi_6669_: f32;
+    var phi_6675_: f32;
+    var phi_6682_: f32;
+    var phi_6693_: f32;
+    var phi_6703_: f32;
     var phi_6704_: f32;
-    var phi_6705_: f32;
-    var phi_6708_: bool;
-    var phi_6953_: f32;
-    var phi_6960_: f32;
-    var phi_6965_: f32;
-    var phi_6972_: f32;
-    var phi_6977_: f32;
-    var phi_6990_: f32;
-    var phi_6997_: f32;
-    var phi_7002_: f32;
-    var phi_7009_: f32;
-    var phi_7014_: f32;
-    var phi_7019_: f32;
-    var phi_7036_: f32;
-    var phi_7043_: f32;
-    var phi_7048_: f32;
-    var phi_7055_: f32;
-    var phi_7060_: f32;
-    var phi_7074_: f32;
-    var phi_7081_: f32;
-    var phi_7086_: f32;
-    var phi_7093_: f32;
-    var phi_7098_: f32;
-    var phi_7103_: f32;
-    var phi_7120_: f32;
-    var phi_7127_: f32;
-    var phi_7132_: f32;
-    var phi_7139_: f32;
-    var phi_7144_: f32;
-    var phi_7158_: f32;
-    var phi_7165_: f32;
-    var phi_7170_: f32;
-    var phi_7177_: f32;
-    var phi_7182_: f32;
-    var phi_7187_: f32;
-    var phi_7218_: f32;
-    var phi_7224_: f32;
-    var phi_7231_: f32;
-    var phi_7238_: f32;
-    var phi_7244_: f32;
-    var phi_7251_: f32;
-    var phi_7257_: f32;
-    var phi_7263_: f32;
-    var phi_7269_: f32;
-    var phi_7276_: f32;
-    var phi_7283_: f32;
-    var phi_7307_: f32;
-    var phi_7312_: f32;
-    var phi_7317_: f32;
-    var phi_7322_: f32;
-    var phi_7327_: f32;
-    var phi_7332_: f32;
-    var phi_7342_: f32;
-    var phi_7458_: array<f32, 3>;
-    var phi_7523_: array<f32, 3>;
-    var phi_7545_: f32;
-    var phi_7552_: f32;
-    var phi_7557_: f32;
-    var phi_7564_: f32;
-    var phi_7569_: f32;
-    var phi_7582_: f32;
-    var phi_7589_: f32;
-    var phi_7594_: f32;
-    var phi_7601_: f32;
-    var phi_7606_: f32;
-    var phi_7611_: f32;
-    var phi_7628_: f32;
-    var phi_7635_: f32;
-    var phi_7640_: f32;
-    var phi_7647_: f32;
-    var phi_7652_: f32;
-    var phi_7666_: f32;
-    var phi_7673_: f32;
-    var phi_7678_: f32;
-    var phi_7685_: f32;
-    var phi_7690_: f32;
-    var phi_7695_: f32;
-    var phi_7712_: f32;
-    var phi_7719_: f32;
-    var phi_7724_: f32;
-    var phi_7731_: f32;
-    var phi_7736_: f32;
-    var phi_7750_: f32;
-    var phi_7757_: f32;
-    var phi_7762_: f32;
-    var phi_7769_: f32;
-    var phi_7774_: f32;
-    var phi_7779_: f32;
-    var phi_7858_: f32;
-    var phi_7863_: f32;
-    var phi_7868_: f32;
-    var phi_7873_: f32;
-    var phi_7878_: f32;
-    var phi_7883_: f32;
-    var phi_7888_: f32;
-    var phi_7893_: f32;
-    var phi_7898_: f32;
-    var phi_7903_: f32;
-    var phi_7908_: f32;
-    var phi_7913_: f32;
-    var phi_7918_: f32;
-    var phi_7923_: f32;
-    var phi_7929_: f32;
-    var phi_7935_: f32;
-    var phi_7942_: f32;
-    var phi_7953_: f32;
-    var phi_8024_: f32;
-    var phi_8029_: f32;
-    var phi_8034_: f32;
-    var phi_8039_: f32;
-    var phi_8044_: f32;
-    var phi_8049_: f32;
-    var phi_8054_: f32;
-    var phi_8059_: f32;
-    var phi_8064_: f32;
-    var phi_8069_: f32;
-    var phi_8074_: f32;
-    var phi_8079_: f32;
-    var phi_8084_: f32;
-    var phi_8089_: f32;
-    var phi_8095_: f32;
-    var phi_8101_: f32;
-    var phi_8108_: f32;
-    var phi_8119_: f32;
-    var phi_8129_: f32;
-    var phi_8202_: f32;
-    var phi_8207_: f32;
-    var phi_8212_: f32;
-    var phi_8217_: f32;
-    var phi_8222_: f32;
-    var phi_8227_: f32;
-    var phi_8232_: f32;
-    var phi_8237_: f32;
-    var phi_8242_: f32;
-    var phi_8247_: f32;
-    var phi_8252_: f32;
-    var phi_8257_: f32;
-    var phi_8262_: f32;
-    var phi_8267_: f32;
-    var phi_8273_: f32;
-    var phi_8279_: f32;
-    var phi_8286_: f32;
-    var phi_8297_: f32;
+    var phi_6707_: bool;
+    var phi_6952_: f32;
+    var phi_6959_: f32;
+    var phi_6964_: f32;
+    var phi_6971_: f32;
+    var phi_6976_: f32;
+    var phi_6989_: f32;
+    var phi_6996_: f32;
+    var phi_7001_: f32;
+    var phi_7008_: f32;
+    var phi_7013_: f32;
+    var phi_7018_: f32;
+    var phi_7035_: f32;
+    var phi_7042_: f32;
+    var phi_7047_: f32;
+    var phi_7054_: f32;
+    var phi_7059_: f32;
+    var phi_7073_: f32;
+    var phi_7080_: f32;
+    var phi_7085_: f32;
+    var phi_7092_: f32;
+    var phi_7097_: f32;
+    var phi_7102_: f32;
+    var phi_7119_: f32;
+    var phi_7126_: f32;
+    var phi_7131_: f32;
+    var phi_7138_: f32;
+    var phi_7143_: f32;
+    var phi_7157_: f32;
+    var phi_7164_: f32;
+    var phi_7169_: f32;
+    var phi_7176_: f32;
+    var phi_7181_: f32;
+    var phi_7186_: f32;
+    var phi_7217_: f32;
+    var phi_7223_: f32;
+    var phi_7230_: f32;
+    var phi_7237_: f32;
+    var phi_7243_: f32;
+    var phi_7250_: f32;
+    var phi_7256_: f32;
+    var phi_7262_: f32;
+    var phi_7268_: f32;
+    var phi_7275_: f32;
+    var phi_7282_: f32;
+    var phi_7306_: f32;
+    var phi_7311_: f32;
+    var phi_7316_: f32;
+    var phi_7321_: f32;
+    var phi_7326_: f32;
+    var phi_7331_: f32;
+    var phi_7341_: f32;
+    var phi_7457_: array<f32, 3>;
+    var phi_7522_: array<f32, 3>;
+    var phi_7544_: f32;
+    var phi_7551_: f32;
+    var phi_7556_: f32;
+    var phi_7563_: f32;
+    var phi_7568_: f32;
+    var phi_7581_: f32;
+    var phi_7588_: f32;
+    var phi_7593_: f32;
+    var phi_7600_: f32;
+    var phi_7605_: f32;
+    var phi_7610_: f32;
+    var phi_7627_: f32;
+    var phi_7634_: f32;
+    var phi_7639_: f32;
+    var phi_7646_: f32;
+    var phi_7651_: f32;
+    var phi_7665_: f32;
+    var phi_7672_: f32;
+    var phi_7677_: f32;
+    var phi_7684_: f32;
+    var phi_7689_: f32;
+    var phi_7694_: f32;
+    var phi_7711_: f32;
+    var phi_7718_: f32;
+    var phi_7723_: f32;
+    var phi_7730_: f32;
+    var phi_7735_: f32;
+    var phi_7749_: f32;
+    var phi_7756_: f32;
+    var phi_7761_: f32;
+    var phi_7768_: f32;
+    var phi_7773_: f32;
+    var phi_7778_: f32;
+    var phi_7857_: f32;
+    var phi_7862_: f32;
+    var phi_7867_: f32;
+    var phi_7872_: f32;
+    var phi_7877_: f32;
+    var phi_7882_: f32;
+    var phi_7887_: f32;
+    var phi_7892_: f32;
+    var phi_7897_: f32;
+    var phi_7902_: f32;
+    var phi_7907_: f32;
+    var phi_7912_: f32;
+    var phi_7917_: f32;
+    var phi_7922_: f32;
+    var phi_7928_: f32;
+    var phi_7934_: f32;
+    var phi_7941_: f32;
+    var phi_7952_: f32;
+    var phi_8023_: f32;
+    var phi_8028_: f32;
+    var phi_8033_: f32;
+    var phi_8038_: f32;
+    var phi_8043_: f32;
+    var phi_8048_: f32;
+    var phi_8053_: f32;
+    var phi_8058_: f32;
+    var phi_8063_: f32;
+    var phi_8068_: f32;
+    var phi_8073_: f32;
+    var phi_8078_: f32;
+    var phi_8083_: f32;
+    var phi_8088_: f32;
+    var phi_8094_: f32;
+    var phi_8100_: f32;
+    var phi_8107_: f32;
+    var phi_8118_: f32;
+    var phi_8128_: f32;
+    var phi_8201_: f32;
+    var phi_8206_: f32;
+    var phi_8211_: f32;
+    var phi_8216_: f32;
+    var phi_8221_: f32;
+    var phi_8226_: f32;
+    var phi_8231_: f32;
+    var phi_8236_: f32;
+    var phi_8241_: f32;
+    var phi_8246_: f32;
+    var phi_8251_: f32;
+    var phi_8256_: f32;
+    var phi_8261_: f32;
+    var phi_8266_: f32;
+    var phi_8272_: f32;
+    var phi_8278_: f32;
+    var phi_8285_: f32;
+    var phi_8296_: f32;
+    var phi_8306_: f32;
     var phi_8307_: f32;
-    var phi_8308_: f32;
-    var phi_8311_: bool;
-    var phi_8313_: bool;
-    var phi_8324_: bool;
-    var phi_8325_: bool;
-    var phi_8361_: type_9;
-    var phi_8362_: type_9;
-    var phi_8385_: type_9;
-    var phi_8409_: u32;
-    var phi_8480_: bool;
-    var phi_8481_: bool;
+    var phi_8310_: bool;
+    var phi_8312_: bool;
+    var phi_8322_: bool;
+    var phi_8323_: bool;
+    var phi_8359_: type_9;
+    var phi_8360_: type_9;
+    var phi_8383_: type_9;
+    var phi_8407_: u32;
+    var phi_8478_: bool;
+    var phi_8479_: bool;
     var phi_1277_: type_9;
     var local_6: u32;
     var local_7: type_9;
@@ -1140,8 +1140,8 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e586 = local_3;
                 phi_1155_ = (_e586 & ((1u << bitcast<u32>((_e384 & 31u))) - 1u));
             } else {
-                let _e5442 = local_6;
-                phi_1155_ = _e5442;
+                let _e5440 = local_6;
+                phi_1155_ = _e5440;
             }
             let _e589 = phi_1155_;
             let _e591 = countOneBits(_e589);
@@ -1819,7 +1819,7 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (bitcast<i32>(_e1551.member) != 0i) {
                             let _e1557 = (_e73 + (_e1551.member_1 * 128u));
                             if (_e1557 >= _e1535) {
-                                phi_4736_ = false;
+                                phi_4735_ = false;
                             } else {
                                 let _e1560 = left[_e1557];
                                 let _e1563 = ((_e1560 >> bitcast<u32>(10i)) & 3u);
@@ -2837,2171 +2837,2173 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_4728_ = (_e2173 || (_e2829 > 0f));
                                 }
                                 let _e2833 = phi_4728_;
-                                if !(_e2833) {
-                                    let _e2836 = atomicAdd((&counters[6u]), 1u);
-                                    hits[_e2836] = _e1560;
+                                if _e2833 {
+                                } else {
+                                    let _e2835 = atomicAdd((&counters[6u]), 1u);
+                                    hits[_e2835] = _e1560;
                                 }
-                                phi_4736_ = true;
+                                phi_4735_ = true;
                             }
-                            let _e2839 = phi_4736_;
-                            phi_4737_ = _e2839;
+                            let _e2838 = phi_4735_;
+                            phi_4736_ = _e2838;
                         } else {
-                            phi_4737_ = false;
+                            phi_4736_ = false;
                         }
-                        let _e2841 = phi_4737_;
+                        let _e2840 = phi_4736_;
                         continue;
                         continuing {
                             phi_2861_ = _e1549;
-                            break if !(_e2841);
+                            break if !(_e2840);
                         }
                     }
                     workgroupBarrier();
-                    let _e2844 = atomicLoad((&counters[6u]));
-                    phi_4742_ = type_9(0u, 4u);
+                    let _e2843 = atomicLoad((&counters[6u]));
+                    phi_4741_ = type_9(0u, 4u);
                     loop {
-                        let _e2846 = phi_4742_;
-                        if (_e2846.member < _e2846.member_1) {
-                            phi_4743_ = type_9((_e2846.member + 1u), _e2846.member_1);
-                            phi_4766_ = type_9(1u, _e2846.member);
+                        let _e2845 = phi_4741_;
+                        if (_e2845.member < _e2845.member_1) {
+                            phi_4742_ = type_9((_e2845.member + 1u), _e2845.member_1);
+                            phi_4765_ = type_9(1u, _e2845.member);
                         } else {
-                            phi_4743_ = _e2846;
-                            phi_4766_ = type_9(0u, type_9().member_1);
+                            phi_4742_ = _e2845;
+                            phi_4765_ = type_9(0u, type_9().member_1);
                         }
-                        let _e2858 = phi_4743_;
-                        let _e2860 = phi_4766_;
-                        if (bitcast<i32>(_e2860.member) != 0i) {
-                            let _e2866 = (_e73 + (_e2860.member_1 * 128u));
-                            if (_e2866 >= _e2844) {
-                                phi_8324_ = false;
+                        let _e2857 = phi_4742_;
+                        let _e2859 = phi_4765_;
+                        if (bitcast<i32>(_e2859.member) != 0i) {
+                            let _e2865 = (_e73 + (_e2859.member_1 * 128u));
+                            if (_e2865 >= _e2843) {
+                                phi_8322_ = false;
                             } else {
-                                let _e2869 = hits[_e2866];
-                                let _e2872 = ((_e2869 >> bitcast<u32>(10i)) & 3u);
-                                let _e2879 = firsts[(2u * _e2872)];
-                                let _e2884 = firsts[((2u * _e2872) + 1u)];
-                                let _e2887 = leaves.member[(_e2879 + ((_e2869 >> bitcast<u32>(5i)) & 31u))];
-                                let _e2890 = leaves.member[(_e2884 + (_e2869 & 31u))];
-                                let _e2895 = paths.member[_e2887.x];
-                                let _e2909 = paths.member[_e2890.x];
-                                let _e2923 = paths.member[_e2890.y];
-                                let _e2937 = paths.member[_e2890.z];
+                                let _e2868 = hits[_e2865];
+                                let _e2871 = ((_e2868 >> bitcast<u32>(10i)) & 3u);
+                                let _e2878 = firsts[(2u * _e2871)];
+                                let _e2883 = firsts[((2u * _e2871) + 1u)];
+                                let _e2886 = leaves.member[(_e2878 + ((_e2868 >> bitcast<u32>(5i)) & 31u))];
+                                let _e2889 = leaves.member[(_e2883 + (_e2868 & 31u))];
+                                let _e2894 = paths.member[_e2886.x];
+                                let _e2908 = paths.member[_e2889.x];
+                                let _e2922 = paths.member[_e2889.y];
+                                let _e2936 = paths.member[_e2889.z];
                                 if false {
-                                    phi_4971_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2923.member.x - _e2895.member.x), (_e2923.member.y - _e2895.member.y), (_e2923.member.z - _e2895.member.z)), array<f32, 3>((_e2923.member_1.x - _e2895.member_1.x), (_e2923.member_1.y - _e2895.member_1.y), (_e2923.member_1.z - _e2895.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2909.member.x - _e2895.member.x), (_e2909.member.y - _e2895.member.y), (_e2909.member.z - _e2895.member.z)), array<f32, 3>((_e2909.member_1.x - _e2895.member_1.x), (_e2909.member_1.y - _e2895.member_1.y), (_e2909.member_1.z - _e2895.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2923.member.x - _e2937.member.x), (_e2923.member.y - _e2937.member.y), (_e2923.member.z - _e2937.member.z)), array<f32, 3>((_e2923.member_1.x - _e2937.member_1.x), (_e2923.member_1.y - _e2937.member_1.y), (_e2923.member_1.z - _e2937.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                    phi_4970_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2922.member.x - _e2894.member.x), (_e2922.member.y - _e2894.member.y), (_e2922.member.z - _e2894.member.z)), array<f32, 3>((_e2922.member_1.x - _e2894.member_1.x), (_e2922.member_1.y - _e2894.member_1.y), (_e2922.member_1.z - _e2894.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2908.member.x - _e2894.member.x), (_e2908.member.y - _e2894.member.y), (_e2908.member.z - _e2894.member.z)), array<f32, 3>((_e2908.member_1.x - _e2894.member_1.x), (_e2908.member_1.y - _e2894.member_1.y), (_e2908.member_1.z - _e2894.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2922.member.x - _e2936.member.x), (_e2922.member.y - _e2936.member.y), (_e2922.member.z - _e2936.member.z)), array<f32, 3>((_e2922.member_1.x - _e2936.member_1.x), (_e2922.member_1.y - _e2936.member_1.y), (_e2922.member_1.z - _e2936.member_1.z))), (_e91.member_4 + _e91.member_4));
                                 } else {
-                                    phi_4971_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2895.member.x - _e2909.member.x), (_e2895.member.y - _e2909.member.y), (_e2895.member.z - _e2909.member.z)), array<f32, 3>((_e2895.member_1.x - _e2909.member_1.x), (_e2895.member_1.y - _e2909.member_1.y), (_e2895.member_1.z - _e2909.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2923.member.x - _e2909.member.x), (_e2923.member.y - _e2909.member.y), (_e2923.member.z - _e2909.member.z)), array<f32, 3>((_e2923.member_1.x - _e2909.member_1.x), (_e2923.member_1.y - _e2909.member_1.y), (_e2923.member_1.z - _e2909.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2937.member.x - _e2909.member.x), (_e2937.member.y - _e2909.member.y), (_e2937.member.z - _e2909.member.z)), array<f32, 3>((_e2937.member_1.x - _e2909.member_1.x), (_e2937.member_1.y - _e2909.member_1.y), (_e2937.member_1.z - _e2909.member_1.z))), (_e91.member_4 + _e91.member_4));
+                                    phi_4970_ = type_39(array<array<f32, 3>, 2>(array<f32, 3>((_e2894.member.x - _e2908.member.x), (_e2894.member.y - _e2908.member.y), (_e2894.member.z - _e2908.member.z)), array<f32, 3>((_e2894.member_1.x - _e2908.member_1.x), (_e2894.member_1.y - _e2908.member_1.y), (_e2894.member_1.z - _e2908.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2922.member.x - _e2908.member.x), (_e2922.member.y - _e2908.member.y), (_e2922.member.z - _e2908.member.z)), array<f32, 3>((_e2922.member_1.x - _e2908.member_1.x), (_e2922.member_1.y - _e2908.member_1.y), (_e2922.member_1.z - _e2908.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e2936.member.x - _e2908.member.x), (_e2936.member.y - _e2908.member.y), (_e2936.member.z - _e2908.member.z)), array<f32, 3>((_e2936.member_1.x - _e2908.member_1.x), (_e2936.member_1.y - _e2908.member_1.y), (_e2936.member_1.z - _e2908.member_1.z))), (_e91.member_4 + _e91.member_4));
                                 }
-                                let _e3009 = phi_4971_;
-                                let _e3023 = ((_e3009.member[0][0] + _e3009.member[1][0]) * 0.5f);
-                                let _e3024 = ((_e3009.member[0][1] + _e3009.member[1][1]) * 0.5f);
-                                let _e3025 = ((_e3009.member[0][2] + _e3009.member[1][2]) * 0.5f);
-                                let _e3039 = ((_e3009.member_1[0][0] + _e3009.member_1[1][0]) * 0.5f);
-                                let _e3040 = ((_e3009.member_1[0][1] + _e3009.member_1[1][1]) * 0.5f);
-                                let _e3041 = ((_e3009.member_1[0][2] + _e3009.member_1[1][2]) * 0.5f);
-                                let _e3055 = ((_e3009.member_2[0][0] + _e3009.member_2[1][0]) * 0.5f);
-                                let _e3056 = ((_e3009.member_2[0][1] + _e3009.member_2[1][1]) * 0.5f);
-                                let _e3057 = ((_e3009.member_2[0][2] + _e3009.member_2[1][2]) * 0.5f);
-                                local = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3009.member[0][0], _e3009.member[0][1], _e3009.member[0][2]), array<f32, 3>(_e3023, _e3024, _e3025)), array<array<f32, 3>, 2>(array<f32, 3>(_e3009.member_1[0][0], _e3009.member_1[0][1], _e3009.member_1[0][2]), array<f32, 3>(_e3039, _e3040, _e3041)), array<array<f32, 3>, 2>(array<f32, 3>(_e3009.member_2[0][0], _e3009.member_2[0][1], _e3009.member_2[0][2]), array<f32, 3>(_e3055, _e3056, _e3057)), _e3009.member_3);
-                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3023, _e3024, _e3025), array<f32, 3>(_e3009.member[1][0], _e3009.member[1][1], _e3009.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3039, _e3040, _e3041), array<f32, 3>(_e3009.member_1[1][0], _e3009.member_1[1][1], _e3009.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3055, _e3056, _e3057), array<f32, 3>(_e3009.member_2[1][0], _e3009.member_2[1][1], _e3009.member_2[1][2])), _e3009.member_3);
-                                let _e3112 = local.member_1[0u];
-                                let _e3118 = local.member_2[0u];
-                                let _e3124 = ((_e3112[1] * _e3118[2]) - (_e3112[2] * _e3118[1]));
-                                let _e3127 = ((_e3112[2] * _e3118[0]) - (_e3112[0] * _e3118[2]));
-                                let _e3130 = ((_e3112[0] * _e3118[1]) - (_e3112[1] * _e3118[0]));
-                                let _e3133 = local.member_1[1u];
-                                let _e3139 = local.member_2[1u];
-                                let _e3145 = ((_e3133[1] * _e3139[2]) - (_e3133[2] * _e3139[1]));
-                                let _e3148 = ((_e3133[2] * _e3139[0]) - (_e3133[0] * _e3139[2]));
-                                let _e3151 = ((_e3133[0] * _e3139[1]) - (_e3133[1] * _e3139[0]));
-                                let _e3154 = local.member_1[0u];
-                                let _e3160 = local.member_2[1u];
-                                let _e3175 = local.member_1[1u];
-                                let _e3181 = local.member_2[0u];
-                                let _e3194 = (((_e3154[1] * _e3160[2]) - (_e3154[2] * _e3160[1])) + ((_e3175[1] * _e3181[2]) - (_e3175[2] * _e3181[1])));
-                                let _e3195 = (((_e3154[2] * _e3160[0]) - (_e3154[0] * _e3160[2])) + ((_e3175[2] * _e3181[0]) - (_e3175[0] * _e3181[2])));
-                                let _e3196 = (((_e3154[0] * _e3160[1]) - (_e3154[1] * _e3160[0])) + ((_e3175[0] * _e3181[1]) - (_e3175[1] * _e3181[0])));
-                                let _e3199 = local.member[0u];
-                                let _e3210 = local.member[1u];
-                                let _e3221 = local.member[0u];
-                                let _e3230 = ((((_e3210[0] * _e3124) + (_e3210[1] * _e3127)) + (_e3210[2] * _e3130)) + (((_e3221[0] * _e3194) + (_e3221[1] * _e3195)) + (_e3221[2] * _e3196)));
-                                let _e3233 = local.member[0u];
-                                let _e3244 = local.member[1u];
-                                let _e3253 = ((((_e3233[0] * _e3145) + (_e3233[1] * _e3148)) + (_e3233[2] * _e3151)) + (((_e3244[0] * _e3194) + (_e3244[1] * _e3195)) + (_e3244[2] * _e3196)));
-                                let _e3256 = local.member[1u];
-                                let _e3267 = local.member[0u];
-                                if (_e3267[0] < 0f) {
-                                    phi_5350_ = -(_e3267[0]);
+                                let _e3008 = phi_4970_;
+                                let _e3022 = ((_e3008.member[0][0] + _e3008.member[1][0]) * 0.5f);
+                                let _e3023 = ((_e3008.member[0][1] + _e3008.member[1][1]) * 0.5f);
+                                let _e3024 = ((_e3008.member[0][2] + _e3008.member[1][2]) * 0.5f);
+                                let _e3038 = ((_e3008.member_1[0][0] + _e3008.member_1[1][0]) * 0.5f);
+                                let _e3039 = ((_e3008.member_1[0][1] + _e3008.member_1[1][1]) * 0.5f);
+                                let _e3040 = ((_e3008.member_1[0][2] + _e3008.member_1[1][2]) * 0.5f);
+                                let _e3054 = ((_e3008.member_2[0][0] + _e3008.member_2[1][0]) * 0.5f);
+                                let _e3055 = ((_e3008.member_2[0][1] + _e3008.member_2[1][1]) * 0.5f);
+                                let _e3056 = ((_e3008.member_2[0][2] + _e3008.member_2[1][2]) * 0.5f);
+                                local = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3008.member[0][0], _e3008.member[0][1], _e3008.member[0][2]), array<f32, 3>(_e3022, _e3023, _e3024)), array<array<f32, 3>, 2>(array<f32, 3>(_e3008.member_1[0][0], _e3008.member_1[0][1], _e3008.member_1[0][2]), array<f32, 3>(_e3038, _e3039, _e3040)), array<array<f32, 3>, 2>(array<f32, 3>(_e3008.member_2[0][0], _e3008.member_2[0][1], _e3008.member_2[0][2]), array<f32, 3>(_e3054, _e3055, _e3056)), _e3008.member_3);
+                                local_1 = type_39(array<array<f32, 3>, 2>(array<f32, 3>(_e3022, _e3023, _e3024), array<f32, 3>(_e3008.member[1][0], _e3008.member[1][1], _e3008.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3038, _e3039, _e3040), array<f32, 3>(_e3008.member_1[1][0], _e3008.member_1[1][1], _e3008.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e3054, _e3055, _e3056), array<f32, 3>(_e3008.member_2[1][0], _e3008.member_2[1][1], _e3008.member_2[1][2])), _e3008.member_3);
+                                let _e3111 = local.member_1[0u];
+                                let _e3117 = local.member_2[0u];
+                                let _e3123 = ((_e3111[1] * _e3117[2]) - (_e3111[2] * _e3117[1]));
+                                let _e3126 = ((_e3111[2] * _e3117[0]) - (_e3111[0] * _e3117[2]));
+                                let _e3129 = ((_e3111[0] * _e3117[1]) - (_e3111[1] * _e3117[0]));
+                                let _e3132 = local.member_1[1u];
+                                let _e3138 = local.member_2[1u];
+                                let _e3144 = ((_e3132[1] * _e3138[2]) - (_e3132[2] * _e3138[1]));
+                                let _e3147 = ((_e3132[2] * _e3138[0]) - (_e3132[0] * _e3138[2]));
+                                let _e3150 = ((_e3132[0] * _e3138[1]) - (_e3132[1] * _e3138[0]));
+                                let _e3153 = local.member_1[0u];
+                                let _e3159 = local.member_2[1u];
+                                let _e3174 = local.member_1[1u];
+                                let _e3180 = local.member_2[0u];
+                                let _e3193 = (((_e3153[1] * _e3159[2]) - (_e3153[2] * _e3159[1])) + ((_e3174[1] * _e3180[2]) - (_e3174[2] * _e3180[1])));
+                                let _e3194 = (((_e3153[2] * _e3159[0]) - (_e3153[0] * _e3159[2])) + ((_e3174[2] * _e3180[0]) - (_e3174[0] * _e3180[2])));
+                                let _e3195 = (((_e3153[0] * _e3159[1]) - (_e3153[1] * _e3159[0])) + ((_e3174[0] * _e3180[1]) - (_e3174[1] * _e3180[0])));
+                                let _e3198 = local.member[0u];
+                                let _e3209 = local.member[1u];
+                                let _e3220 = local.member[0u];
+                                let _e3229 = ((((_e3209[0] * _e3123) + (_e3209[1] * _e3126)) + (_e3209[2] * _e3129)) + (((_e3220[0] * _e3193) + (_e3220[1] * _e3194)) + (_e3220[2] * _e3195)));
+                                let _e3232 = local.member[0u];
+                                let _e3243 = local.member[1u];
+                                let _e3252 = ((((_e3232[0] * _e3144) + (_e3232[1] * _e3147)) + (_e3232[2] * _e3150)) + (((_e3243[0] * _e3193) + (_e3243[1] * _e3194)) + (_e3243[2] * _e3195)));
+                                let _e3255 = local.member[1u];
+                                let _e3266 = local.member[0u];
+                                if (_e3266[0] < 0f) {
+                                    phi_5349_ = -(_e3266[0]);
                                 } else {
-                                    phi_5350_ = _e3267[0];
+                                    phi_5349_ = _e3266[0];
                                 }
-                                let _e3274 = phi_5350_;
-                                if (_e3267[1] < 0f) {
-                                    phi_5357_ = -(_e3267[1]);
+                                let _e3273 = phi_5349_;
+                                if (_e3266[1] < 0f) {
+                                    phi_5356_ = -(_e3266[1]);
                                 } else {
-                                    phi_5357_ = _e3267[1];
+                                    phi_5356_ = _e3266[1];
                                 }
-                                let _e3278 = phi_5357_;
-                                if (_e3274 > _e3278) {
-                                    phi_5362_ = _e3274;
+                                let _e3277 = phi_5356_;
+                                if (_e3273 > _e3277) {
+                                    phi_5361_ = _e3273;
                                 } else {
-                                    phi_5362_ = _e3278;
+                                    phi_5361_ = _e3277;
                                 }
-                                let _e3281 = phi_5362_;
-                                if (_e3267[2] < 0f) {
-                                    phi_5369_ = -(_e3267[2]);
+                                let _e3280 = phi_5361_;
+                                if (_e3266[2] < 0f) {
+                                    phi_5368_ = -(_e3266[2]);
                                 } else {
-                                    phi_5369_ = _e3267[2];
+                                    phi_5368_ = _e3266[2];
                                 }
-                                let _e3285 = phi_5369_;
-                                if (_e3281 > _e3285) {
-                                    phi_5374_ = _e3281;
+                                let _e3284 = phi_5368_;
+                                if (_e3280 > _e3284) {
+                                    phi_5373_ = _e3280;
                                 } else {
-                                    phi_5374_ = _e3285;
+                                    phi_5373_ = _e3284;
                                 }
-                                let _e3288 = phi_5374_;
-                                let _e3291 = local.member[1u];
-                                if (_e3291[0] < 0f) {
-                                    phi_5387_ = -(_e3291[0]);
+                                let _e3287 = phi_5373_;
+                                let _e3290 = local.member[1u];
+                                if (_e3290[0] < 0f) {
+                                    phi_5386_ = -(_e3290[0]);
                                 } else {
-                                    phi_5387_ = _e3291[0];
+                                    phi_5386_ = _e3290[0];
                                 }
-                                let _e3298 = phi_5387_;
-                                if (_e3291[1] < 0f) {
-                                    phi_5394_ = -(_e3291[1]);
+                                let _e3297 = phi_5386_;
+                                if (_e3290[1] < 0f) {
+                                    phi_5393_ = -(_e3290[1]);
                                 } else {
-                                    phi_5394_ = _e3291[1];
+                                    phi_5393_ = _e3290[1];
                                 }
-                                let _e3302 = phi_5394_;
-                                if (_e3298 > _e3302) {
-                                    phi_5399_ = _e3298;
+                                let _e3301 = phi_5393_;
+                                if (_e3297 > _e3301) {
+                                    phi_5398_ = _e3297;
                                 } else {
-                                    phi_5399_ = _e3302;
+                                    phi_5398_ = _e3301;
                                 }
-                                let _e3305 = phi_5399_;
-                                if (_e3291[2] < 0f) {
-                                    phi_5406_ = -(_e3291[2]);
+                                let _e3304 = phi_5398_;
+                                if (_e3290[2] < 0f) {
+                                    phi_5405_ = -(_e3290[2]);
                                 } else {
-                                    phi_5406_ = _e3291[2];
+                                    phi_5405_ = _e3290[2];
                                 }
-                                let _e3309 = phi_5406_;
-                                if (_e3305 > _e3309) {
-                                    phi_5411_ = _e3305;
+                                let _e3308 = phi_5405_;
+                                if (_e3304 > _e3308) {
+                                    phi_5410_ = _e3304;
                                 } else {
-                                    phi_5411_ = _e3309;
+                                    phi_5410_ = _e3308;
                                 }
-                                let _e3312 = phi_5411_;
-                                if (_e3288 > _e3312) {
-                                    phi_5416_ = _e3288;
+                                let _e3311 = phi_5410_;
+                                if (_e3287 > _e3311) {
+                                    phi_5415_ = _e3287;
                                 } else {
-                                    phi_5416_ = _e3312;
+                                    phi_5415_ = _e3311;
                                 }
-                                let _e3315 = phi_5416_;
-                                let _e3317 = local.member_3;
-                                let _e3318 = (_e3315 + _e3317);
-                                let _e3321 = local.member_1[0u];
-                                if (_e3321[0] < 0f) {
-                                    phi_5433_ = -(_e3321[0]);
+                                let _e3314 = phi_5415_;
+                                let _e3316 = local.member_3;
+                                let _e3317 = (_e3314 + _e3316);
+                                let _e3320 = local.member_1[0u];
+                                if (_e3320[0] < 0f) {
+                                    phi_5432_ = -(_e3320[0]);
                                 } else {
-                                    phi_5433_ = _e3321[0];
+                                    phi_5432_ = _e3320[0];
                                 }
-                                let _e3328 = phi_5433_;
-                                if (_e3321[1] < 0f) {
-                                    phi_5440_ = -(_e3321[1]);
+                                let _e3327 = phi_5432_;
+                                if (_e3320[1] < 0f) {
+                                    phi_5439_ = -(_e3320[1]);
                                 } else {
-                                    phi_5440_ = _e3321[1];
+                                    phi_5439_ = _e3320[1];
                                 }
-                                let _e3332 = phi_5440_;
-                                if (_e3328 > _e3332) {
-                                    phi_5445_ = _e3328;
+                                let _e3331 = phi_5439_;
+                                if (_e3327 > _e3331) {
+                                    phi_5444_ = _e3327;
                                 } else {
-                                    phi_5445_ = _e3332;
+                                    phi_5444_ = _e3331;
                                 }
-                                let _e3335 = phi_5445_;
-                                if (_e3321[2] < 0f) {
-                                    phi_5452_ = -(_e3321[2]);
+                                let _e3334 = phi_5444_;
+                                if (_e3320[2] < 0f) {
+                                    phi_5451_ = -(_e3320[2]);
                                 } else {
-                                    phi_5452_ = _e3321[2];
+                                    phi_5451_ = _e3320[2];
                                 }
-                                let _e3339 = phi_5452_;
-                                if (_e3335 > _e3339) {
-                                    phi_5457_ = _e3335;
+                                let _e3338 = phi_5451_;
+                                if (_e3334 > _e3338) {
+                                    phi_5456_ = _e3334;
                                 } else {
-                                    phi_5457_ = _e3339;
+                                    phi_5456_ = _e3338;
                                 }
-                                let _e3342 = phi_5457_;
-                                let _e3345 = local.member_1[1u];
-                                if (_e3345[0] < 0f) {
-                                    phi_5471_ = -(_e3345[0]);
+                                let _e3341 = phi_5456_;
+                                let _e3344 = local.member_1[1u];
+                                if (_e3344[0] < 0f) {
+                                    phi_5470_ = -(_e3344[0]);
                                 } else {
-                                    phi_5471_ = _e3345[0];
+                                    phi_5470_ = _e3344[0];
                                 }
-                                let _e3352 = phi_5471_;
-                                if (_e3345[1] < 0f) {
-                                    phi_5478_ = -(_e3345[1]);
+                                let _e3351 = phi_5470_;
+                                if (_e3344[1] < 0f) {
+                                    phi_5477_ = -(_e3344[1]);
                                 } else {
-                                    phi_5478_ = _e3345[1];
+                                    phi_5477_ = _e3344[1];
                                 }
-                                let _e3356 = phi_5478_;
-                                if (_e3352 > _e3356) {
-                                    phi_5483_ = _e3352;
+                                let _e3355 = phi_5477_;
+                                if (_e3351 > _e3355) {
+                                    phi_5482_ = _e3351;
                                 } else {
-                                    phi_5483_ = _e3356;
+                                    phi_5482_ = _e3355;
                                 }
-                                let _e3359 = phi_5483_;
-                                if (_e3345[2] < 0f) {
-                                    phi_5490_ = -(_e3345[2]);
+                                let _e3358 = phi_5482_;
+                                if (_e3344[2] < 0f) {
+                                    phi_5489_ = -(_e3344[2]);
                                 } else {
-                                    phi_5490_ = _e3345[2];
+                                    phi_5489_ = _e3344[2];
                                 }
-                                let _e3363 = phi_5490_;
-                                if (_e3359 > _e3363) {
-                                    phi_5495_ = _e3359;
+                                let _e3362 = phi_5489_;
+                                if (_e3358 > _e3362) {
+                                    phi_5494_ = _e3358;
                                 } else {
-                                    phi_5495_ = _e3363;
+                                    phi_5494_ = _e3362;
                                 }
-                                let _e3366 = phi_5495_;
-                                if (_e3342 > _e3366) {
-                                    phi_5500_ = _e3342;
+                                let _e3365 = phi_5494_;
+                                if (_e3341 > _e3365) {
+                                    phi_5499_ = _e3341;
                                 } else {
-                                    phi_5500_ = _e3366;
+                                    phi_5499_ = _e3365;
                                 }
-                                let _e3369 = phi_5500_;
-                                let _e3371 = local.member_3;
-                                let _e3372 = (_e3369 + _e3371);
-                                let _e3375 = local.member_2[0u];
-                                if (_e3375[0] < 0f) {
-                                    phi_5517_ = -(_e3375[0]);
+                                let _e3368 = phi_5499_;
+                                let _e3370 = local.member_3;
+                                let _e3371 = (_e3368 + _e3370);
+                                let _e3374 = local.member_2[0u];
+                                if (_e3374[0] < 0f) {
+                                    phi_5516_ = -(_e3374[0]);
                                 } else {
-                                    phi_5517_ = _e3375[0];
+                                    phi_5516_ = _e3374[0];
                                 }
-                                let _e3382 = phi_5517_;
-                                if (_e3375[1] < 0f) {
-                                    phi_5524_ = -(_e3375[1]);
+                                let _e3381 = phi_5516_;
+                                if (_e3374[1] < 0f) {
+                                    phi_5523_ = -(_e3374[1]);
                                 } else {
-                                    phi_5524_ = _e3375[1];
+                                    phi_5523_ = _e3374[1];
                                 }
-                                let _e3386 = phi_5524_;
-                                if (_e3382 > _e3386) {
-                                    phi_5529_ = _e3382;
+                                let _e3385 = phi_5523_;
+                                if (_e3381 > _e3385) {
+                                    phi_5528_ = _e3381;
                                 } else {
-                                    phi_5529_ = _e3386;
+                                    phi_5528_ = _e3385;
                                 }
-                                let _e3389 = phi_5529_;
-                                if (_e3375[2] < 0f) {
-                                    phi_5536_ = -(_e3375[2]);
+                                let _e3388 = phi_5528_;
+                                if (_e3374[2] < 0f) {
+                                    phi_5535_ = -(_e3374[2]);
                                 } else {
-                                    phi_5536_ = _e3375[2];
+                                    phi_5535_ = _e3374[2];
                                 }
-                                let _e3393 = phi_5536_;
-                                if (_e3389 > _e3393) {
-                                    phi_5541_ = _e3389;
+                                let _e3392 = phi_5535_;
+                                if (_e3388 > _e3392) {
+                                    phi_5540_ = _e3388;
                                 } else {
-                                    phi_5541_ = _e3393;
+                                    phi_5540_ = _e3392;
                                 }
-                                let _e3396 = phi_5541_;
-                                let _e3399 = local.member_2[1u];
-                                if (_e3399[0] < 0f) {
-                                    phi_5555_ = -(_e3399[0]);
+                                let _e3395 = phi_5540_;
+                                let _e3398 = local.member_2[1u];
+                                if (_e3398[0] < 0f) {
+                                    phi_5554_ = -(_e3398[0]);
                                 } else {
-                                    phi_5555_ = _e3399[0];
+                                    phi_5554_ = _e3398[0];
                                 }
-                                let _e3406 = phi_5555_;
-                                if (_e3399[1] < 0f) {
-                                    phi_5562_ = -(_e3399[1]);
+                                let _e3405 = phi_5554_;
+                                if (_e3398[1] < 0f) {
+                                    phi_5561_ = -(_e3398[1]);
                                 } else {
-                                    phi_5562_ = _e3399[1];
+                                    phi_5561_ = _e3398[1];
                                 }
-                                let _e3410 = phi_5562_;
-                                if (_e3406 > _e3410) {
-                                    phi_5567_ = _e3406;
+                                let _e3409 = phi_5561_;
+                                if (_e3405 > _e3409) {
+                                    phi_5566_ = _e3405;
                                 } else {
-                                    phi_5567_ = _e3410;
+                                    phi_5566_ = _e3409;
                                 }
-                                let _e3413 = phi_5567_;
-                                if (_e3399[2] < 0f) {
-                                    phi_5574_ = -(_e3399[2]);
+                                let _e3412 = phi_5566_;
+                                if (_e3398[2] < 0f) {
+                                    phi_5573_ = -(_e3398[2]);
                                 } else {
-                                    phi_5574_ = _e3399[2];
+                                    phi_5573_ = _e3398[2];
                                 }
-                                let _e3417 = phi_5574_;
-                                if (_e3413 > _e3417) {
-                                    phi_5579_ = _e3413;
+                                let _e3416 = phi_5573_;
+                                if (_e3412 > _e3416) {
+                                    phi_5578_ = _e3412;
                                 } else {
-                                    phi_5579_ = _e3417;
+                                    phi_5578_ = _e3416;
                                 }
-                                let _e3420 = phi_5579_;
-                                if (_e3396 > _e3420) {
-                                    phi_5584_ = _e3396;
+                                let _e3419 = phi_5578_;
+                                if (_e3395 > _e3419) {
+                                    phi_5583_ = _e3395;
                                 } else {
-                                    phi_5584_ = _e3420;
+                                    phi_5583_ = _e3419;
                                 }
-                                let _e3423 = phi_5584_;
-                                let _e3425 = local.member_3;
-                                let _e3426 = (_e3423 + _e3425);
-                                let _e3428 = ((_e3372 * 8f) * _e3426);
-                                let _e3435 = local.member_3;
-                                if (_e3124 < 0f) {
-                                    phi_5615_ = -(_e3124);
+                                let _e3422 = phi_5583_;
+                                let _e3424 = local.member_3;
+                                let _e3425 = (_e3422 + _e3424);
+                                let _e3427 = ((_e3371 * 8f) * _e3425);
+                                let _e3434 = local.member_3;
+                                if (_e3123 < 0f) {
+                                    phi_5614_ = -(_e3123);
                                 } else {
-                                    phi_5615_ = _e3124;
+                                    phi_5614_ = _e3123;
                                 }
-                                let _e3452 = phi_5615_;
-                                if (_e3127 < 0f) {
-                                    phi_5621_ = -(_e3127);
+                                let _e3451 = phi_5614_;
+                                if (_e3126 < 0f) {
+                                    phi_5620_ = -(_e3126);
                                 } else {
-                                    phi_5621_ = _e3127;
+                                    phi_5620_ = _e3126;
                                 }
-                                let _e3456 = phi_5621_;
-                                if (_e3130 < 0f) {
-                                    phi_5628_ = -(_e3130);
+                                let _e3455 = phi_5620_;
+                                if (_e3129 < 0f) {
+                                    phi_5627_ = -(_e3129);
                                 } else {
-                                    phi_5628_ = _e3130;
+                                    phi_5627_ = _e3129;
                                 }
-                                let _e3461 = phi_5628_;
-                                let _e3462 = ((_e3452 + _e3456) + _e3461);
-                                if (_e3145 < 0f) {
-                                    phi_5635_ = -(_e3145);
+                                let _e3460 = phi_5627_;
+                                let _e3461 = ((_e3451 + _e3455) + _e3460);
+                                if (_e3144 < 0f) {
+                                    phi_5634_ = -(_e3144);
                                 } else {
-                                    phi_5635_ = _e3145;
+                                    phi_5634_ = _e3144;
                                 }
-                                let _e3466 = phi_5635_;
-                                if (_e3148 < 0f) {
-                                    phi_5641_ = -(_e3148);
+                                let _e3465 = phi_5634_;
+                                if (_e3147 < 0f) {
+                                    phi_5640_ = -(_e3147);
                                 } else {
-                                    phi_5641_ = _e3148;
+                                    phi_5640_ = _e3147;
                                 }
-                                let _e3470 = phi_5641_;
-                                if (_e3151 < 0f) {
-                                    phi_5648_ = -(_e3151);
+                                let _e3469 = phi_5640_;
+                                if (_e3150 < 0f) {
+                                    phi_5647_ = -(_e3150);
                                 } else {
-                                    phi_5648_ = _e3151;
+                                    phi_5647_ = _e3150;
                                 }
-                                let _e3475 = phi_5648_;
-                                let _e3476 = ((_e3466 + _e3470) + _e3475);
-                                if (_e3462 > _e3476) {
-                                    phi_5654_ = _e3462;
+                                let _e3474 = phi_5647_;
+                                let _e3475 = ((_e3465 + _e3469) + _e3474);
+                                if (_e3461 > _e3475) {
+                                    phi_5653_ = _e3461;
                                 } else {
-                                    phi_5654_ = _e3476;
+                                    phi_5653_ = _e3475;
                                 }
-                                let _e3479 = phi_5654_;
+                                let _e3478 = phi_5653_;
+                                if (_e3193 < 0f) {
+                                    phi_5659_ = -(_e3193);
+                                } else {
+                                    phi_5659_ = _e3193;
+                                }
+                                let _e3482 = phi_5659_;
                                 if (_e3194 < 0f) {
-                                    phi_5660_ = -(_e3194);
+                                    phi_5665_ = -(_e3194);
                                 } else {
-                                    phi_5660_ = _e3194;
+                                    phi_5665_ = _e3194;
                                 }
-                                let _e3483 = phi_5660_;
+                                let _e3486 = phi_5665_;
                                 if (_e3195 < 0f) {
-                                    phi_5666_ = -(_e3195);
+                                    phi_5672_ = -(_e3195);
                                 } else {
-                                    phi_5666_ = _e3195;
+                                    phi_5672_ = _e3195;
                                 }
-                                let _e3487 = phi_5666_;
-                                if (_e3196 < 0f) {
-                                    phi_5673_ = -(_e3196);
+                                let _e3491 = phi_5672_;
+                                let _e3493 = (((_e3482 + _e3486) + _e3491) * 0.5f);
+                                if (_e3478 > _e3493) {
+                                    phi_5679_ = _e3478;
                                 } else {
-                                    phi_5673_ = _e3196;
+                                    phi_5679_ = _e3493;
                                 }
-                                let _e3492 = phi_5673_;
-                                let _e3494 = (((_e3483 + _e3487) + _e3492) * 0.5f);
-                                if (_e3479 > _e3494) {
-                                    phi_5680_ = _e3479;
+                                let _e3496 = phi_5679_;
+                                let _e3501 = local.member_3;
+                                let _e3514 = ((((_e3198[0] * _e3123) + (_e3198[1] * _e3126)) + (_e3198[2] * _e3129)) * 3f);
+                                let _e3515 = ((((_e3255[0] * _e3144) + (_e3255[1] * _e3147)) + (_e3255[2] * _e3150)) * 3f);
+                                if (_e3514 < _e3515) {
+                                    phi_5703_ = _e3514;
                                 } else {
-                                    phi_5680_ = _e3494;
+                                    phi_5703_ = _e3515;
                                 }
-                                let _e3497 = phi_5680_;
-                                let _e3502 = local.member_3;
-                                let _e3515 = ((((_e3199[0] * _e3124) + (_e3199[1] * _e3127)) + (_e3199[2] * _e3130)) * 3f);
-                                let _e3516 = ((((_e3256[0] * _e3145) + (_e3256[1] * _e3148)) + (_e3256[2] * _e3151)) * 3f);
-                                if (_e3515 < _e3516) {
-                                    phi_5704_ = _e3515;
+                                let _e3518 = phi_5703_;
+                                if (_e3229 < _e3252) {
+                                    phi_5708_ = _e3229;
                                 } else {
-                                    phi_5704_ = _e3516;
+                                    phi_5708_ = _e3252;
                                 }
-                                let _e3519 = phi_5704_;
-                                if (_e3230 < _e3253) {
-                                    phi_5709_ = _e3230;
+                                let _e3521 = phi_5708_;
+                                if (_e3518 < _e3521) {
+                                    phi_5713_ = _e3518;
                                 } else {
-                                    phi_5709_ = _e3253;
+                                    phi_5713_ = _e3521;
                                 }
-                                let _e3522 = phi_5709_;
-                                if (_e3519 < _e3522) {
-                                    phi_5714_ = _e3519;
+                                let _e3524 = phi_5713_;
+                                if (_e3514 > _e3515) {
+                                    phi_5718_ = _e3514;
                                 } else {
-                                    phi_5714_ = _e3522;
+                                    phi_5718_ = _e3515;
                                 }
-                                let _e3525 = phi_5714_;
-                                if (_e3515 > _e3516) {
-                                    phi_5719_ = _e3515;
+                                let _e3527 = phi_5718_;
+                                if (_e3229 > _e3252) {
+                                    phi_5723_ = _e3229;
                                 } else {
-                                    phi_5719_ = _e3516;
+                                    phi_5723_ = _e3252;
                                 }
-                                let _e3528 = phi_5719_;
-                                if (_e3230 > _e3253) {
-                                    phi_5724_ = _e3230;
+                                let _e3530 = phi_5723_;
+                                if (_e3527 > _e3530) {
+                                    phi_5728_ = _e3527;
                                 } else {
-                                    phi_5724_ = _e3253;
+                                    phi_5728_ = _e3530;
                                 }
-                                let _e3531 = phi_5724_;
-                                if (_e3528 > _e3531) {
-                                    phi_5729_ = _e3528;
+                                let _e3533 = phi_5728_;
+                                let _e3538 = -(_e3533);
+                                if (_e3524 > _e3538) {
+                                    phi_5738_ = _e3524;
                                 } else {
-                                    phi_5729_ = _e3531;
+                                    phi_5738_ = _e3538;
                                 }
-                                let _e3534 = phi_5729_;
-                                let _e3539 = -(_e3534);
-                                if (_e3525 > _e3539) {
-                                    phi_5739_ = _e3525;
+                                let _e3541 = phi_5738_;
+                                let _e3543 = ((_e3541 - ((((((_e3317 * 8f) * _e3427) * (0.000000059604645f * (524f / 64f))) + ((_e3434 * 19f) * ((_e3317 * (_e3371 + _e3425)) + (_e3371 * _e3425)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3317) * ((1f + _e3371) * (1f + _e3425))))) + ((_e91.member_5 * (((_e3496 + (_e3427 * (0.000000059604645f * 8f))) + ((_e3501 * 6f) * (_e3371 + _e3425))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3371) * (1f + _e3425))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3543 {
+                                    phi_6707_ = _e3543;
                                 } else {
-                                    phi_5739_ = _e3539;
-                                }
-                                let _e3542 = phi_5739_;
-                                let _e3544 = ((_e3542 - ((((((_e3318 * 8f) * _e3428) * (0.000000059604645f * (524f / 64f))) + ((_e3435 * 19f) * ((_e3318 * (_e3372 + _e3426)) + (_e3372 * _e3426)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3318) * ((1f + _e3372) * (1f + _e3426))))) + ((_e91.member_5 * (((_e3497 + (_e3428 * (0.000000059604645f * 8f))) + ((_e3502 * 6f) * (_e3372 + _e3426))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3372) * (1f + _e3426))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3544 {
-                                    phi_6708_ = _e3544;
-                                } else {
-                                    let _e3547 = local.member_1[0u];
-                                    let _e3553 = local.member_1[1u];
-                                    let _e3557 = (_e3547[0] + _e3553[0]);
-                                    let _e3558 = (_e3547[1] + _e3553[1]);
-                                    let _e3559 = (_e3547[2] + _e3553[2]);
-                                    let _e3562 = local.member_2[0u];
-                                    let _e3568 = local.member_2[1u];
-                                    let _e3572 = (_e3562[0] + _e3568[0]);
-                                    let _e3573 = (_e3562[1] + _e3568[1]);
-                                    let _e3574 = (_e3562[2] + _e3568[2]);
-                                    let _e3577 = ((_e3558 * _e3574) - (_e3559 * _e3573));
-                                    let _e3580 = ((_e3559 * _e3572) - (_e3557 * _e3574));
-                                    let _e3583 = ((_e3557 * _e3573) - (_e3558 * _e3572));
-                                    let _e3586 = local.member[0u];
-                                    let _e3593 = local.member_1[0u];
-                                    let _e3599 = local.member_2[0u];
-                                    let _e3603 = (_e3586[0] - _e3593[0]);
-                                    let _e3604 = (_e3586[1] - _e3593[1]);
-                                    let _e3605 = (_e3586[2] - _e3593[2]);
+                                    let _e3546 = local.member_1[0u];
+                                    let _e3552 = local.member_1[1u];
+                                    let _e3556 = (_e3546[0] + _e3552[0]);
+                                    let _e3557 = (_e3546[1] + _e3552[1]);
+                                    let _e3558 = (_e3546[2] + _e3552[2]);
+                                    let _e3561 = local.member_2[0u];
+                                    let _e3567 = local.member_2[1u];
+                                    let _e3571 = (_e3561[0] + _e3567[0]);
+                                    let _e3572 = (_e3561[1] + _e3567[1]);
+                                    let _e3573 = (_e3561[2] + _e3567[2]);
+                                    let _e3576 = ((_e3557 * _e3573) - (_e3558 * _e3572));
+                                    let _e3579 = ((_e3558 * _e3571) - (_e3556 * _e3573));
+                                    let _e3582 = ((_e3556 * _e3572) - (_e3557 * _e3571));
+                                    let _e3585 = local.member[0u];
+                                    let _e3592 = local.member_1[0u];
+                                    let _e3598 = local.member_2[0u];
+                                    let _e3602 = (_e3585[0] - _e3592[0]);
+                                    let _e3603 = (_e3585[1] - _e3592[1]);
+                                    let _e3604 = (_e3585[2] - _e3592[2]);
                                     if true {
-                                        phi_5855_ = array<f32, 3>(_e3586[0], _e3586[1], _e3586[2]);
+                                        phi_5854_ = array<f32, 3>(_e3585[0], _e3585[1], _e3585[2]);
                                     } else {
-                                        phi_5855_ = array<f32, 3>((_e3603 - _e3599[0]), (_e3604 - _e3599[1]), (_e3605 - _e3599[2]));
+                                        phi_5854_ = array<f32, 3>((_e3602 - _e3598[0]), (_e3603 - _e3598[1]), (_e3604 - _e3598[2]));
                                     }
-                                    let _e3611 = phi_5855_;
-                                    let _e3612 = (_e3586[0] - _e3599[0]);
-                                    let _e3613 = (_e3586[1] - _e3599[1]);
-                                    let _e3614 = (_e3586[2] - _e3599[2]);
-                                    let _e3617 = local.member[1u];
-                                    let _e3624 = local.member_1[1u];
-                                    let _e3630 = local.member_2[1u];
-                                    let _e3634 = (_e3617[0] - _e3624[0]);
-                                    let _e3635 = (_e3617[1] - _e3624[1]);
-                                    let _e3636 = (_e3617[2] - _e3624[2]);
+                                    let _e3610 = phi_5854_;
+                                    let _e3611 = (_e3585[0] - _e3598[0]);
+                                    let _e3612 = (_e3585[1] - _e3598[1]);
+                                    let _e3613 = (_e3585[2] - _e3598[2]);
+                                    let _e3616 = local.member[1u];
+                                    let _e3623 = local.member_1[1u];
+                                    let _e3629 = local.member_2[1u];
+                                    let _e3633 = (_e3616[0] - _e3623[0]);
+                                    let _e3634 = (_e3616[1] - _e3623[1]);
+                                    let _e3635 = (_e3616[2] - _e3623[2]);
                                     if true {
-                                        phi_5920_ = array<f32, 3>(_e3617[0], _e3617[1], _e3617[2]);
+                                        phi_5919_ = array<f32, 3>(_e3616[0], _e3616[1], _e3616[2]);
                                     } else {
-                                        phi_5920_ = array<f32, 3>((_e3634 - _e3630[0]), (_e3635 - _e3630[1]), (_e3636 - _e3630[2]));
+                                        phi_5919_ = array<f32, 3>((_e3633 - _e3629[0]), (_e3634 - _e3629[1]), (_e3635 - _e3629[2]));
                                     }
-                                    let _e3642 = phi_5920_;
-                                    let _e3643 = (_e3617[0] - _e3630[0]);
-                                    let _e3644 = (_e3617[1] - _e3630[1]);
-                                    let _e3645 = (_e3617[2] - _e3630[2]);
-                                    let _e3648 = local.member[0u];
-                                    if (_e3648[0] < 0f) {
-                                        phi_5942_ = -(_e3648[0]);
+                                    let _e3641 = phi_5919_;
+                                    let _e3642 = (_e3616[0] - _e3629[0]);
+                                    let _e3643 = (_e3616[1] - _e3629[1]);
+                                    let _e3644 = (_e3616[2] - _e3629[2]);
+                                    let _e3647 = local.member[0u];
+                                    if (_e3647[0] < 0f) {
+                                        phi_5941_ = -(_e3647[0]);
                                     } else {
-                                        phi_5942_ = _e3648[0];
+                                        phi_5941_ = _e3647[0];
                                     }
-                                    let _e3655 = phi_5942_;
-                                    if (_e3648[1] < 0f) {
-                                        phi_5949_ = -(_e3648[1]);
+                                    let _e3654 = phi_5941_;
+                                    if (_e3647[1] < 0f) {
+                                        phi_5948_ = -(_e3647[1]);
                                     } else {
-                                        phi_5949_ = _e3648[1];
+                                        phi_5948_ = _e3647[1];
                                     }
-                                    let _e3659 = phi_5949_;
-                                    if (_e3655 > _e3659) {
-                                        phi_5954_ = _e3655;
+                                    let _e3658 = phi_5948_;
+                                    if (_e3654 > _e3658) {
+                                        phi_5953_ = _e3654;
                                     } else {
-                                        phi_5954_ = _e3659;
+                                        phi_5953_ = _e3658;
                                     }
-                                    let _e3662 = phi_5954_;
-                                    if (_e3648[2] < 0f) {
-                                        phi_5961_ = -(_e3648[2]);
+                                    let _e3661 = phi_5953_;
+                                    if (_e3647[2] < 0f) {
+                                        phi_5960_ = -(_e3647[2]);
                                     } else {
-                                        phi_5961_ = _e3648[2];
+                                        phi_5960_ = _e3647[2];
                                     }
-                                    let _e3666 = phi_5961_;
-                                    if (_e3662 > _e3666) {
-                                        phi_5966_ = _e3662;
+                                    let _e3665 = phi_5960_;
+                                    if (_e3661 > _e3665) {
+                                        phi_5965_ = _e3661;
                                     } else {
-                                        phi_5966_ = _e3666;
+                                        phi_5965_ = _e3665;
                                     }
-                                    let _e3669 = phi_5966_;
-                                    let _e3672 = local.member[1u];
-                                    if (_e3672[0] < 0f) {
-                                        phi_5979_ = -(_e3672[0]);
+                                    let _e3668 = phi_5965_;
+                                    let _e3671 = local.member[1u];
+                                    if (_e3671[0] < 0f) {
+                                        phi_5978_ = -(_e3671[0]);
                                     } else {
-                                        phi_5979_ = _e3672[0];
+                                        phi_5978_ = _e3671[0];
                                     }
-                                    let _e3679 = phi_5979_;
-                                    if (_e3672[1] < 0f) {
-                                        phi_5986_ = -(_e3672[1]);
+                                    let _e3678 = phi_5978_;
+                                    if (_e3671[1] < 0f) {
+                                        phi_5985_ = -(_e3671[1]);
                                     } else {
-                                        phi_5986_ = _e3672[1];
+                                        phi_5985_ = _e3671[1];
                                     }
-                                    let _e3683 = phi_5986_;
-                                    if (_e3679 > _e3683) {
-                                        phi_5991_ = _e3679;
+                                    let _e3682 = phi_5985_;
+                                    if (_e3678 > _e3682) {
+                                        phi_5990_ = _e3678;
                                     } else {
-                                        phi_5991_ = _e3683;
+                                        phi_5990_ = _e3682;
                                     }
-                                    let _e3686 = phi_5991_;
-                                    if (_e3672[2] < 0f) {
-                                        phi_5998_ = -(_e3672[2]);
+                                    let _e3685 = phi_5990_;
+                                    if (_e3671[2] < 0f) {
+                                        phi_5997_ = -(_e3671[2]);
                                     } else {
-                                        phi_5998_ = _e3672[2];
+                                        phi_5997_ = _e3671[2];
                                     }
-                                    let _e3690 = phi_5998_;
-                                    if (_e3686 > _e3690) {
-                                        phi_6003_ = _e3686;
+                                    let _e3689 = phi_5997_;
+                                    if (_e3685 > _e3689) {
+                                        phi_6002_ = _e3685;
                                     } else {
-                                        phi_6003_ = _e3690;
+                                        phi_6002_ = _e3689;
                                     }
-                                    let _e3693 = phi_6003_;
-                                    if (_e3669 > _e3693) {
-                                        phi_6008_ = _e3669;
+                                    let _e3692 = phi_6002_;
+                                    if (_e3668 > _e3692) {
+                                        phi_6007_ = _e3668;
                                     } else {
-                                        phi_6008_ = _e3693;
+                                        phi_6007_ = _e3692;
                                     }
-                                    let _e3696 = phi_6008_;
-                                    let _e3698 = local.member_3;
-                                    let _e3702 = local.member_1[0u];
-                                    if (_e3702[0] < 0f) {
-                                        phi_6025_ = -(_e3702[0]);
+                                    let _e3695 = phi_6007_;
+                                    let _e3697 = local.member_3;
+                                    let _e3701 = local.member_1[0u];
+                                    if (_e3701[0] < 0f) {
+                                        phi_6024_ = -(_e3701[0]);
                                     } else {
-                                        phi_6025_ = _e3702[0];
+                                        phi_6024_ = _e3701[0];
                                     }
-                                    let _e3709 = phi_6025_;
-                                    if (_e3702[1] < 0f) {
-                                        phi_6032_ = -(_e3702[1]);
+                                    let _e3708 = phi_6024_;
+                                    if (_e3701[1] < 0f) {
+                                        phi_6031_ = -(_e3701[1]);
                                     } else {
-                                        phi_6032_ = _e3702[1];
+                                        phi_6031_ = _e3701[1];
                                     }
-                                    let _e3713 = phi_6032_;
-                                    if (_e3709 > _e3713) {
-                                        phi_6037_ = _e3709;
+                                    let _e3712 = phi_6031_;
+                                    if (_e3708 > _e3712) {
+                                        phi_6036_ = _e3708;
                                     } else {
-                                        phi_6037_ = _e3713;
+                                        phi_6036_ = _e3712;
                                     }
-                                    let _e3716 = phi_6037_;
-                                    if (_e3702[2] < 0f) {
-                                        phi_6044_ = -(_e3702[2]);
+                                    let _e3715 = phi_6036_;
+                                    if (_e3701[2] < 0f) {
+                                        phi_6043_ = -(_e3701[2]);
                                     } else {
-                                        phi_6044_ = _e3702[2];
+                                        phi_6043_ = _e3701[2];
                                     }
-                                    let _e3720 = phi_6044_;
-                                    if (_e3716 > _e3720) {
-                                        phi_6049_ = _e3716;
+                                    let _e3719 = phi_6043_;
+                                    if (_e3715 > _e3719) {
+                                        phi_6048_ = _e3715;
                                     } else {
-                                        phi_6049_ = _e3720;
+                                        phi_6048_ = _e3719;
                                     }
-                                    let _e3723 = phi_6049_;
-                                    let _e3726 = local.member_1[1u];
-                                    if (_e3726[0] < 0f) {
-                                        phi_6063_ = -(_e3726[0]);
+                                    let _e3722 = phi_6048_;
+                                    let _e3725 = local.member_1[1u];
+                                    if (_e3725[0] < 0f) {
+                                        phi_6062_ = -(_e3725[0]);
                                     } else {
-                                        phi_6063_ = _e3726[0];
+                                        phi_6062_ = _e3725[0];
                                     }
-                                    let _e3733 = phi_6063_;
-                                    if (_e3726[1] < 0f) {
-                                        phi_6070_ = -(_e3726[1]);
+                                    let _e3732 = phi_6062_;
+                                    if (_e3725[1] < 0f) {
+                                        phi_6069_ = -(_e3725[1]);
                                     } else {
-                                        phi_6070_ = _e3726[1];
+                                        phi_6069_ = _e3725[1];
                                     }
-                                    let _e3737 = phi_6070_;
-                                    if (_e3733 > _e3737) {
-                                        phi_6075_ = _e3733;
+                                    let _e3736 = phi_6069_;
+                                    if (_e3732 > _e3736) {
+                                        phi_6074_ = _e3732;
                                     } else {
-                                        phi_6075_ = _e3737;
+                                        phi_6074_ = _e3736;
                                     }
-                                    let _e3740 = phi_6075_;
-                                    if (_e3726[2] < 0f) {
-                                        phi_6082_ = -(_e3726[2]);
+                                    let _e3739 = phi_6074_;
+                                    if (_e3725[2] < 0f) {
+                                        phi_6081_ = -(_e3725[2]);
                                     } else {
-                                        phi_6082_ = _e3726[2];
+                                        phi_6081_ = _e3725[2];
                                     }
-                                    let _e3744 = phi_6082_;
-                                    if (_e3740 > _e3744) {
-                                        phi_6087_ = _e3740;
+                                    let _e3743 = phi_6081_;
+                                    if (_e3739 > _e3743) {
+                                        phi_6086_ = _e3739;
                                     } else {
-                                        phi_6087_ = _e3744;
+                                        phi_6086_ = _e3743;
                                     }
-                                    let _e3747 = phi_6087_;
-                                    if (_e3723 > _e3747) {
-                                        phi_6092_ = _e3723;
+                                    let _e3746 = phi_6086_;
+                                    if (_e3722 > _e3746) {
+                                        phi_6091_ = _e3722;
                                     } else {
-                                        phi_6092_ = _e3747;
+                                        phi_6091_ = _e3746;
                                     }
-                                    let _e3750 = phi_6092_;
-                                    let _e3752 = local.member_3;
-                                    let _e3756 = local.member_2[0u];
-                                    if (_e3756[0] < 0f) {
-                                        phi_6109_ = -(_e3756[0]);
+                                    let _e3749 = phi_6091_;
+                                    let _e3751 = local.member_3;
+                                    let _e3755 = local.member_2[0u];
+                                    if (_e3755[0] < 0f) {
+                                        phi_6108_ = -(_e3755[0]);
                                     } else {
-                                        phi_6109_ = _e3756[0];
+                                        phi_6108_ = _e3755[0];
                                     }
-                                    let _e3763 = phi_6109_;
-                                    if (_e3756[1] < 0f) {
-                                        phi_6116_ = -(_e3756[1]);
+                                    let _e3762 = phi_6108_;
+                                    if (_e3755[1] < 0f) {
+                                        phi_6115_ = -(_e3755[1]);
                                     } else {
-                                        phi_6116_ = _e3756[1];
+                                        phi_6115_ = _e3755[1];
                                     }
-                                    let _e3767 = phi_6116_;
-                                    if (_e3763 > _e3767) {
-                                        phi_6121_ = _e3763;
+                                    let _e3766 = phi_6115_;
+                                    if (_e3762 > _e3766) {
+                                        phi_6120_ = _e3762;
                                     } else {
-                                        phi_6121_ = _e3767;
+                                        phi_6120_ = _e3766;
                                     }
-                                    let _e3770 = phi_6121_;
-                                    if (_e3756[2] < 0f) {
-                                        phi_6128_ = -(_e3756[2]);
+                                    let _e3769 = phi_6120_;
+                                    if (_e3755[2] < 0f) {
+                                        phi_6127_ = -(_e3755[2]);
                                     } else {
-                                        phi_6128_ = _e3756[2];
+                                        phi_6127_ = _e3755[2];
                                     }
-                                    let _e3774 = phi_6128_;
-                                    if (_e3770 > _e3774) {
-                                        phi_6133_ = _e3770;
+                                    let _e3773 = phi_6127_;
+                                    if (_e3769 > _e3773) {
+                                        phi_6132_ = _e3769;
                                     } else {
-                                        phi_6133_ = _e3774;
+                                        phi_6132_ = _e3773;
                                     }
-                                    let _e3777 = phi_6133_;
-                                    let _e3780 = local.member_2[1u];
-                                    if (_e3780[0] < 0f) {
-                                        phi_6147_ = -(_e3780[0]);
+                                    let _e3776 = phi_6132_;
+                                    let _e3779 = local.member_2[1u];
+                                    if (_e3779[0] < 0f) {
+                                        phi_6146_ = -(_e3779[0]);
                                     } else {
-                                        phi_6147_ = _e3780[0];
+                                        phi_6146_ = _e3779[0];
                                     }
-                                    let _e3787 = phi_6147_;
-                                    if (_e3780[1] < 0f) {
-                                        phi_6154_ = -(_e3780[1]);
+                                    let _e3786 = phi_6146_;
+                                    if (_e3779[1] < 0f) {
+                                        phi_6153_ = -(_e3779[1]);
                                     } else {
-                                        phi_6154_ = _e3780[1];
+                                        phi_6153_ = _e3779[1];
                                     }
-                                    let _e3791 = phi_6154_;
-                                    if (_e3787 > _e3791) {
-                                        phi_6159_ = _e3787;
+                                    let _e3790 = phi_6153_;
+                                    if (_e3786 > _e3790) {
+                                        phi_6158_ = _e3786;
                                     } else {
-                                        phi_6159_ = _e3791;
+                                        phi_6158_ = _e3790;
                                     }
-                                    let _e3794 = phi_6159_;
-                                    if (_e3780[2] < 0f) {
-                                        phi_6166_ = -(_e3780[2]);
+                                    let _e3793 = phi_6158_;
+                                    if (_e3779[2] < 0f) {
+                                        phi_6165_ = -(_e3779[2]);
                                     } else {
-                                        phi_6166_ = _e3780[2];
+                                        phi_6165_ = _e3779[2];
                                     }
-                                    let _e3798 = phi_6166_;
-                                    if (_e3794 > _e3798) {
-                                        phi_6171_ = _e3794;
+                                    let _e3797 = phi_6165_;
+                                    if (_e3793 > _e3797) {
+                                        phi_6170_ = _e3793;
                                     } else {
-                                        phi_6171_ = _e3798;
+                                        phi_6170_ = _e3797;
                                     }
-                                    let _e3801 = phi_6171_;
-                                    if (_e3777 > _e3801) {
-                                        phi_6176_ = _e3777;
+                                    let _e3800 = phi_6170_;
+                                    if (_e3776 > _e3800) {
+                                        phi_6175_ = _e3776;
                                     } else {
-                                        phi_6176_ = _e3801;
+                                        phi_6175_ = _e3800;
                                     }
-                                    let _e3804 = phi_6176_;
-                                    let _e3806 = local.member_3;
-                                    let _e3810 = ((((_e3696 + _e3698) + (_e3750 + _e3752)) + (_e3804 + _e3806)) * 2f);
-                                    let _e3813 = local.member_3;
-                                    let _e3817 = (((_e91.member_5 * 1.0001f) + (_e3813 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3820 = ((_e3580 * _e3559) - (_e3583 * _e3558));
-                                    let _e3823 = ((_e3583 * _e3557) - (_e3577 * _e3559));
-                                    let _e3826 = ((_e3577 * _e3558) - (_e3580 * _e3557));
-                                    let _e3831 = (((_e3820 * _e3586[0]) + (_e3823 * _e3586[1])) + (_e3826 * _e3586[2]));
-                                    let _e3836 = (((_e3820 * _e3603) + (_e3823 * _e3604)) + (_e3826 * _e3605));
-                                    let _e3841 = (((_e3820 * _e3612) + (_e3823 * _e3613)) + (_e3826 * _e3614));
-                                    let _e3849 = (((_e3820 * _e3611[0]) + (_e3823 * _e3611[1])) + (_e3826 * _e3611[2]));
-                                    let _e3854 = (((_e3820 * _e3617[0]) + (_e3823 * _e3617[1])) + (_e3826 * _e3617[2]));
-                                    let _e3859 = (((_e3820 * _e3634) + (_e3823 * _e3635)) + (_e3826 * _e3636));
-                                    let _e3864 = (((_e3820 * _e3643) + (_e3823 * _e3644)) + (_e3826 * _e3645));
-                                    let _e3872 = (((_e3820 * _e3642[0]) + (_e3823 * _e3642[1])) + (_e3826 * _e3642[2]));
-                                    if (_e3831 < _e3836) {
-                                        phi_6255_ = _e3831;
+                                    let _e3803 = phi_6175_;
+                                    let _e3805 = local.member_3;
+                                    let _e3809 = ((((_e3695 + _e3697) + (_e3749 + _e3751)) + (_e3803 + _e3805)) * 2f);
+                                    let _e3812 = local.member_3;
+                                    let _e3816 = (((_e91.member_5 * 1.0001f) + (_e3812 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3819 = ((_e3579 * _e3558) - (_e3582 * _e3557));
+                                    let _e3822 = ((_e3582 * _e3556) - (_e3576 * _e3558));
+                                    let _e3825 = ((_e3576 * _e3557) - (_e3579 * _e3556));
+                                    let _e3830 = (((_e3819 * _e3585[0]) + (_e3822 * _e3585[1])) + (_e3825 * _e3585[2]));
+                                    let _e3835 = (((_e3819 * _e3602) + (_e3822 * _e3603)) + (_e3825 * _e3604));
+                                    let _e3840 = (((_e3819 * _e3611) + (_e3822 * _e3612)) + (_e3825 * _e3613));
+                                    let _e3848 = (((_e3819 * _e3610[0]) + (_e3822 * _e3610[1])) + (_e3825 * _e3610[2]));
+                                    let _e3853 = (((_e3819 * _e3616[0]) + (_e3822 * _e3616[1])) + (_e3825 * _e3616[2]));
+                                    let _e3858 = (((_e3819 * _e3633) + (_e3822 * _e3634)) + (_e3825 * _e3635));
+                                    let _e3863 = (((_e3819 * _e3642) + (_e3822 * _e3643)) + (_e3825 * _e3644));
+                                    let _e3871 = (((_e3819 * _e3641[0]) + (_e3822 * _e3641[1])) + (_e3825 * _e3641[2]));
+                                    if (_e3830 < _e3835) {
+                                        phi_6254_ = _e3830;
                                     } else {
-                                        phi_6255_ = _e3836;
+                                        phi_6254_ = _e3835;
                                     }
-                                    let _e3875 = phi_6255_;
-                                    if (_e3841 < _e3849) {
-                                        phi_6260_ = _e3841;
+                                    let _e3874 = phi_6254_;
+                                    if (_e3840 < _e3848) {
+                                        phi_6259_ = _e3840;
                                     } else {
-                                        phi_6260_ = _e3849;
+                                        phi_6259_ = _e3848;
                                     }
-                                    let _e3878 = phi_6260_;
-                                    if (_e3875 < _e3878) {
-                                        phi_6265_ = _e3875;
+                                    let _e3877 = phi_6259_;
+                                    if (_e3874 < _e3877) {
+                                        phi_6264_ = _e3874;
                                     } else {
-                                        phi_6265_ = _e3878;
+                                        phi_6264_ = _e3877;
                                     }
-                                    let _e3881 = phi_6265_;
-                                    if (_e3854 < _e3859) {
-                                        phi_6270_ = _e3854;
+                                    let _e3880 = phi_6264_;
+                                    if (_e3853 < _e3858) {
+                                        phi_6269_ = _e3853;
                                     } else {
-                                        phi_6270_ = _e3859;
+                                        phi_6269_ = _e3858;
                                     }
-                                    let _e3884 = phi_6270_;
-                                    if (_e3864 < _e3872) {
-                                        phi_6275_ = _e3864;
+                                    let _e3883 = phi_6269_;
+                                    if (_e3863 < _e3871) {
+                                        phi_6274_ = _e3863;
                                     } else {
-                                        phi_6275_ = _e3872;
+                                        phi_6274_ = _e3871;
                                     }
-                                    let _e3887 = phi_6275_;
-                                    if (_e3884 < _e3887) {
-                                        phi_6280_ = _e3884;
+                                    let _e3886 = phi_6274_;
+                                    if (_e3883 < _e3886) {
+                                        phi_6279_ = _e3883;
                                     } else {
-                                        phi_6280_ = _e3887;
+                                        phi_6279_ = _e3886;
                                     }
-                                    let _e3890 = phi_6280_;
-                                    if (_e3881 < _e3890) {
-                                        phi_6285_ = _e3881;
+                                    let _e3889 = phi_6279_;
+                                    if (_e3880 < _e3889) {
+                                        phi_6284_ = _e3880;
                                     } else {
-                                        phi_6285_ = _e3890;
+                                        phi_6284_ = _e3889;
                                     }
-                                    let _e3893 = phi_6285_;
-                                    if (_e3831 > _e3836) {
-                                        phi_6290_ = _e3831;
+                                    let _e3892 = phi_6284_;
+                                    if (_e3830 > _e3835) {
+                                        phi_6289_ = _e3830;
                                     } else {
-                                        phi_6290_ = _e3836;
+                                        phi_6289_ = _e3835;
                                     }
-                                    let _e3896 = phi_6290_;
-                                    if (_e3841 > _e3849) {
-                                        phi_6295_ = _e3841;
+                                    let _e3895 = phi_6289_;
+                                    if (_e3840 > _e3848) {
+                                        phi_6294_ = _e3840;
                                     } else {
-                                        phi_6295_ = _e3849;
+                                        phi_6294_ = _e3848;
                                     }
-                                    let _e3899 = phi_6295_;
-                                    if (_e3896 > _e3899) {
-                                        phi_6300_ = _e3896;
+                                    let _e3898 = phi_6294_;
+                                    if (_e3895 > _e3898) {
+                                        phi_6299_ = _e3895;
                                     } else {
-                                        phi_6300_ = _e3899;
+                                        phi_6299_ = _e3898;
                                     }
-                                    let _e3902 = phi_6300_;
-                                    if (_e3854 > _e3859) {
-                                        phi_6305_ = _e3854;
+                                    let _e3901 = phi_6299_;
+                                    if (_e3853 > _e3858) {
+                                        phi_6304_ = _e3853;
                                     } else {
-                                        phi_6305_ = _e3859;
+                                        phi_6304_ = _e3858;
                                     }
-                                    let _e3905 = phi_6305_;
-                                    if (_e3864 > _e3872) {
-                                        phi_6310_ = _e3864;
+                                    let _e3904 = phi_6304_;
+                                    if (_e3863 > _e3871) {
+                                        phi_6309_ = _e3863;
                                     } else {
-                                        phi_6310_ = _e3872;
+                                        phi_6309_ = _e3871;
                                     }
-                                    let _e3908 = phi_6310_;
-                                    if (_e3905 > _e3908) {
-                                        phi_6315_ = _e3905;
+                                    let _e3907 = phi_6309_;
+                                    if (_e3904 > _e3907) {
+                                        phi_6314_ = _e3904;
                                     } else {
-                                        phi_6315_ = _e3908;
+                                        phi_6314_ = _e3907;
                                     }
-                                    let _e3911 = phi_6315_;
-                                    if (_e3902 > _e3911) {
-                                        phi_6320_ = _e3902;
+                                    let _e3910 = phi_6314_;
+                                    if (_e3901 > _e3910) {
+                                        phi_6319_ = _e3901;
                                     } else {
-                                        phi_6320_ = _e3911;
+                                        phi_6319_ = _e3910;
                                     }
-                                    let _e3914 = phi_6320_;
-                                    if (_e3820 < 0f) {
-                                        phi_6326_ = -(_e3820);
+                                    let _e3913 = phi_6319_;
+                                    if (_e3819 < 0f) {
+                                        phi_6325_ = -(_e3819);
                                     } else {
-                                        phi_6326_ = _e3820;
+                                        phi_6325_ = _e3819;
                                     }
-                                    let _e3918 = phi_6326_;
-                                    if (_e3823 < 0f) {
-                                        phi_6332_ = -(_e3823);
+                                    let _e3917 = phi_6325_;
+                                    if (_e3822 < 0f) {
+                                        phi_6331_ = -(_e3822);
                                     } else {
-                                        phi_6332_ = _e3823;
+                                        phi_6331_ = _e3822;
                                     }
-                                    let _e3922 = phi_6332_;
-                                    if (_e3826 < 0f) {
-                                        phi_6339_ = -(_e3826);
+                                    let _e3921 = phi_6331_;
+                                    if (_e3825 < 0f) {
+                                        phi_6338_ = -(_e3825);
                                     } else {
-                                        phi_6339_ = _e3826;
+                                        phi_6338_ = _e3825;
                                     }
-                                    let _e3927 = phi_6339_;
-                                    let _e3928 = ((_e3918 + _e3922) + _e3927);
-                                    let _e3933 = -(_e3914);
-                                    if (_e3893 > _e3933) {
-                                        phi_6350_ = _e3893;
+                                    let _e3926 = phi_6338_;
+                                    let _e3927 = ((_e3917 + _e3921) + _e3926);
+                                    let _e3932 = -(_e3913);
+                                    if (_e3892 > _e3932) {
+                                        phi_6349_ = _e3892;
                                     } else {
-                                        phi_6350_ = _e3933;
+                                        phi_6349_ = _e3932;
                                     }
-                                    let _e3936 = phi_6350_;
-                                    let _e3941 = (((_e3936 - ((_e3928 * _e3810) * (0.000000059604645f * (17f / 2f)))) - (_e3928 * _e3817)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3944 = ((_e3580 * _e3574) - (_e3583 * _e3573));
-                                    let _e3947 = ((_e3583 * _e3572) - (_e3577 * _e3574));
-                                    let _e3950 = ((_e3577 * _e3573) - (_e3580 * _e3572));
-                                    let _e3955 = (((_e3944 * _e3586[0]) + (_e3947 * _e3586[1])) + (_e3950 * _e3586[2]));
-                                    let _e3960 = (((_e3944 * _e3603) + (_e3947 * _e3604)) + (_e3950 * _e3605));
-                                    let _e3965 = (((_e3944 * _e3612) + (_e3947 * _e3613)) + (_e3950 * _e3614));
-                                    let _e3973 = (((_e3944 * _e3611[0]) + (_e3947 * _e3611[1])) + (_e3950 * _e3611[2]));
-                                    let _e3978 = (((_e3944 * _e3617[0]) + (_e3947 * _e3617[1])) + (_e3950 * _e3617[2]));
-                                    let _e3983 = (((_e3944 * _e3634) + (_e3947 * _e3635)) + (_e3950 * _e3636));
-                                    let _e3988 = (((_e3944 * _e3643) + (_e3947 * _e3644)) + (_e3950 * _e3645));
-                                    let _e3996 = (((_e3944 * _e3642[0]) + (_e3947 * _e3642[1])) + (_e3950 * _e3642[2]));
-                                    if (_e3955 < _e3960) {
-                                        phi_6421_ = _e3955;
+                                    let _e3935 = phi_6349_;
+                                    let _e3940 = (((_e3935 - ((_e3927 * _e3809) * (0.000000059604645f * (17f / 2f)))) - (_e3927 * _e3816)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3943 = ((_e3579 * _e3573) - (_e3582 * _e3572));
+                                    let _e3946 = ((_e3582 * _e3571) - (_e3576 * _e3573));
+                                    let _e3949 = ((_e3576 * _e3572) - (_e3579 * _e3571));
+                                    let _e3954 = (((_e3943 * _e3585[0]) + (_e3946 * _e3585[1])) + (_e3949 * _e3585[2]));
+                                    let _e3959 = (((_e3943 * _e3602) + (_e3946 * _e3603)) + (_e3949 * _e3604));
+                                    let _e3964 = (((_e3943 * _e3611) + (_e3946 * _e3612)) + (_e3949 * _e3613));
+                                    let _e3972 = (((_e3943 * _e3610[0]) + (_e3946 * _e3610[1])) + (_e3949 * _e3610[2]));
+                                    let _e3977 = (((_e3943 * _e3616[0]) + (_e3946 * _e3616[1])) + (_e3949 * _e3616[2]));
+                                    let _e3982 = (((_e3943 * _e3633) + (_e3946 * _e3634)) + (_e3949 * _e3635));
+                                    let _e3987 = (((_e3943 * _e3642) + (_e3946 * _e3643)) + (_e3949 * _e3644));
+                                    let _e3995 = (((_e3943 * _e3641[0]) + (_e3946 * _e3641[1])) + (_e3949 * _e3641[2]));
+                                    if (_e3954 < _e3959) {
+                                        phi_6420_ = _e3954;
                                     } else {
-                                        phi_6421_ = _e3960;
+                                        phi_6420_ = _e3959;
                                     }
-                                    let _e3999 = phi_6421_;
-                                    if (_e3965 < _e3973) {
-                                        phi_6426_ = _e3965;
+                                    let _e3998 = phi_6420_;
+                                    if (_e3964 < _e3972) {
+                                        phi_6425_ = _e3964;
                                     } else {
-                                        phi_6426_ = _e3973;
+                                        phi_6425_ = _e3972;
                                     }
-                                    let _e4002 = phi_6426_;
-                                    if (_e3999 < _e4002) {
-                                        phi_6431_ = _e3999;
+                                    let _e4001 = phi_6425_;
+                                    if (_e3998 < _e4001) {
+                                        phi_6430_ = _e3998;
                                     } else {
-                                        phi_6431_ = _e4002;
+                                        phi_6430_ = _e4001;
                                     }
-                                    let _e4005 = phi_6431_;
-                                    if (_e3978 < _e3983) {
-                                        phi_6436_ = _e3978;
+                                    let _e4004 = phi_6430_;
+                                    if (_e3977 < _e3982) {
+                                        phi_6435_ = _e3977;
                                     } else {
-                                        phi_6436_ = _e3983;
+                                        phi_6435_ = _e3982;
                                     }
-                                    let _e4008 = phi_6436_;
-                                    if (_e3988 < _e3996) {
-                                        phi_6441_ = _e3988;
+                                    let _e4007 = phi_6435_;
+                                    if (_e3987 < _e3995) {
+                                        phi_6440_ = _e3987;
                                     } else {
-                                        phi_6441_ = _e3996;
+                                        phi_6440_ = _e3995;
                                     }
-                                    let _e4011 = phi_6441_;
-                                    if (_e4008 < _e4011) {
-                                        phi_6446_ = _e4008;
+                                    let _e4010 = phi_6440_;
+                                    if (_e4007 < _e4010) {
+                                        phi_6445_ = _e4007;
                                     } else {
-                                        phi_6446_ = _e4011;
+                                        phi_6445_ = _e4010;
                                     }
-                                    let _e4014 = phi_6446_;
-                                    if (_e4005 < _e4014) {
-                                        phi_6451_ = _e4005;
+                                    let _e4013 = phi_6445_;
+                                    if (_e4004 < _e4013) {
+                                        phi_6450_ = _e4004;
                                     } else {
-                                        phi_6451_ = _e4014;
+                                        phi_6450_ = _e4013;
                                     }
-                                    let _e4017 = phi_6451_;
-                                    if (_e3955 > _e3960) {
-                                        phi_6456_ = _e3955;
+                                    let _e4016 = phi_6450_;
+                                    if (_e3954 > _e3959) {
+                                        phi_6455_ = _e3954;
                                     } else {
-                                        phi_6456_ = _e3960;
+                                        phi_6455_ = _e3959;
                                     }
-                                    let _e4020 = phi_6456_;
-                                    if (_e3965 > _e3973) {
-                                        phi_6461_ = _e3965;
+                                    let _e4019 = phi_6455_;
+                                    if (_e3964 > _e3972) {
+                                        phi_6460_ = _e3964;
                                     } else {
-                                        phi_6461_ = _e3973;
+                                        phi_6460_ = _e3972;
                                     }
-                                    let _e4023 = phi_6461_;
-                                    if (_e4020 > _e4023) {
-                                        phi_6466_ = _e4020;
+                                    let _e4022 = phi_6460_;
+                                    if (_e4019 > _e4022) {
+                                        phi_6465_ = _e4019;
                                     } else {
-                                        phi_6466_ = _e4023;
+                                        phi_6465_ = _e4022;
                                     }
-                                    let _e4026 = phi_6466_;
-                                    if (_e3978 > _e3983) {
-                                        phi_6471_ = _e3978;
+                                    let _e4025 = phi_6465_;
+                                    if (_e3977 > _e3982) {
+                                        phi_6470_ = _e3977;
                                     } else {
-                                        phi_6471_ = _e3983;
+                                        phi_6470_ = _e3982;
                                     }
-                                    let _e4029 = phi_6471_;
-                                    if (_e3988 > _e3996) {
-                                        phi_6476_ = _e3988;
+                                    let _e4028 = phi_6470_;
+                                    if (_e3987 > _e3995) {
+                                        phi_6475_ = _e3987;
                                     } else {
-                                        phi_6476_ = _e3996;
+                                        phi_6475_ = _e3995;
                                     }
-                                    let _e4032 = phi_6476_;
-                                    if (_e4029 > _e4032) {
-                                        phi_6481_ = _e4029;
+                                    let _e4031 = phi_6475_;
+                                    if (_e4028 > _e4031) {
+                                        phi_6480_ = _e4028;
                                     } else {
-                                        phi_6481_ = _e4032;
+                                        phi_6480_ = _e4031;
                                     }
-                                    let _e4035 = phi_6481_;
-                                    if (_e4026 > _e4035) {
-                                        phi_6486_ = _e4026;
+                                    let _e4034 = phi_6480_;
+                                    if (_e4025 > _e4034) {
+                                        phi_6485_ = _e4025;
                                     } else {
-                                        phi_6486_ = _e4035;
+                                        phi_6485_ = _e4034;
                                     }
-                                    let _e4038 = phi_6486_;
-                                    if (_e3944 < 0f) {
-                                        phi_6492_ = -(_e3944);
+                                    let _e4037 = phi_6485_;
+                                    if (_e3943 < 0f) {
+                                        phi_6491_ = -(_e3943);
                                     } else {
-                                        phi_6492_ = _e3944;
+                                        phi_6491_ = _e3943;
                                     }
-                                    let _e4042 = phi_6492_;
-                                    if (_e3947 < 0f) {
-                                        phi_6498_ = -(_e3947);
+                                    let _e4041 = phi_6491_;
+                                    if (_e3946 < 0f) {
+                                        phi_6497_ = -(_e3946);
                                     } else {
-                                        phi_6498_ = _e3947;
+                                        phi_6497_ = _e3946;
                                     }
-                                    let _e4046 = phi_6498_;
-                                    if (_e3950 < 0f) {
-                                        phi_6505_ = -(_e3950);
+                                    let _e4045 = phi_6497_;
+                                    if (_e3949 < 0f) {
+                                        phi_6504_ = -(_e3949);
                                     } else {
-                                        phi_6505_ = _e3950;
+                                        phi_6504_ = _e3949;
                                     }
-                                    let _e4051 = phi_6505_;
-                                    let _e4052 = ((_e4042 + _e4046) + _e4051);
-                                    let _e4057 = -(_e4038);
-                                    if (_e4017 > _e4057) {
-                                        phi_6516_ = _e4017;
+                                    let _e4050 = phi_6504_;
+                                    let _e4051 = ((_e4041 + _e4045) + _e4050);
+                                    let _e4056 = -(_e4037);
+                                    if (_e4016 > _e4056) {
+                                        phi_6515_ = _e4016;
                                     } else {
-                                        phi_6516_ = _e4057;
+                                        phi_6515_ = _e4056;
                                     }
-                                    let _e4060 = phi_6516_;
-                                    let _e4065 = (((_e4060 - ((_e4052 * _e3810) * (0.000000059604645f * (17f / 2f)))) - (_e4052 * _e3817)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3941 > _e4065) {
-                                        phi_6526_ = _e3941;
+                                    let _e4059 = phi_6515_;
+                                    let _e4064 = (((_e4059 - ((_e4051 * _e3809) * (0.000000059604645f * (17f / 2f)))) - (_e4051 * _e3816)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3940 > _e4064) {
+                                        phi_6525_ = _e3940;
                                     } else {
-                                        phi_6526_ = _e4065;
+                                        phi_6525_ = _e4064;
                                     }
-                                    let _e4068 = phi_6526_;
+                                    let _e4067 = phi_6525_;
                                     if true {
+                                        let _e4068 = (_e3571 - _e3556);
                                         let _e4069 = (_e3572 - _e3557);
                                         let _e4070 = (_e3573 - _e3558);
-                                        let _e4071 = (_e3574 - _e3559);
-                                        let _e4074 = ((_e3580 * _e4071) - (_e3583 * _e4070));
-                                        let _e4077 = ((_e3583 * _e4069) - (_e3577 * _e4071));
-                                        let _e4080 = ((_e3577 * _e4070) - (_e3580 * _e4069));
-                                        let _e4085 = (((_e4074 * _e3586[0]) + (_e4077 * _e3586[1])) + (_e4080 * _e3586[2]));
-                                        let _e4090 = (((_e4074 * _e3603) + (_e4077 * _e3604)) + (_e4080 * _e3605));
-                                        let _e4095 = (((_e4074 * _e3612) + (_e4077 * _e3613)) + (_e4080 * _e3614));
-                                        let _e4103 = (((_e4074 * _e3611[0]) + (_e4077 * _e3611[1])) + (_e4080 * _e3611[2]));
-                                        let _e4108 = (((_e4074 * _e3617[0]) + (_e4077 * _e3617[1])) + (_e4080 * _e3617[2]));
-                                        let _e4113 = (((_e4074 * _e3634) + (_e4077 * _e3635)) + (_e4080 * _e3636));
-                                        let _e4118 = (((_e4074 * _e3643) + (_e4077 * _e3644)) + (_e4080 * _e3645));
-                                        let _e4126 = (((_e4074 * _e3642[0]) + (_e4077 * _e3642[1])) + (_e4080 * _e3642[2]));
-                                        if (_e4085 < _e4090) {
-                                            phi_6599_ = _e4085;
+                                        let _e4073 = ((_e3579 * _e4070) - (_e3582 * _e4069));
+                                        let _e4076 = ((_e3582 * _e4068) - (_e3576 * _e4070));
+                                        let _e4079 = ((_e3576 * _e4069) - (_e3579 * _e4068));
+                                        let _e4084 = (((_e4073 * _e3585[0]) + (_e4076 * _e3585[1])) + (_e4079 * _e3585[2]));
+                                        let _e4089 = (((_e4073 * _e3602) + (_e4076 * _e3603)) + (_e4079 * _e3604));
+                                        let _e4094 = (((_e4073 * _e3611) + (_e4076 * _e3612)) + (_e4079 * _e3613));
+                                        let _e4102 = (((_e4073 * _e3610[0]) + (_e4076 * _e3610[1])) + (_e4079 * _e3610[2]));
+                                        let _e4107 = (((_e4073 * _e3616[0]) + (_e4076 * _e3616[1])) + (_e4079 * _e3616[2]));
+                                        let _e4112 = (((_e4073 * _e3633) + (_e4076 * _e3634)) + (_e4079 * _e3635));
+                                        let _e4117 = (((_e4073 * _e3642) + (_e4076 * _e3643)) + (_e4079 * _e3644));
+                                        let _e4125 = (((_e4073 * _e3641[0]) + (_e4076 * _e3641[1])) + (_e4079 * _e3641[2]));
+                                        if (_e4084 < _e4089) {
+                                            phi_6598_ = _e4084;
                                         } else {
-                                            phi_6599_ = _e4090;
+                                            phi_6598_ = _e4089;
                                         }
-                                        let _e4129 = phi_6599_;
-                                        if (_e4095 < _e4103) {
-                                            phi_6604_ = _e4095;
+                                        let _e4128 = phi_6598_;
+                                        if (_e4094 < _e4102) {
+                                            phi_6603_ = _e4094;
                                         } else {
-                                            phi_6604_ = _e4103;
+                                            phi_6603_ = _e4102;
                                         }
-                                        let _e4132 = phi_6604_;
-                                        if (_e4129 < _e4132) {
-                                            phi_6609_ = _e4129;
+                                        let _e4131 = phi_6603_;
+                                        if (_e4128 < _e4131) {
+                                            phi_6608_ = _e4128;
                                         } else {
-                                            phi_6609_ = _e4132;
+                                            phi_6608_ = _e4131;
                                         }
-                                        let _e4135 = phi_6609_;
-                                        if (_e4108 < _e4113) {
-                                            phi_6614_ = _e4108;
+                                        let _e4134 = phi_6608_;
+                                        if (_e4107 < _e4112) {
+                                            phi_6613_ = _e4107;
                                         } else {
-                                            phi_6614_ = _e4113;
+                                            phi_6613_ = _e4112;
                                         }
-                                        let _e4138 = phi_6614_;
-                                        if (_e4118 < _e4126) {
-                                            phi_6619_ = _e4118;
+                                        let _e4137 = phi_6613_;
+                                        if (_e4117 < _e4125) {
+                                            phi_6618_ = _e4117;
                                         } else {
-                                            phi_6619_ = _e4126;
+                                            phi_6618_ = _e4125;
                                         }
-                                        let _e4141 = phi_6619_;
-                                        if (_e4138 < _e4141) {
-                                            phi_6624_ = _e4138;
+                                        let _e4140 = phi_6618_;
+                                        if (_e4137 < _e4140) {
+                                            phi_6623_ = _e4137;
                                         } else {
-                                            phi_6624_ = _e4141;
+                                            phi_6623_ = _e4140;
                                         }
-                                        let _e4144 = phi_6624_;
-                                        if (_e4135 < _e4144) {
-                                            phi_6629_ = _e4135;
+                                        let _e4143 = phi_6623_;
+                                        if (_e4134 < _e4143) {
+                                            phi_6628_ = _e4134;
                                         } else {
-                                            phi_6629_ = _e4144;
+                                            phi_6628_ = _e4143;
                                         }
-                                        let _e4147 = phi_6629_;
-                                        if (_e4085 > _e4090) {
-                                            phi_6634_ = _e4085;
+                                        let _e4146 = phi_6628_;
+                                        if (_e4084 > _e4089) {
+                                            phi_6633_ = _e4084;
                                         } else {
-                                            phi_6634_ = _e4090;
+                                            phi_6633_ = _e4089;
                                         }
-                                        let _e4150 = phi_6634_;
-                                        if (_e4095 > _e4103) {
-                                            phi_6639_ = _e4095;
+                                        let _e4149 = phi_6633_;
+                                        if (_e4094 > _e4102) {
+                                            phi_6638_ = _e4094;
                                         } else {
-                                            phi_6639_ = _e4103;
+                                            phi_6638_ = _e4102;
                                         }
-                                        let _e4153 = phi_6639_;
-                                        if (_e4150 > _e4153) {
-                                            phi_6644_ = _e4150;
+                                        let _e4152 = phi_6638_;
+                                        if (_e4149 > _e4152) {
+                                            phi_6643_ = _e4149;
                                         } else {
-                                            phi_6644_ = _e4153;
+                                            phi_6643_ = _e4152;
                                         }
-                                        let _e4156 = phi_6644_;
-                                        if (_e4108 > _e4113) {
-                                            phi_6649_ = _e4108;
+                                        let _e4155 = phi_6643_;
+                                        if (_e4107 > _e4112) {
+                                            phi_6648_ = _e4107;
                                         } else {
-                                            phi_6649_ = _e4113;
+                                            phi_6648_ = _e4112;
                                         }
-                                        let _e4159 = phi_6649_;
-                                        if (_e4118 > _e4126) {
-                                            phi_6654_ = _e4118;
+                                        let _e4158 = phi_6648_;
+                                        if (_e4117 > _e4125) {
+                                            phi_6653_ = _e4117;
                                         } else {
-                                            phi_6654_ = _e4126;
+                                            phi_6653_ = _e4125;
                                         }
-                                        let _e4162 = phi_6654_;
-                                        if (_e4159 > _e4162) {
-                                            phi_6659_ = _e4159;
+                                        let _e4161 = phi_6653_;
+                                        if (_e4158 > _e4161) {
+                                            phi_6658_ = _e4158;
                                         } else {
-                                            phi_6659_ = _e4162;
+                                            phi_6658_ = _e4161;
                                         }
-                                        let _e4165 = phi_6659_;
-                                        if (_e4156 > _e4165) {
-                                            phi_6664_ = _e4156;
+                                        let _e4164 = phi_6658_;
+                                        if (_e4155 > _e4164) {
+                                            phi_6663_ = _e4155;
                                         } else {
-                                            phi_6664_ = _e4165;
+                                            phi_6663_ = _e4164;
                                         }
-                                        let _e4168 = phi_6664_;
-                                        if (_e4074 < 0f) {
-                                            phi_6670_ = -(_e4074);
+                                        let _e4167 = phi_6663_;
+                                        if (_e4073 < 0f) {
+                                            phi_6669_ = -(_e4073);
                                         } else {
-                                            phi_6670_ = _e4074;
+                                            phi_6669_ = _e4073;
                                         }
-                                        let _e4172 = phi_6670_;
-                                        if (_e4077 < 0f) {
-                                            phi_6676_ = -(_e4077);
+                                        let _e4171 = phi_6669_;
+                                        if (_e4076 < 0f) {
+                                            phi_6675_ = -(_e4076);
                                         } else {
-                                            phi_6676_ = _e4077;
+                                            phi_6675_ = _e4076;
                                         }
-                                        let _e4176 = phi_6676_;
-                                        if (_e4080 < 0f) {
-                                            phi_6683_ = -(_e4080);
+                                        let _e4175 = phi_6675_;
+                                        if (_e4079 < 0f) {
+                                            phi_6682_ = -(_e4079);
                                         } else {
-                                            phi_6683_ = _e4080;
+                                            phi_6682_ = _e4079;
                                         }
-                                        let _e4181 = phi_6683_;
-                                        let _e4182 = ((_e4172 + _e4176) + _e4181);
-                                        let _e4187 = -(_e4168);
-                                        if (_e4147 > _e4187) {
-                                            phi_6694_ = _e4147;
+                                        let _e4180 = phi_6682_;
+                                        let _e4181 = ((_e4171 + _e4175) + _e4180);
+                                        let _e4186 = -(_e4167);
+                                        if (_e4146 > _e4186) {
+                                            phi_6693_ = _e4146;
                                         } else {
-                                            phi_6694_ = _e4187;
+                                            phi_6693_ = _e4186;
                                         }
-                                        let _e4190 = phi_6694_;
-                                        let _e4195 = (((_e4190 - ((_e4182 * _e3810) * (0.000000059604645f * (17f / 2f)))) - (_e4182 * _e3817)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4068 > _e4195) {
-                                            phi_6704_ = _e4068;
+                                        let _e4189 = phi_6693_;
+                                        let _e4194 = (((_e4189 - ((_e4181 * _e3809) * (0.000000059604645f * (17f / 2f)))) - (_e4181 * _e3816)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4067 > _e4194) {
+                                            phi_6703_ = _e4067;
                                         } else {
-                                            phi_6704_ = _e4195;
+                                            phi_6703_ = _e4194;
                                         }
-                                        let _e4198 = phi_6704_;
-                                        phi_6705_ = _e4198;
+                                        let _e4197 = phi_6703_;
+                                        phi_6704_ = _e4197;
                                     } else {
-                                        phi_6705_ = _e4068;
+                                        phi_6704_ = _e4067;
                                     }
-                                    let _e4200 = phi_6705_;
-                                    phi_6708_ = (_e3544 || (_e4200 > 0f));
+                                    let _e4199 = phi_6704_;
+                                    phi_6707_ = (_e3543 || (_e4199 > 0f));
                                 }
-                                let _e4204 = phi_6708_;
-                                if _e4204 {
-                                    let _e4207 = local_1.member_1[0u];
-                                    let _e4213 = local_1.member_2[0u];
-                                    let _e4219 = ((_e4207[1] * _e4213[2]) - (_e4207[2] * _e4213[1]));
-                                    let _e4222 = ((_e4207[2] * _e4213[0]) - (_e4207[0] * _e4213[2]));
-                                    let _e4225 = ((_e4207[0] * _e4213[1]) - (_e4207[1] * _e4213[0]));
-                                    let _e4228 = local_1.member_1[1u];
-                                    let _e4234 = local_1.member_2[1u];
-                                    let _e4240 = ((_e4228[1] * _e4234[2]) - (_e4228[2] * _e4234[1]));
-                                    let _e4243 = ((_e4228[2] * _e4234[0]) - (_e4228[0] * _e4234[2]));
-                                    let _e4246 = ((_e4228[0] * _e4234[1]) - (_e4228[1] * _e4234[0]));
-                                    let _e4249 = local_1.member_1[0u];
-                                    let _e4255 = local_1.member_2[1u];
-                                    let _e4270 = local_1.member_1[1u];
-                                    let _e4276 = local_1.member_2[0u];
-                                    let _e4289 = (((_e4249[1] * _e4255[2]) - (_e4249[2] * _e4255[1])) + ((_e4270[1] * _e4276[2]) - (_e4270[2] * _e4276[1])));
-                                    let _e4290 = (((_e4249[2] * _e4255[0]) - (_e4249[0] * _e4255[2])) + ((_e4270[2] * _e4276[0]) - (_e4270[0] * _e4276[2])));
-                                    let _e4291 = (((_e4249[0] * _e4255[1]) - (_e4249[1] * _e4255[0])) + ((_e4270[0] * _e4276[1]) - (_e4270[1] * _e4276[0])));
-                                    let _e4294 = local_1.member[0u];
-                                    let _e4305 = local_1.member[1u];
-                                    let _e4316 = local_1.member[0u];
-                                    let _e4325 = ((((_e4305[0] * _e4219) + (_e4305[1] * _e4222)) + (_e4305[2] * _e4225)) + (((_e4316[0] * _e4289) + (_e4316[1] * _e4290)) + (_e4316[2] * _e4291)));
-                                    let _e4328 = local_1.member[0u];
-                                    let _e4339 = local_1.member[1u];
-                                    let _e4348 = ((((_e4328[0] * _e4240) + (_e4328[1] * _e4243)) + (_e4328[2] * _e4246)) + (((_e4339[0] * _e4289) + (_e4339[1] * _e4290)) + (_e4339[2] * _e4291)));
-                                    let _e4351 = local_1.member[1u];
-                                    let _e4362 = local_1.member[0u];
-                                    if (_e4362[0] < 0f) {
-                                        phi_6953_ = -(_e4362[0]);
+                                let _e4203 = phi_6707_;
+                                if _e4203 {
+                                    let _e4206 = local_1.member_1[0u];
+                                    let _e4212 = local_1.member_2[0u];
+                                    let _e4218 = ((_e4206[1] * _e4212[2]) - (_e4206[2] * _e4212[1]));
+                                    let _e4221 = ((_e4206[2] * _e4212[0]) - (_e4206[0] * _e4212[2]));
+                                    let _e4224 = ((_e4206[0] * _e4212[1]) - (_e4206[1] * _e4212[0]));
+                                    let _e4227 = local_1.member_1[1u];
+                                    let _e4233 = local_1.member_2[1u];
+                                    let _e4239 = ((_e4227[1] * _e4233[2]) - (_e4227[2] * _e4233[1]));
+                                    let _e4242 = ((_e4227[2] * _e4233[0]) - (_e4227[0] * _e4233[2]));
+                                    let _e4245 = ((_e4227[0] * _e4233[1]) - (_e4227[1] * _e4233[0]));
+                                    let _e4248 = local_1.member_1[0u];
+                                    let _e4254 = local_1.member_2[1u];
+                                    let _e4269 = local_1.member_1[1u];
+                                    let _e4275 = local_1.member_2[0u];
+                                    let _e4288 = (((_e4248[1] * _e4254[2]) - (_e4248[2] * _e4254[1])) + ((_e4269[1] * _e4275[2]) - (_e4269[2] * _e4275[1])));
+                                    let _e4289 = (((_e4248[2] * _e4254[0]) - (_e4248[0] * _e4254[2])) + ((_e4269[2] * _e4275[0]) - (_e4269[0] * _e4275[2])));
+                                    let _e4290 = (((_e4248[0] * _e4254[1]) - (_e4248[1] * _e4254[0])) + ((_e4269[0] * _e4275[1]) - (_e4269[1] * _e4275[0])));
+                                    let _e4293 = local_1.member[0u];
+                                    let _e4304 = local_1.member[1u];
+                                    let _e4315 = local_1.member[0u];
+                                    let _e4324 = ((((_e4304[0] * _e4218) + (_e4304[1] * _e4221)) + (_e4304[2] * _e4224)) + (((_e4315[0] * _e4288) + (_e4315[1] * _e4289)) + (_e4315[2] * _e4290)));
+                                    let _e4327 = local_1.member[0u];
+                                    let _e4338 = local_1.member[1u];
+                                    let _e4347 = ((((_e4327[0] * _e4239) + (_e4327[1] * _e4242)) + (_e4327[2] * _e4245)) + (((_e4338[0] * _e4288) + (_e4338[1] * _e4289)) + (_e4338[2] * _e4290)));
+                                    let _e4350 = local_1.member[1u];
+                                    let _e4361 = local_1.member[0u];
+                                    if (_e4361[0] < 0f) {
+                                        phi_6952_ = -(_e4361[0]);
                                     } else {
-                                        phi_6953_ = _e4362[0];
+                                        phi_6952_ = _e4361[0];
                                     }
-                                    let _e4369 = phi_6953_;
-                                    if (_e4362[1] < 0f) {
-                                        phi_6960_ = -(_e4362[1]);
+                                    let _e4368 = phi_6952_;
+                                    if (_e4361[1] < 0f) {
+                                        phi_6959_ = -(_e4361[1]);
                                     } else {
-                                        phi_6960_ = _e4362[1];
+                                        phi_6959_ = _e4361[1];
                                     }
-                                    let _e4373 = phi_6960_;
-                                    if (_e4369 > _e4373) {
-                                        phi_6965_ = _e4369;
+                                    let _e4372 = phi_6959_;
+                                    if (_e4368 > _e4372) {
+                                        phi_6964_ = _e4368;
                                     } else {
-                                        phi_6965_ = _e4373;
+                                        phi_6964_ = _e4372;
                                     }
-                                    let _e4376 = phi_6965_;
-                                    if (_e4362[2] < 0f) {
-                                        phi_6972_ = -(_e4362[2]);
+                                    let _e4375 = phi_6964_;
+                                    if (_e4361[2] < 0f) {
+                                        phi_6971_ = -(_e4361[2]);
                                     } else {
-                                        phi_6972_ = _e4362[2];
+                                        phi_6971_ = _e4361[2];
                                     }
-                                    let _e4380 = phi_6972_;
-                                    if (_e4376 > _e4380) {
-                                        phi_6977_ = _e4376;
+                                    let _e4379 = phi_6971_;
+                                    if (_e4375 > _e4379) {
+                                        phi_6976_ = _e4375;
                                     } else {
-                                        phi_6977_ = _e4380;
+                                        phi_6976_ = _e4379;
                                     }
-                                    let _e4383 = phi_6977_;
-                                    let _e4386 = local_1.member[1u];
-                                    if (_e4386[0] < 0f) {
-                                        phi_6990_ = -(_e4386[0]);
+                                    let _e4382 = phi_6976_;
+                                    let _e4385 = local_1.member[1u];
+                                    if (_e4385[0] < 0f) {
+                                        phi_6989_ = -(_e4385[0]);
                                     } else {
-                                        phi_6990_ = _e4386[0];
+                                        phi_6989_ = _e4385[0];
                                     }
-                                    let _e4393 = phi_6990_;
-                                    if (_e4386[1] < 0f) {
-                                        phi_6997_ = -(_e4386[1]);
+                                    let _e4392 = phi_6989_;
+                                    if (_e4385[1] < 0f) {
+                                        phi_6996_ = -(_e4385[1]);
                                     } else {
-                                        phi_6997_ = _e4386[1];
+                                        phi_6996_ = _e4385[1];
                                     }
-                                    let _e4397 = phi_6997_;
-                                    if (_e4393 > _e4397) {
-                                        phi_7002_ = _e4393;
+                                    let _e4396 = phi_6996_;
+                                    if (_e4392 > _e4396) {
+                                        phi_7001_ = _e4392;
                                     } else {
-                                        phi_7002_ = _e4397;
+                                        phi_7001_ = _e4396;
                                     }
-                                    let _e4400 = phi_7002_;
-                                    if (_e4386[2] < 0f) {
-                                        phi_7009_ = -(_e4386[2]);
+                                    let _e4399 = phi_7001_;
+                                    if (_e4385[2] < 0f) {
+                                        phi_7008_ = -(_e4385[2]);
                                     } else {
-                                        phi_7009_ = _e4386[2];
+                                        phi_7008_ = _e4385[2];
                                     }
-                                    let _e4404 = phi_7009_;
-                                    if (_e4400 > _e4404) {
-                                        phi_7014_ = _e4400;
+                                    let _e4403 = phi_7008_;
+                                    if (_e4399 > _e4403) {
+                                        phi_7013_ = _e4399;
                                     } else {
-                                        phi_7014_ = _e4404;
+                                        phi_7013_ = _e4403;
                                     }
-                                    let _e4407 = phi_7014_;
-                                    if (_e4383 > _e4407) {
-                                        phi_7019_ = _e4383;
+                                    let _e4406 = phi_7013_;
+                                    if (_e4382 > _e4406) {
+                                        phi_7018_ = _e4382;
                                     } else {
-                                        phi_7019_ = _e4407;
+                                        phi_7018_ = _e4406;
                                     }
-                                    let _e4410 = phi_7019_;
-                                    let _e4412 = local_1.member_3;
-                                    let _e4413 = (_e4410 + _e4412);
-                                    let _e4416 = local_1.member_1[0u];
-                                    if (_e4416[0] < 0f) {
-                                        phi_7036_ = -(_e4416[0]);
+                                    let _e4409 = phi_7018_;
+                                    let _e4411 = local_1.member_3;
+                                    let _e4412 = (_e4409 + _e4411);
+                                    let _e4415 = local_1.member_1[0u];
+                                    if (_e4415[0] < 0f) {
+                                        phi_7035_ = -(_e4415[0]);
                                     } else {
-                                        phi_7036_ = _e4416[0];
+                                        phi_7035_ = _e4415[0];
                                     }
-                                    let _e4423 = phi_7036_;
-                                    if (_e4416[1] < 0f) {
-                                        phi_7043_ = -(_e4416[1]);
+                                    let _e4422 = phi_7035_;
+                                    if (_e4415[1] < 0f) {
+                                        phi_7042_ = -(_e4415[1]);
                                     } else {
-                                        phi_7043_ = _e4416[1];
+                                        phi_7042_ = _e4415[1];
                                     }
-                                    let _e4427 = phi_7043_;
-                                    if (_e4423 > _e4427) {
-                                        phi_7048_ = _e4423;
+                                    let _e4426 = phi_7042_;
+                                    if (_e4422 > _e4426) {
+                                        phi_7047_ = _e4422;
                                     } else {
-                                        phi_7048_ = _e4427;
+                                        phi_7047_ = _e4426;
                                     }
-                                    let _e4430 = phi_7048_;
-                                    if (_e4416[2] < 0f) {
-                                        phi_7055_ = -(_e4416[2]);
+                                    let _e4429 = phi_7047_;
+                                    if (_e4415[2] < 0f) {
+                                        phi_7054_ = -(_e4415[2]);
                                     } else {
-                                        phi_7055_ = _e4416[2];
+                                        phi_7054_ = _e4415[2];
                                     }
-                                    let _e4434 = phi_7055_;
-                                    if (_e4430 > _e4434) {
-                                        phi_7060_ = _e4430;
+                                    let _e4433 = phi_7054_;
+                                    if (_e4429 > _e4433) {
+                                        phi_7059_ = _e4429;
                                     } else {
-                                        phi_7060_ = _e4434;
+                                        phi_7059_ = _e4433;
                                     }
-                                    let _e4437 = phi_7060_;
-                                    let _e4440 = local_1.member_1[1u];
-                                    if (_e4440[0] < 0f) {
-                                        phi_7074_ = -(_e4440[0]);
+                                    let _e4436 = phi_7059_;
+                                    let _e4439 = local_1.member_1[1u];
+                                    if (_e4439[0] < 0f) {
+                                        phi_7073_ = -(_e4439[0]);
                                     } else {
-                                        phi_7074_ = _e4440[0];
+                                        phi_7073_ = _e4439[0];
                                     }
-                                    let _e4447 = phi_7074_;
-                                    if (_e4440[1] < 0f) {
-                                        phi_7081_ = -(_e4440[1]);
+                                    let _e4446 = phi_7073_;
+                                    if (_e4439[1] < 0f) {
+                                        phi_7080_ = -(_e4439[1]);
                                     } else {
-                                        phi_7081_ = _e4440[1];
+                                        phi_7080_ = _e4439[1];
                                     }
-                                    let _e4451 = phi_7081_;
-                                    if (_e4447 > _e4451) {
-                                        phi_7086_ = _e4447;
+                                    let _e4450 = phi_7080_;
+                                    if (_e4446 > _e4450) {
+                                        phi_7085_ = _e4446;
                                     } else {
-                                        phi_7086_ = _e4451;
+                                        phi_7085_ = _e4450;
                                     }
-                                    let _e4454 = phi_7086_;
-                                    if (_e4440[2] < 0f) {
-                                        phi_7093_ = -(_e4440[2]);
+                                    let _e4453 = phi_7085_;
+                                    if (_e4439[2] < 0f) {
+                                        phi_7092_ = -(_e4439[2]);
                                     } else {
-                                        phi_7093_ = _e4440[2];
+                                        phi_7092_ = _e4439[2];
                                     }
-                                    let _e4458 = phi_7093_;
-                                    if (_e4454 > _e4458) {
-                                        phi_7098_ = _e4454;
+                                    let _e4457 = phi_7092_;
+                                    if (_e4453 > _e4457) {
+                                        phi_7097_ = _e4453;
                                     } else {
-                                        phi_7098_ = _e4458;
+                                        phi_7097_ = _e4457;
                                     }
-                                    let _e4461 = phi_7098_;
-                                    if (_e4437 > _e4461) {
-                                        phi_7103_ = _e4437;
+                                    let _e4460 = phi_7097_;
+                                    if (_e4436 > _e4460) {
+                                        phi_7102_ = _e4436;
                                     } else {
-                                        phi_7103_ = _e4461;
+                                        phi_7102_ = _e4460;
                                     }
-                                    let _e4464 = phi_7103_;
-                                    let _e4466 = local_1.member_3;
-                                    let _e4467 = (_e4464 + _e4466);
-                                    let _e4470 = local_1.member_2[0u];
-                                    if (_e4470[0] < 0f) {
-                                        phi_7120_ = -(_e4470[0]);
+                                    let _e4463 = phi_7102_;
+                                    let _e4465 = local_1.member_3;
+                                    let _e4466 = (_e4463 + _e4465);
+                                    let _e4469 = local_1.member_2[0u];
+                                    if (_e4469[0] < 0f) {
+                                        phi_7119_ = -(_e4469[0]);
                                     } else {
-                                        phi_7120_ = _e4470[0];
+                                        phi_7119_ = _e4469[0];
                                     }
-                                    let _e4477 = phi_7120_;
-                                    if (_e4470[1] < 0f) {
-                                        phi_7127_ = -(_e4470[1]);
+                                    let _e4476 = phi_7119_;
+                                    if (_e4469[1] < 0f) {
+                                        phi_7126_ = -(_e4469[1]);
                                     } else {
-                                        phi_7127_ = _e4470[1];
+                                        phi_7126_ = _e4469[1];
                                     }
-                                    let _e4481 = phi_7127_;
-                                    if (_e4477 > _e4481) {
-                                        phi_7132_ = _e4477;
+                                    let _e4480 = phi_7126_;
+                                    if (_e4476 > _e4480) {
+                                        phi_7131_ = _e4476;
                                     } else {
-                                        phi_7132_ = _e4481;
+                                        phi_7131_ = _e4480;
                                     }
-                                    let _e4484 = phi_7132_;
-                                    if (_e4470[2] < 0f) {
-                                        phi_7139_ = -(_e4470[2]);
+                                    let _e4483 = phi_7131_;
+                                    if (_e4469[2] < 0f) {
+                                        phi_7138_ = -(_e4469[2]);
                                     } else {
-                                        phi_7139_ = _e4470[2];
+                                        phi_7138_ = _e4469[2];
                                     }
-                                    let _e4488 = phi_7139_;
-                                    if (_e4484 > _e4488) {
-                                        phi_7144_ = _e4484;
+                                    let _e4487 = phi_7138_;
+                                    if (_e4483 > _e4487) {
+                                        phi_7143_ = _e4483;
                                     } else {
-                                        phi_7144_ = _e4488;
+                                        phi_7143_ = _e4487;
                                     }
-                                    let _e4491 = phi_7144_;
-                                    let _e4494 = local_1.member_2[1u];
-                                    if (_e4494[0] < 0f) {
-                                        phi_7158_ = -(_e4494[0]);
+                                    let _e4490 = phi_7143_;
+                                    let _e4493 = local_1.member_2[1u];
+                                    if (_e4493[0] < 0f) {
+                                        phi_7157_ = -(_e4493[0]);
                                     } else {
-                                        phi_7158_ = _e4494[0];
+                                        phi_7157_ = _e4493[0];
                                     }
-                                    let _e4501 = phi_7158_;
-                                    if (_e4494[1] < 0f) {
-                                        phi_7165_ = -(_e4494[1]);
+                                    let _e4500 = phi_7157_;
+                                    if (_e4493[1] < 0f) {
+                                        phi_7164_ = -(_e4493[1]);
                                     } else {
-                                        phi_7165_ = _e4494[1];
+                                        phi_7164_ = _e4493[1];
                                     }
-                                    let _e4505 = phi_7165_;
-                                    if (_e4501 > _e4505) {
-                                        phi_7170_ = _e4501;
+                                    let _e4504 = phi_7164_;
+                                    if (_e4500 > _e4504) {
+                                        phi_7169_ = _e4500;
                                     } else {
-                                        phi_7170_ = _e4505;
+                                        phi_7169_ = _e4504;
                                     }
-                                    let _e4508 = phi_7170_;
-                                    if (_e4494[2] < 0f) {
-                                        phi_7177_ = -(_e4494[2]);
+                                    let _e4507 = phi_7169_;
+                                    if (_e4493[2] < 0f) {
+                                        phi_7176_ = -(_e4493[2]);
                                     } else {
-                                        phi_7177_ = _e4494[2];
+                                        phi_7176_ = _e4493[2];
                                     }
-                                    let _e4512 = phi_7177_;
-                                    if (_e4508 > _e4512) {
-                                        phi_7182_ = _e4508;
+                                    let _e4511 = phi_7176_;
+                                    if (_e4507 > _e4511) {
+                                        phi_7181_ = _e4507;
                                     } else {
-                                        phi_7182_ = _e4512;
+                                        phi_7181_ = _e4511;
                                     }
-                                    let _e4515 = phi_7182_;
-                                    if (_e4491 > _e4515) {
-                                        phi_7187_ = _e4491;
+                                    let _e4514 = phi_7181_;
+                                    if (_e4490 > _e4514) {
+                                        phi_7186_ = _e4490;
                                     } else {
-                                        phi_7187_ = _e4515;
+                                        phi_7186_ = _e4514;
                                     }
-                                    let _e4518 = phi_7187_;
-                                    let _e4520 = local_1.member_3;
-                                    let _e4521 = (_e4518 + _e4520);
-                                    let _e4523 = ((_e4467 * 8f) * _e4521);
-                                    let _e4530 = local_1.member_3;
-                                    if (_e4219 < 0f) {
-                                        phi_7218_ = -(_e4219);
+                                    let _e4517 = phi_7186_;
+                                    let _e4519 = local_1.member_3;
+                                    let _e4520 = (_e4517 + _e4519);
+                                    let _e4522 = ((_e4466 * 8f) * _e4520);
+                                    let _e4529 = local_1.member_3;
+                                    if (_e4218 < 0f) {
+                                        phi_7217_ = -(_e4218);
                                     } else {
-                                        phi_7218_ = _e4219;
+                                        phi_7217_ = _e4218;
                                     }
-                                    let _e4547 = phi_7218_;
-                                    if (_e4222 < 0f) {
-                                        phi_7224_ = -(_e4222);
+                                    let _e4546 = phi_7217_;
+                                    if (_e4221 < 0f) {
+                                        phi_7223_ = -(_e4221);
                                     } else {
-                                        phi_7224_ = _e4222;
+                                        phi_7223_ = _e4221;
                                     }
-                                    let _e4551 = phi_7224_;
-                                    if (_e4225 < 0f) {
-                                        phi_7231_ = -(_e4225);
+                                    let _e4550 = phi_7223_;
+                                    if (_e4224 < 0f) {
+                                        phi_7230_ = -(_e4224);
                                     } else {
-                                        phi_7231_ = _e4225;
+                                        phi_7230_ = _e4224;
                                     }
-                                    let _e4556 = phi_7231_;
-                                    let _e4557 = ((_e4547 + _e4551) + _e4556);
-                                    if (_e4240 < 0f) {
-                                        phi_7238_ = -(_e4240);
+                                    let _e4555 = phi_7230_;
+                                    let _e4556 = ((_e4546 + _e4550) + _e4555);
+                                    if (_e4239 < 0f) {
+                                        phi_7237_ = -(_e4239);
                                     } else {
-                                        phi_7238_ = _e4240;
+                                        phi_7237_ = _e4239;
                                     }
-                                    let _e4561 = phi_7238_;
-                                    if (_e4243 < 0f) {
-                                        phi_7244_ = -(_e4243);
+                                    let _e4560 = phi_7237_;
+                                    if (_e4242 < 0f) {
+                                        phi_7243_ = -(_e4242);
                                     } else {
-                                        phi_7244_ = _e4243;
+                                        phi_7243_ = _e4242;
                                     }
-                                    let _e4565 = phi_7244_;
-                                    if (_e4246 < 0f) {
-                                        phi_7251_ = -(_e4246);
+                                    let _e4564 = phi_7243_;
+                                    if (_e4245 < 0f) {
+                                        phi_7250_ = -(_e4245);
                                     } else {
-                                        phi_7251_ = _e4246;
+                                        phi_7250_ = _e4245;
                                     }
-                                    let _e4570 = phi_7251_;
-                                    let _e4571 = ((_e4561 + _e4565) + _e4570);
-                                    if (_e4557 > _e4571) {
-                                        phi_7257_ = _e4557;
+                                    let _e4569 = phi_7250_;
+                                    let _e4570 = ((_e4560 + _e4564) + _e4569);
+                                    if (_e4556 > _e4570) {
+                                        phi_7256_ = _e4556;
                                     } else {
-                                        phi_7257_ = _e4571;
+                                        phi_7256_ = _e4570;
                                     }
-                                    let _e4574 = phi_7257_;
+                                    let _e4573 = phi_7256_;
+                                    if (_e4288 < 0f) {
+                                        phi_7262_ = -(_e4288);
+                                    } else {
+                                        phi_7262_ = _e4288;
+                                    }
+                                    let _e4577 = phi_7262_;
                                     if (_e4289 < 0f) {
-                                        phi_7263_ = -(_e4289);
+                                        phi_7268_ = -(_e4289);
                                     } else {
-                                        phi_7263_ = _e4289;
+                                        phi_7268_ = _e4289;
                                     }
-                                    let _e4578 = phi_7263_;
+                                    let _e4581 = phi_7268_;
                                     if (_e4290 < 0f) {
-                                        phi_7269_ = -(_e4290);
+                                        phi_7275_ = -(_e4290);
                                     } else {
-                                        phi_7269_ = _e4290;
+                                        phi_7275_ = _e4290;
                                     }
-                                    let _e4582 = phi_7269_;
-                                    if (_e4291 < 0f) {
-                                        phi_7276_ = -(_e4291);
+                                    let _e4586 = phi_7275_;
+                                    let _e4588 = (((_e4577 + _e4581) + _e4586) * 0.5f);
+                                    if (_e4573 > _e4588) {
+                                        phi_7282_ = _e4573;
                                     } else {
-                                        phi_7276_ = _e4291;
+                                        phi_7282_ = _e4588;
                                     }
-                                    let _e4587 = phi_7276_;
-                                    let _e4589 = (((_e4578 + _e4582) + _e4587) * 0.5f);
-                                    if (_e4574 > _e4589) {
-                                        phi_7283_ = _e4574;
+                                    let _e4591 = phi_7282_;
+                                    let _e4596 = local_1.member_3;
+                                    let _e4609 = ((((_e4293[0] * _e4218) + (_e4293[1] * _e4221)) + (_e4293[2] * _e4224)) * 3f);
+                                    let _e4610 = ((((_e4350[0] * _e4239) + (_e4350[1] * _e4242)) + (_e4350[2] * _e4245)) * 3f);
+                                    if (_e4609 < _e4610) {
+                                        phi_7306_ = _e4609;
                                     } else {
-                                        phi_7283_ = _e4589;
+                                        phi_7306_ = _e4610;
                                     }
-                                    let _e4592 = phi_7283_;
-                                    let _e4597 = local_1.member_3;
-                                    let _e4610 = ((((_e4294[0] * _e4219) + (_e4294[1] * _e4222)) + (_e4294[2] * _e4225)) * 3f);
-                                    let _e4611 = ((((_e4351[0] * _e4240) + (_e4351[1] * _e4243)) + (_e4351[2] * _e4246)) * 3f);
-                                    if (_e4610 < _e4611) {
-                                        phi_7307_ = _e4610;
+                                    let _e4613 = phi_7306_;
+                                    if (_e4324 < _e4347) {
+                                        phi_7311_ = _e4324;
                                     } else {
-                                        phi_7307_ = _e4611;
+                                        phi_7311_ = _e4347;
                                     }
-                                    let _e4614 = phi_7307_;
-                                    if (_e4325 < _e4348) {
-                                        phi_7312_ = _e4325;
+                                    let _e4616 = phi_7311_;
+                                    if (_e4613 < _e4616) {
+                                        phi_7316_ = _e4613;
                                     } else {
-                                        phi_7312_ = _e4348;
+                                        phi_7316_ = _e4616;
                                     }
-                                    let _e4617 = phi_7312_;
-                                    if (_e4614 < _e4617) {
-                                        phi_7317_ = _e4614;
+                                    let _e4619 = phi_7316_;
+                                    if (_e4609 > _e4610) {
+                                        phi_7321_ = _e4609;
                                     } else {
-                                        phi_7317_ = _e4617;
+                                        phi_7321_ = _e4610;
                                     }
-                                    let _e4620 = phi_7317_;
-                                    if (_e4610 > _e4611) {
-                                        phi_7322_ = _e4610;
+                                    let _e4622 = phi_7321_;
+                                    if (_e4324 > _e4347) {
+                                        phi_7326_ = _e4324;
                                     } else {
-                                        phi_7322_ = _e4611;
+                                        phi_7326_ = _e4347;
                                     }
-                                    let _e4623 = phi_7322_;
-                                    if (_e4325 > _e4348) {
-                                        phi_7327_ = _e4325;
+                                    let _e4625 = phi_7326_;
+                                    if (_e4622 > _e4625) {
+                                        phi_7331_ = _e4622;
                                     } else {
-                                        phi_7327_ = _e4348;
+                                        phi_7331_ = _e4625;
                                     }
-                                    let _e4626 = phi_7327_;
-                                    if (_e4623 > _e4626) {
-                                        phi_7332_ = _e4623;
+                                    let _e4628 = phi_7331_;
+                                    let _e4633 = -(_e4628);
+                                    if (_e4619 > _e4633) {
+                                        phi_7341_ = _e4619;
                                     } else {
-                                        phi_7332_ = _e4626;
+                                        phi_7341_ = _e4633;
                                     }
-                                    let _e4629 = phi_7332_;
-                                    let _e4634 = -(_e4629);
-                                    if (_e4620 > _e4634) {
-                                        phi_7342_ = _e4620;
+                                    let _e4636 = phi_7341_;
+                                    let _e4638 = ((_e4636 - ((((((_e4412 * 8f) * _e4522) * (0.000000059604645f * (524f / 64f))) + ((_e4529 * 19f) * ((_e4412 * (_e4466 + _e4520)) + (_e4466 * _e4520)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4412) * ((1f + _e4466) * (1f + _e4520))))) + ((_e91.member_5 * (((_e4591 + (_e4522 * (0.000000059604645f * 8f))) + ((_e4596 * 6f) * (_e4466 + _e4520))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4466) * (1f + _e4520))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4638 {
+                                        phi_8310_ = _e4638;
                                     } else {
-                                        phi_7342_ = _e4634;
-                                    }
-                                    let _e4637 = phi_7342_;
-                                    let _e4639 = ((_e4637 - ((((((_e4413 * 8f) * _e4523) * (0.000000059604645f * (524f / 64f))) + ((_e4530 * 19f) * ((_e4413 * (_e4467 + _e4521)) + (_e4467 * _e4521)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4413) * ((1f + _e4467) * (1f + _e4521))))) + ((_e91.member_5 * (((_e4592 + (_e4523 * (0.000000059604645f * 8f))) + ((_e4597 * 6f) * (_e4467 + _e4521))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4467) * (1f + _e4521))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4639 {
-                                        phi_8311_ = _e4639;
-                                    } else {
-                                        let _e4642 = local_1.member_1[0u];
-                                        let _e4648 = local_1.member_1[1u];
-                                        let _e4652 = (_e4642[0] + _e4648[0]);
-                                        let _e4653 = (_e4642[1] + _e4648[1]);
-                                        let _e4654 = (_e4642[2] + _e4648[2]);
-                                        let _e4657 = local_1.member_2[0u];
-                                        let _e4663 = local_1.member_2[1u];
-                                        let _e4667 = (_e4657[0] + _e4663[0]);
-                                        let _e4668 = (_e4657[1] + _e4663[1]);
-                                        let _e4669 = (_e4657[2] + _e4663[2]);
-                                        let _e4672 = ((_e4653 * _e4669) - (_e4654 * _e4668));
-                                        let _e4675 = ((_e4654 * _e4667) - (_e4652 * _e4669));
-                                        let _e4678 = ((_e4652 * _e4668) - (_e4653 * _e4667));
-                                        let _e4681 = local_1.member[0u];
-                                        let _e4688 = local_1.member_1[0u];
-                                        let _e4694 = local_1.member_2[0u];
-                                        let _e4698 = (_e4681[0] - _e4688[0]);
-                                        let _e4699 = (_e4681[1] - _e4688[1]);
-                                        let _e4700 = (_e4681[2] - _e4688[2]);
+                                        let _e4641 = local_1.member_1[0u];
+                                        let _e4647 = local_1.member_1[1u];
+                                        let _e4651 = (_e4641[0] + _e4647[0]);
+                                        let _e4652 = (_e4641[1] + _e4647[1]);
+                                        let _e4653 = (_e4641[2] + _e4647[2]);
+                                        let _e4656 = local_1.member_2[0u];
+                                        let _e4662 = local_1.member_2[1u];
+                                        let _e4666 = (_e4656[0] + _e4662[0]);
+                                        let _e4667 = (_e4656[1] + _e4662[1]);
+                                        let _e4668 = (_e4656[2] + _e4662[2]);
+                                        let _e4671 = ((_e4652 * _e4668) - (_e4653 * _e4667));
+                                        let _e4674 = ((_e4653 * _e4666) - (_e4651 * _e4668));
+                                        let _e4677 = ((_e4651 * _e4667) - (_e4652 * _e4666));
+                                        let _e4680 = local_1.member[0u];
+                                        let _e4687 = local_1.member_1[0u];
+                                        let _e4693 = local_1.member_2[0u];
+                                        let _e4697 = (_e4680[0] - _e4687[0]);
+                                        let _e4698 = (_e4680[1] - _e4687[1]);
+                                        let _e4699 = (_e4680[2] - _e4687[2]);
                                         if true {
-                                            phi_7458_ = array<f32, 3>(_e4681[0], _e4681[1], _e4681[2]);
+                                            phi_7457_ = array<f32, 3>(_e4680[0], _e4680[1], _e4680[2]);
                                         } else {
-                                            phi_7458_ = array<f32, 3>((_e4698 - _e4694[0]), (_e4699 - _e4694[1]), (_e4700 - _e4694[2]));
+                                            phi_7457_ = array<f32, 3>((_e4697 - _e4693[0]), (_e4698 - _e4693[1]), (_e4699 - _e4693[2]));
                                         }
-                                        let _e4706 = phi_7458_;
-                                        let _e4707 = (_e4681[0] - _e4694[0]);
-                                        let _e4708 = (_e4681[1] - _e4694[1]);
-                                        let _e4709 = (_e4681[2] - _e4694[2]);
-                                        let _e4712 = local_1.member[1u];
-                                        let _e4719 = local_1.member_1[1u];
-                                        let _e4725 = local_1.member_2[1u];
-                                        let _e4729 = (_e4712[0] - _e4719[0]);
-                                        let _e4730 = (_e4712[1] - _e4719[1]);
-                                        let _e4731 = (_e4712[2] - _e4719[2]);
+                                        let _e4705 = phi_7457_;
+                                        let _e4706 = (_e4680[0] - _e4693[0]);
+                                        let _e4707 = (_e4680[1] - _e4693[1]);
+                                        let _e4708 = (_e4680[2] - _e4693[2]);
+                                        let _e4711 = local_1.member[1u];
+                                        let _e4718 = local_1.member_1[1u];
+                                        let _e4724 = local_1.member_2[1u];
+                                        let _e4728 = (_e4711[0] - _e4718[0]);
+                                        let _e4729 = (_e4711[1] - _e4718[1]);
+                                        let _e4730 = (_e4711[2] - _e4718[2]);
                                         if true {
-                                            phi_7523_ = array<f32, 3>(_e4712[0], _e4712[1], _e4712[2]);
+                                            phi_7522_ = array<f32, 3>(_e4711[0], _e4711[1], _e4711[2]);
                                         } else {
-                                            phi_7523_ = array<f32, 3>((_e4729 - _e4725[0]), (_e4730 - _e4725[1]), (_e4731 - _e4725[2]));
+                                            phi_7522_ = array<f32, 3>((_e4728 - _e4724[0]), (_e4729 - _e4724[1]), (_e4730 - _e4724[2]));
                                         }
-                                        let _e4737 = phi_7523_;
-                                        let _e4738 = (_e4712[0] - _e4725[0]);
-                                        let _e4739 = (_e4712[1] - _e4725[1]);
-                                        let _e4740 = (_e4712[2] - _e4725[2]);
-                                        let _e4743 = local_1.member[0u];
-                                        if (_e4743[0] < 0f) {
-                                            phi_7545_ = -(_e4743[0]);
+                                        let _e4736 = phi_7522_;
+                                        let _e4737 = (_e4711[0] - _e4724[0]);
+                                        let _e4738 = (_e4711[1] - _e4724[1]);
+                                        let _e4739 = (_e4711[2] - _e4724[2]);
+                                        let _e4742 = local_1.member[0u];
+                                        if (_e4742[0] < 0f) {
+                                            phi_7544_ = -(_e4742[0]);
                                         } else {
-                                            phi_7545_ = _e4743[0];
+                                            phi_7544_ = _e4742[0];
                                         }
-                                        let _e4750 = phi_7545_;
-                                        if (_e4743[1] < 0f) {
-                                            phi_7552_ = -(_e4743[1]);
+                                        let _e4749 = phi_7544_;
+                                        if (_e4742[1] < 0f) {
+                                            phi_7551_ = -(_e4742[1]);
                                         } else {
-                                            phi_7552_ = _e4743[1];
+                                            phi_7551_ = _e4742[1];
                                         }
-                                        let _e4754 = phi_7552_;
-                                        if (_e4750 > _e4754) {
-                                            phi_7557_ = _e4750;
+                                        let _e4753 = phi_7551_;
+                                        if (_e4749 > _e4753) {
+                                            phi_7556_ = _e4749;
                                         } else {
-                                            phi_7557_ = _e4754;
+                                            phi_7556_ = _e4753;
                                         }
-                                        let _e4757 = phi_7557_;
-                                        if (_e4743[2] < 0f) {
-                                            phi_7564_ = -(_e4743[2]);
+                                        let _e4756 = phi_7556_;
+                                        if (_e4742[2] < 0f) {
+                                            phi_7563_ = -(_e4742[2]);
                                         } else {
-                                            phi_7564_ = _e4743[2];
+                                            phi_7563_ = _e4742[2];
                                         }
-                                        let _e4761 = phi_7564_;
-                                        if (_e4757 > _e4761) {
-                                            phi_7569_ = _e4757;
+                                        let _e4760 = phi_7563_;
+                                        if (_e4756 > _e4760) {
+                                            phi_7568_ = _e4756;
                                         } else {
-                                            phi_7569_ = _e4761;
+                                            phi_7568_ = _e4760;
                                         }
-                                        let _e4764 = phi_7569_;
-                                        let _e4767 = local_1.member[1u];
-                                        if (_e4767[0] < 0f) {
-                                            phi_7582_ = -(_e4767[0]);
+                                        let _e4763 = phi_7568_;
+                                        let _e4766 = local_1.member[1u];
+                                        if (_e4766[0] < 0f) {
+                                            phi_7581_ = -(_e4766[0]);
                                         } else {
-                                            phi_7582_ = _e4767[0];
+                                            phi_7581_ = _e4766[0];
                                         }
-                                        let _e4774 = phi_7582_;
-                                        if (_e4767[1] < 0f) {
-                                            phi_7589_ = -(_e4767[1]);
+                                        let _e4773 = phi_7581_;
+                                        if (_e4766[1] < 0f) {
+                                            phi_7588_ = -(_e4766[1]);
                                         } else {
-                                            phi_7589_ = _e4767[1];
+                                            phi_7588_ = _e4766[1];
                                         }
-                                        let _e4778 = phi_7589_;
-                                        if (_e4774 > _e4778) {
-                                            phi_7594_ = _e4774;
+                                        let _e4777 = phi_7588_;
+                                        if (_e4773 > _e4777) {
+                                            phi_7593_ = _e4773;
                                         } else {
-                                            phi_7594_ = _e4778;
+                                            phi_7593_ = _e4777;
                                         }
-                                        let _e4781 = phi_7594_;
-                                        if (_e4767[2] < 0f) {
-                                            phi_7601_ = -(_e4767[2]);
+                                        let _e4780 = phi_7593_;
+                                        if (_e4766[2] < 0f) {
+                                            phi_7600_ = -(_e4766[2]);
                                         } else {
-                                            phi_7601_ = _e4767[2];
+                                            phi_7600_ = _e4766[2];
                                         }
-                                        let _e4785 = phi_7601_;
-                                        if (_e4781 > _e4785) {
-                                            phi_7606_ = _e4781;
+                                        let _e4784 = phi_7600_;
+                                        if (_e4780 > _e4784) {
+                                            phi_7605_ = _e4780;
                                         } else {
-                                            phi_7606_ = _e4785;
+                                            phi_7605_ = _e4784;
                                         }
-                                        let _e4788 = phi_7606_;
-                                        if (_e4764 > _e4788) {
-                                            phi_7611_ = _e4764;
+                                        let _e4787 = phi_7605_;
+                                        if (_e4763 > _e4787) {
+                                            phi_7610_ = _e4763;
                                         } else {
-                                            phi_7611_ = _e4788;
+                                            phi_7610_ = _e4787;
                                         }
-                                        let _e4791 = phi_7611_;
-                                        let _e4793 = local_1.member_3;
-                                        let _e4797 = local_1.member_1[0u];
-                                        if (_e4797[0] < 0f) {
-                                            phi_7628_ = -(_e4797[0]);
+                                        let _e4790 = phi_7610_;
+                                        let _e4792 = local_1.member_3;
+                                        let _e4796 = local_1.member_1[0u];
+                                        if (_e4796[0] < 0f) {
+                                            phi_7627_ = -(_e4796[0]);
                                         } else {
-                                            phi_7628_ = _e4797[0];
+                                            phi_7627_ = _e4796[0];
                                         }
-                                        let _e4804 = phi_7628_;
-                                        if (_e4797[1] < 0f) {
-                                            phi_7635_ = -(_e4797[1]);
+                                        let _e4803 = phi_7627_;
+                                        if (_e4796[1] < 0f) {
+                                            phi_7634_ = -(_e4796[1]);
                                         } else {
-                                            phi_7635_ = _e4797[1];
+                                            phi_7634_ = _e4796[1];
                                         }
-                                        let _e4808 = phi_7635_;
-                                        if (_e4804 > _e4808) {
-                                            phi_7640_ = _e4804;
+                                        let _e4807 = phi_7634_;
+                                        if (_e4803 > _e4807) {
+                                            phi_7639_ = _e4803;
                                         } else {
-                                            phi_7640_ = _e4808;
+                                            phi_7639_ = _e4807;
                                         }
-                                        let _e4811 = phi_7640_;
-                                        if (_e4797[2] < 0f) {
-                                            phi_7647_ = -(_e4797[2]);
+                                        let _e4810 = phi_7639_;
+                                        if (_e4796[2] < 0f) {
+                                            phi_7646_ = -(_e4796[2]);
                                         } else {
-                                            phi_7647_ = _e4797[2];
+                                            phi_7646_ = _e4796[2];
                                         }
-                                        let _e4815 = phi_7647_;
-                                        if (_e4811 > _e4815) {
-                                            phi_7652_ = _e4811;
+                                        let _e4814 = phi_7646_;
+                                        if (_e4810 > _e4814) {
+                                            phi_7651_ = _e4810;
                                         } else {
-                                            phi_7652_ = _e4815;
+                                            phi_7651_ = _e4814;
                                         }
-                                        let _e4818 = phi_7652_;
-                                        let _e4821 = local_1.member_1[1u];
-                                        if (_e4821[0] < 0f) {
-                                            phi_7666_ = -(_e4821[0]);
+                                        let _e4817 = phi_7651_;
+                                        let _e4820 = local_1.member_1[1u];
+                                        if (_e4820[0] < 0f) {
+                                            phi_7665_ = -(_e4820[0]);
                                         } else {
-                                            phi_7666_ = _e4821[0];
+                                            phi_7665_ = _e4820[0];
                                         }
-                                        let _e4828 = phi_7666_;
-                                        if (_e4821[1] < 0f) {
-                                            phi_7673_ = -(_e4821[1]);
+                                        let _e4827 = phi_7665_;
+                                        if (_e4820[1] < 0f) {
+                                            phi_7672_ = -(_e4820[1]);
                                         } else {
-                                            phi_7673_ = _e4821[1];
+                                            phi_7672_ = _e4820[1];
                                         }
-                                        let _e4832 = phi_7673_;
-                                        if (_e4828 > _e4832) {
-                                            phi_7678_ = _e4828;
+                                        let _e4831 = phi_7672_;
+                                        if (_e4827 > _e4831) {
+                                            phi_7677_ = _e4827;
                                         } else {
-                                            phi_7678_ = _e4832;
+                                            phi_7677_ = _e4831;
                                         }
-                                        let _e4835 = phi_7678_;
-                                        if (_e4821[2] < 0f) {
-                                            phi_7685_ = -(_e4821[2]);
+                                        let _e4834 = phi_7677_;
+                                        if (_e4820[2] < 0f) {
+                                            phi_7684_ = -(_e4820[2]);
                                         } else {
-                                            phi_7685_ = _e4821[2];
+                                            phi_7684_ = _e4820[2];
                                         }
-                                        let _e4839 = phi_7685_;
-                                        if (_e4835 > _e4839) {
-                                            phi_7690_ = _e4835;
+                                        let _e4838 = phi_7684_;
+                                        if (_e4834 > _e4838) {
+                                            phi_7689_ = _e4834;
                                         } else {
-                                            phi_7690_ = _e4839;
+                                            phi_7689_ = _e4838;
                                         }
-                                        let _e4842 = phi_7690_;
-                                        if (_e4818 > _e4842) {
-                                            phi_7695_ = _e4818;
+                                        let _e4841 = phi_7689_;
+                                        if (_e4817 > _e4841) {
+                                            phi_7694_ = _e4817;
                                         } else {
-                                            phi_7695_ = _e4842;
+                                            phi_7694_ = _e4841;
                                         }
-                                        let _e4845 = phi_7695_;
-                                        let _e4847 = local_1.member_3;
-                                        let _e4851 = local_1.member_2[0u];
-                                        if (_e4851[0] < 0f) {
-                                            phi_7712_ = -(_e4851[0]);
+                                        let _e4844 = phi_7694_;
+                                        let _e4846 = local_1.member_3;
+                                        let _e4850 = local_1.member_2[0u];
+                                        if (_e4850[0] < 0f) {
+                                            phi_7711_ = -(_e4850[0]);
                                         } else {
-                                            phi_7712_ = _e4851[0];
+                                            phi_7711_ = _e4850[0];
                                         }
-                                        let _e4858 = phi_7712_;
-                                        if (_e4851[1] < 0f) {
-                                            phi_7719_ = -(_e4851[1]);
+                                        let _e4857 = phi_7711_;
+                                        if (_e4850[1] < 0f) {
+                                            phi_7718_ = -(_e4850[1]);
                                         } else {
-                                            phi_7719_ = _e4851[1];
+                                            phi_7718_ = _e4850[1];
                                         }
-                                        let _e4862 = phi_7719_;
-                                        if (_e4858 > _e4862) {
-                                            phi_7724_ = _e4858;
+                                        let _e4861 = phi_7718_;
+                                        if (_e4857 > _e4861) {
+                                            phi_7723_ = _e4857;
                                         } else {
-                                            phi_7724_ = _e4862;
+                                            phi_7723_ = _e4861;
                                         }
-                                        let _e4865 = phi_7724_;
-                                        if (_e4851[2] < 0f) {
-                                            phi_7731_ = -(_e4851[2]);
+                                        let _e4864 = phi_7723_;
+                                        if (_e4850[2] < 0f) {
+                                            phi_7730_ = -(_e4850[2]);
                                         } else {
-                                            phi_7731_ = _e4851[2];
+                                            phi_7730_ = _e4850[2];
                                         }
-                                        let _e4869 = phi_7731_;
-                                        if (_e4865 > _e4869) {
-                                            phi_7736_ = _e4865;
+                                        let _e4868 = phi_7730_;
+                                        if (_e4864 > _e4868) {
+                                            phi_7735_ = _e4864;
                                         } else {
-                                            phi_7736_ = _e4869;
+                                            phi_7735_ = _e4868;
                                         }
-                                        let _e4872 = phi_7736_;
-                                        let _e4875 = local_1.member_2[1u];
-                                        if (_e4875[0] < 0f) {
-                                            phi_7750_ = -(_e4875[0]);
+                                        let _e4871 = phi_7735_;
+                                        let _e4874 = local_1.member_2[1u];
+                                        if (_e4874[0] < 0f) {
+                                            phi_7749_ = -(_e4874[0]);
                                         } else {
-                                            phi_7750_ = _e4875[0];
+                                            phi_7749_ = _e4874[0];
                                         }
-                                        let _e4882 = phi_7750_;
-                                        if (_e4875[1] < 0f) {
-                                            phi_7757_ = -(_e4875[1]);
+                                        let _e4881 = phi_7749_;
+                                        if (_e4874[1] < 0f) {
+                                            phi_7756_ = -(_e4874[1]);
                                         } else {
-                                            phi_7757_ = _e4875[1];
+                                            phi_7756_ = _e4874[1];
                                         }
-                                        let _e4886 = phi_7757_;
-                                        if (_e4882 > _e4886) {
-                                            phi_7762_ = _e4882;
+                                        let _e4885 = phi_7756_;
+                                        if (_e4881 > _e4885) {
+                                            phi_7761_ = _e4881;
                                         } else {
-                                            phi_7762_ = _e4886;
+                                            phi_7761_ = _e4885;
                                         }
-                                        let _e4889 = phi_7762_;
-                                        if (_e4875[2] < 0f) {
-                                            phi_7769_ = -(_e4875[2]);
+                                        let _e4888 = phi_7761_;
+                                        if (_e4874[2] < 0f) {
+                                            phi_7768_ = -(_e4874[2]);
                                         } else {
-                                            phi_7769_ = _e4875[2];
+                                            phi_7768_ = _e4874[2];
                                         }
-                                        let _e4893 = phi_7769_;
-                                        if (_e4889 > _e4893) {
-                                            phi_7774_ = _e4889;
+                                        let _e4892 = phi_7768_;
+                                        if (_e4888 > _e4892) {
+                                            phi_7773_ = _e4888;
                                         } else {
-                                            phi_7774_ = _e4893;
+                                            phi_7773_ = _e4892;
                                         }
-                                        let _e4896 = phi_7774_;
-                                        if (_e4872 > _e4896) {
-                                            phi_7779_ = _e4872;
+                                        let _e4895 = phi_7773_;
+                                        if (_e4871 > _e4895) {
+                                            phi_7778_ = _e4871;
                                         } else {
-                                            phi_7779_ = _e4896;
+                                            phi_7778_ = _e4895;
                                         }
-                                        let _e4899 = phi_7779_;
-                                        let _e4901 = local_1.member_3;
-                                        let _e4905 = ((((_e4791 + _e4793) + (_e4845 + _e4847)) + (_e4899 + _e4901)) * 2f);
-                                        let _e4908 = local_1.member_3;
-                                        let _e4912 = (((_e91.member_5 * 1.0001f) + (_e4908 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4915 = ((_e4675 * _e4654) - (_e4678 * _e4653));
-                                        let _e4918 = ((_e4678 * _e4652) - (_e4672 * _e4654));
-                                        let _e4921 = ((_e4672 * _e4653) - (_e4675 * _e4652));
-                                        let _e4926 = (((_e4915 * _e4681[0]) + (_e4918 * _e4681[1])) + (_e4921 * _e4681[2]));
-                                        let _e4931 = (((_e4915 * _e4698) + (_e4918 * _e4699)) + (_e4921 * _e4700));
-                                        let _e4936 = (((_e4915 * _e4707) + (_e4918 * _e4708)) + (_e4921 * _e4709));
-                                        let _e4944 = (((_e4915 * _e4706[0]) + (_e4918 * _e4706[1])) + (_e4921 * _e4706[2]));
-                                        let _e4949 = (((_e4915 * _e4712[0]) + (_e4918 * _e4712[1])) + (_e4921 * _e4712[2]));
-                                        let _e4954 = (((_e4915 * _e4729) + (_e4918 * _e4730)) + (_e4921 * _e4731));
-                                        let _e4959 = (((_e4915 * _e4738) + (_e4918 * _e4739)) + (_e4921 * _e4740));
-                                        let _e4967 = (((_e4915 * _e4737[0]) + (_e4918 * _e4737[1])) + (_e4921 * _e4737[2]));
-                                        if (_e4926 < _e4931) {
-                                            phi_7858_ = _e4926;
+                                        let _e4898 = phi_7778_;
+                                        let _e4900 = local_1.member_3;
+                                        let _e4904 = ((((_e4790 + _e4792) + (_e4844 + _e4846)) + (_e4898 + _e4900)) * 2f);
+                                        let _e4907 = local_1.member_3;
+                                        let _e4911 = (((_e91.member_5 * 1.0001f) + (_e4907 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4914 = ((_e4674 * _e4653) - (_e4677 * _e4652));
+                                        let _e4917 = ((_e4677 * _e4651) - (_e4671 * _e4653));
+                                        let _e4920 = ((_e4671 * _e4652) - (_e4674 * _e4651));
+                                        let _e4925 = (((_e4914 * _e4680[0]) + (_e4917 * _e4680[1])) + (_e4920 * _e4680[2]));
+                                        let _e4930 = (((_e4914 * _e4697) + (_e4917 * _e4698)) + (_e4920 * _e4699));
+                                        let _e4935 = (((_e4914 * _e4706) + (_e4917 * _e4707)) + (_e4920 * _e4708));
+                                        let _e4943 = (((_e4914 * _e4705[0]) + (_e4917 * _e4705[1])) + (_e4920 * _e4705[2]));
+                                        let _e4948 = (((_e4914 * _e4711[0]) + (_e4917 * _e4711[1])) + (_e4920 * _e4711[2]));
+                                        let _e4953 = (((_e4914 * _e4728) + (_e4917 * _e4729)) + (_e4920 * _e4730));
+                                        let _e4958 = (((_e4914 * _e4737) + (_e4917 * _e4738)) + (_e4920 * _e4739));
+                                        let _e4966 = (((_e4914 * _e4736[0]) + (_e4917 * _e4736[1])) + (_e4920 * _e4736[2]));
+                                        if (_e4925 < _e4930) {
+                                            phi_7857_ = _e4925;
                                         } else {
-                                            phi_7858_ = _e4931;
+                                            phi_7857_ = _e4930;
                                         }
-                                        let _e4970 = phi_7858_;
-                                        if (_e4936 < _e4944) {
-                                            phi_7863_ = _e4936;
+                                        let _e4969 = phi_7857_;
+                                        if (_e4935 < _e4943) {
+                                            phi_7862_ = _e4935;
                                         } else {
-                                            phi_7863_ = _e4944;
+                                            phi_7862_ = _e4943;
                                         }
-                                        let _e4973 = phi_7863_;
-                                        if (_e4970 < _e4973) {
-                                            phi_7868_ = _e4970;
+                                        let _e4972 = phi_7862_;
+                                        if (_e4969 < _e4972) {
+                                            phi_7867_ = _e4969;
                                         } else {
-                                            phi_7868_ = _e4973;
+                                            phi_7867_ = _e4972;
                                         }
-                                        let _e4976 = phi_7868_;
-                                        if (_e4949 < _e4954) {
-                                            phi_7873_ = _e4949;
+                                        let _e4975 = phi_7867_;
+                                        if (_e4948 < _e4953) {
+                                            phi_7872_ = _e4948;
                                         } else {
-                                            phi_7873_ = _e4954;
+                                            phi_7872_ = _e4953;
                                         }
-                                        let _e4979 = phi_7873_;
-                                        if (_e4959 < _e4967) {
-                                            phi_7878_ = _e4959;
+                                        let _e4978 = phi_7872_;
+                                        if (_e4958 < _e4966) {
+                                            phi_7877_ = _e4958;
                                         } else {
-                                            phi_7878_ = _e4967;
+                                            phi_7877_ = _e4966;
                                         }
-                                        let _e4982 = phi_7878_;
-                                        if (_e4979 < _e4982) {
-                                            phi_7883_ = _e4979;
+                                        let _e4981 = phi_7877_;
+                                        if (_e4978 < _e4981) {
+                                            phi_7882_ = _e4978;
                                         } else {
-                                            phi_7883_ = _e4982;
+                                            phi_7882_ = _e4981;
                                         }
-                                        let _e4985 = phi_7883_;
-                                        if (_e4976 < _e4985) {
-                                            phi_7888_ = _e4976;
+                                        let _e4984 = phi_7882_;
+                                        if (_e4975 < _e4984) {
+                                            phi_7887_ = _e4975;
                                         } else {
-                                            phi_7888_ = _e4985;
+                                            phi_7887_ = _e4984;
                                         }
-                                        let _e4988 = phi_7888_;
-                                        if (_e4926 > _e4931) {
-                                            phi_7893_ = _e4926;
+                                        let _e4987 = phi_7887_;
+                                        if (_e4925 > _e4930) {
+                                            phi_7892_ = _e4925;
                                         } else {
-                                            phi_7893_ = _e4931;
+                                            phi_7892_ = _e4930;
                                         }
-                                        let _e4991 = phi_7893_;
-                                        if (_e4936 > _e4944) {
-                                            phi_7898_ = _e4936;
+                                        let _e4990 = phi_7892_;
+                                        if (_e4935 > _e4943) {
+                                            phi_7897_ = _e4935;
                                         } else {
-                                            phi_7898_ = _e4944;
+                                            phi_7897_ = _e4943;
                                         }
-                                        let _e4994 = phi_7898_;
-                                        if (_e4991 > _e4994) {
-                                            phi_7903_ = _e4991;
+                                        let _e4993 = phi_7897_;
+                                        if (_e4990 > _e4993) {
+                                            phi_7902_ = _e4990;
                                         } else {
-                                            phi_7903_ = _e4994;
+                                            phi_7902_ = _e4993;
                                         }
-                                        let _e4997 = phi_7903_;
-                                        if (_e4949 > _e4954) {
-                                            phi_7908_ = _e4949;
+                                        let _e4996 = phi_7902_;
+                                        if (_e4948 > _e4953) {
+                                            phi_7907_ = _e4948;
                                         } else {
-                                            phi_7908_ = _e4954;
+                                            phi_7907_ = _e4953;
                                         }
-                                        let _e5000 = phi_7908_;
-                                        if (_e4959 > _e4967) {
-                                            phi_7913_ = _e4959;
+                                        let _e4999 = phi_7907_;
+                                        if (_e4958 > _e4966) {
+                                            phi_7912_ = _e4958;
                                         } else {
-                                            phi_7913_ = _e4967;
+                                            phi_7912_ = _e4966;
                                         }
-                                        let _e5003 = phi_7913_;
-                                        if (_e5000 > _e5003) {
-                                            phi_7918_ = _e5000;
+                                        let _e5002 = phi_7912_;
+                                        if (_e4999 > _e5002) {
+                                            phi_7917_ = _e4999;
                                         } else {
-                                            phi_7918_ = _e5003;
+                                            phi_7917_ = _e5002;
                                         }
-                                        let _e5006 = phi_7918_;
-                                        if (_e4997 > _e5006) {
-                                            phi_7923_ = _e4997;
+                                        let _e5005 = phi_7917_;
+                                        if (_e4996 > _e5005) {
+                                            phi_7922_ = _e4996;
                                         } else {
-                                            phi_7923_ = _e5006;
+                                            phi_7922_ = _e5005;
                                         }
-                                        let _e5009 = phi_7923_;
-                                        if (_e4915 < 0f) {
-                                            phi_7929_ = -(_e4915);
+                                        let _e5008 = phi_7922_;
+                                        if (_e4914 < 0f) {
+                                            phi_7928_ = -(_e4914);
                                         } else {
-                                            phi_7929_ = _e4915;
+                                            phi_7928_ = _e4914;
                                         }
-                                        let _e5013 = phi_7929_;
-                                        if (_e4918 < 0f) {
-                                            phi_7935_ = -(_e4918);
+                                        let _e5012 = phi_7928_;
+                                        if (_e4917 < 0f) {
+                                            phi_7934_ = -(_e4917);
                                         } else {
-                                            phi_7935_ = _e4918;
+                                            phi_7934_ = _e4917;
                                         }
-                                        let _e5017 = phi_7935_;
-                                        if (_e4921 < 0f) {
-                                            phi_7942_ = -(_e4921);
+                                        let _e5016 = phi_7934_;
+                                        if (_e4920 < 0f) {
+                                            phi_7941_ = -(_e4920);
                                         } else {
-                                            phi_7942_ = _e4921;
+                                            phi_7941_ = _e4920;
                                         }
-                                        let _e5022 = phi_7942_;
-                                        let _e5023 = ((_e5013 + _e5017) + _e5022);
-                                        let _e5028 = -(_e5009);
-                                        if (_e4988 > _e5028) {
-                                            phi_7953_ = _e4988;
+                                        let _e5021 = phi_7941_;
+                                        let _e5022 = ((_e5012 + _e5016) + _e5021);
+                                        let _e5027 = -(_e5008);
+                                        if (_e4987 > _e5027) {
+                                            phi_7952_ = _e4987;
                                         } else {
-                                            phi_7953_ = _e5028;
+                                            phi_7952_ = _e5027;
                                         }
-                                        let _e5031 = phi_7953_;
-                                        let _e5036 = (((_e5031 - ((_e5023 * _e4905) * (0.000000059604645f * (17f / 2f)))) - (_e5023 * _e4912)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e5039 = ((_e4675 * _e4669) - (_e4678 * _e4668));
-                                        let _e5042 = ((_e4678 * _e4667) - (_e4672 * _e4669));
-                                        let _e5045 = ((_e4672 * _e4668) - (_e4675 * _e4667));
-                                        let _e5050 = (((_e5039 * _e4681[0]) + (_e5042 * _e4681[1])) + (_e5045 * _e4681[2]));
-                                        let _e5055 = (((_e5039 * _e4698) + (_e5042 * _e4699)) + (_e5045 * _e4700));
-                                        let _e5060 = (((_e5039 * _e4707) + (_e5042 * _e4708)) + (_e5045 * _e4709));
-                                        let _e5068 = (((_e5039 * _e4706[0]) + (_e5042 * _e4706[1])) + (_e5045 * _e4706[2]));
-                                        let _e5073 = (((_e5039 * _e4712[0]) + (_e5042 * _e4712[1])) + (_e5045 * _e4712[2]));
-                                        let _e5078 = (((_e5039 * _e4729) + (_e5042 * _e4730)) + (_e5045 * _e4731));
-                                        let _e5083 = (((_e5039 * _e4738) + (_e5042 * _e4739)) + (_e5045 * _e4740));
-                                        let _e5091 = (((_e5039 * _e4737[0]) + (_e5042 * _e4737[1])) + (_e5045 * _e4737[2]));
-                                        if (_e5050 < _e5055) {
-                                            phi_8024_ = _e5050;
+                                        let _e5030 = phi_7952_;
+                                        let _e5035 = (((_e5030 - ((_e5022 * _e4904) * (0.000000059604645f * (17f / 2f)))) - (_e5022 * _e4911)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e5038 = ((_e4674 * _e4668) - (_e4677 * _e4667));
+                                        let _e5041 = ((_e4677 * _e4666) - (_e4671 * _e4668));
+                                        let _e5044 = ((_e4671 * _e4667) - (_e4674 * _e4666));
+                                        let _e5049 = (((_e5038 * _e4680[0]) + (_e5041 * _e4680[1])) + (_e5044 * _e4680[2]));
+                                        let _e5054 = (((_e5038 * _e4697) + (_e5041 * _e4698)) + (_e5044 * _e4699));
+                                        let _e5059 = (((_e5038 * _e4706) + (_e5041 * _e4707)) + (_e5044 * _e4708));
+                                        let _e5067 = (((_e5038 * _e4705[0]) + (_e5041 * _e4705[1])) + (_e5044 * _e4705[2]));
+                                        let _e5072 = (((_e5038 * _e4711[0]) + (_e5041 * _e4711[1])) + (_e5044 * _e4711[2]));
+                                        let _e5077 = (((_e5038 * _e4728) + (_e5041 * _e4729)) + (_e5044 * _e4730));
+                                        let _e5082 = (((_e5038 * _e4737) + (_e5041 * _e4738)) + (_e5044 * _e4739));
+                                        let _e5090 = (((_e5038 * _e4736[0]) + (_e5041 * _e4736[1])) + (_e5044 * _e4736[2]));
+                                        if (_e5049 < _e5054) {
+                                            phi_8023_ = _e5049;
                                         } else {
-                                            phi_8024_ = _e5055;
+                                            phi_8023_ = _e5054;
                                         }
-                                        let _e5094 = phi_8024_;
-                                        if (_e5060 < _e5068) {
-                                            phi_8029_ = _e5060;
+                                        let _e5093 = phi_8023_;
+                                        if (_e5059 < _e5067) {
+                                            phi_8028_ = _e5059;
                                         } else {
-                                            phi_8029_ = _e5068;
+                                            phi_8028_ = _e5067;
                                         }
-                                        let _e5097 = phi_8029_;
-                                        if (_e5094 < _e5097) {
-                                            phi_8034_ = _e5094;
+                                        let _e5096 = phi_8028_;
+                                        if (_e5093 < _e5096) {
+                                            phi_8033_ = _e5093;
                                         } else {
-                                            phi_8034_ = _e5097;
+                                            phi_8033_ = _e5096;
                                         }
-                                        let _e5100 = phi_8034_;
-                                        if (_e5073 < _e5078) {
-                                            phi_8039_ = _e5073;
+                                        let _e5099 = phi_8033_;
+                                        if (_e5072 < _e5077) {
+                                            phi_8038_ = _e5072;
                                         } else {
-                                            phi_8039_ = _e5078;
+                                            phi_8038_ = _e5077;
                                         }
-                                        let _e5103 = phi_8039_;
-                                        if (_e5083 < _e5091) {
-                                            phi_8044_ = _e5083;
+                                        let _e5102 = phi_8038_;
+                                        if (_e5082 < _e5090) {
+                                            phi_8043_ = _e5082;
                                         } else {
-                                            phi_8044_ = _e5091;
+                                            phi_8043_ = _e5090;
                                         }
-                                        let _e5106 = phi_8044_;
-                                        if (_e5103 < _e5106) {
-                                            phi_8049_ = _e5103;
+                                        let _e5105 = phi_8043_;
+                                        if (_e5102 < _e5105) {
+                                            phi_8048_ = _e5102;
                                         } else {
-                                            phi_8049_ = _e5106;
+                                            phi_8048_ = _e5105;
                                         }
-                                        let _e5109 = phi_8049_;
-                                        if (_e5100 < _e5109) {
-                                            phi_8054_ = _e5100;
+                                        let _e5108 = phi_8048_;
+                                        if (_e5099 < _e5108) {
+                                            phi_8053_ = _e5099;
                                         } else {
-                                            phi_8054_ = _e5109;
+                                            phi_8053_ = _e5108;
                                         }
-                                        let _e5112 = phi_8054_;
-                                        if (_e5050 > _e5055) {
-                                            phi_8059_ = _e5050;
+                                        let _e5111 = phi_8053_;
+                                        if (_e5049 > _e5054) {
+                                            phi_8058_ = _e5049;
                                         } else {
-                                            phi_8059_ = _e5055;
+                                            phi_8058_ = _e5054;
                                         }
-                                        let _e5115 = phi_8059_;
-                                        if (_e5060 > _e5068) {
-                                            phi_8064_ = _e5060;
+                                        let _e5114 = phi_8058_;
+                                        if (_e5059 > _e5067) {
+                                            phi_8063_ = _e5059;
                                         } else {
-                                            phi_8064_ = _e5068;
+                                            phi_8063_ = _e5067;
                                         }
-                                        let _e5118 = phi_8064_;
-                                        if (_e5115 > _e5118) {
-                                            phi_8069_ = _e5115;
+                                        let _e5117 = phi_8063_;
+                                        if (_e5114 > _e5117) {
+                                            phi_8068_ = _e5114;
                                         } else {
-                                            phi_8069_ = _e5118;
+                                            phi_8068_ = _e5117;
                                         }
-                                        let _e5121 = phi_8069_;
-                                        if (_e5073 > _e5078) {
-                                            phi_8074_ = _e5073;
+                                        let _e5120 = phi_8068_;
+                                        if (_e5072 > _e5077) {
+                                            phi_8073_ = _e5072;
                                         } else {
-                                            phi_8074_ = _e5078;
+                                            phi_8073_ = _e5077;
                                         }
-                                        let _e5124 = phi_8074_;
-                                        if (_e5083 > _e5091) {
-                                            phi_8079_ = _e5083;
+                                        let _e5123 = phi_8073_;
+                                        if (_e5082 > _e5090) {
+                                            phi_8078_ = _e5082;
                                         } else {
-                                            phi_8079_ = _e5091;
+                                            phi_8078_ = _e5090;
                                         }
-                                        let _e5127 = phi_8079_;
-                                        if (_e5124 > _e5127) {
-                                            phi_8084_ = _e5124;
+                                        let _e5126 = phi_8078_;
+                                        if (_e5123 > _e5126) {
+                                            phi_8083_ = _e5123;
                                         } else {
-                                            phi_8084_ = _e5127;
+                                            phi_8083_ = _e5126;
                                         }
-                                        let _e5130 = phi_8084_;
-                                        if (_e5121 > _e5130) {
-                                            phi_8089_ = _e5121;
+                                        let _e5129 = phi_8083_;
+                                        if (_e5120 > _e5129) {
+                                            phi_8088_ = _e5120;
                                         } else {
-                                            phi_8089_ = _e5130;
+                                            phi_8088_ = _e5129;
                                         }
-                                        let _e5133 = phi_8089_;
-                                        if (_e5039 < 0f) {
-                                            phi_8095_ = -(_e5039);
+                                        let _e5132 = phi_8088_;
+                                        if (_e5038 < 0f) {
+                                            phi_8094_ = -(_e5038);
                                         } else {
-                                            phi_8095_ = _e5039;
+                                            phi_8094_ = _e5038;
                                         }
-                                        let _e5137 = phi_8095_;
-                                        if (_e5042 < 0f) {
-                                            phi_8101_ = -(_e5042);
+                                        let _e5136 = phi_8094_;
+                                        if (_e5041 < 0f) {
+                                            phi_8100_ = -(_e5041);
                                         } else {
-                                            phi_8101_ = _e5042;
+                                            phi_8100_ = _e5041;
                                         }
-                                        let _e5141 = phi_8101_;
-                                        if (_e5045 < 0f) {
-                                            phi_8108_ = -(_e5045);
+                                        let _e5140 = phi_8100_;
+                                        if (_e5044 < 0f) {
+                                            phi_8107_ = -(_e5044);
                                         } else {
-                                            phi_8108_ = _e5045;
+                                            phi_8107_ = _e5044;
                                         }
-                                        let _e5146 = phi_8108_;
-                                        let _e5147 = ((_e5137 + _e5141) + _e5146);
-                                        let _e5152 = -(_e5133);
-                                        if (_e5112 > _e5152) {
-                                            phi_8119_ = _e5112;
+                                        let _e5145 = phi_8107_;
+                                        let _e5146 = ((_e5136 + _e5140) + _e5145);
+                                        let _e5151 = -(_e5132);
+                                        if (_e5111 > _e5151) {
+                                            phi_8118_ = _e5111;
                                         } else {
-                                            phi_8119_ = _e5152;
+                                            phi_8118_ = _e5151;
                                         }
-                                        let _e5155 = phi_8119_;
-                                        let _e5160 = (((_e5155 - ((_e5147 * _e4905) * (0.000000059604645f * (17f / 2f)))) - (_e5147 * _e4912)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e5036 > _e5160) {
-                                            phi_8129_ = _e5036;
+                                        let _e5154 = phi_8118_;
+                                        let _e5159 = (((_e5154 - ((_e5146 * _e4904) * (0.000000059604645f * (17f / 2f)))) - (_e5146 * _e4911)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5035 > _e5159) {
+                                            phi_8128_ = _e5035;
                                         } else {
-                                            phi_8129_ = _e5160;
+                                            phi_8128_ = _e5159;
                                         }
-                                        let _e5163 = phi_8129_;
+                                        let _e5162 = phi_8128_;
                                         if true {
+                                            let _e5163 = (_e4666 - _e4651);
                                             let _e5164 = (_e4667 - _e4652);
                                             let _e5165 = (_e4668 - _e4653);
-                                            let _e5166 = (_e4669 - _e4654);
-                                            let _e5169 = ((_e4675 * _e5166) - (_e4678 * _e5165));
-                                            let _e5172 = ((_e4678 * _e5164) - (_e4672 * _e5166));
-                                            let _e5175 = ((_e4672 * _e5165) - (_e4675 * _e5164));
-                                            let _e5180 = (((_e5169 * _e4681[0]) + (_e5172 * _e4681[1])) + (_e5175 * _e4681[2]));
-                                            let _e5185 = (((_e5169 * _e4698) + (_e5172 * _e4699)) + (_e5175 * _e4700));
-                                            let _e5190 = (((_e5169 * _e4707) + (_e5172 * _e4708)) + (_e5175 * _e4709));
-                                            let _e5198 = (((_e5169 * _e4706[0]) + (_e5172 * _e4706[1])) + (_e5175 * _e4706[2]));
-                                            let _e5203 = (((_e5169 * _e4712[0]) + (_e5172 * _e4712[1])) + (_e5175 * _e4712[2]));
-                                            let _e5208 = (((_e5169 * _e4729) + (_e5172 * _e4730)) + (_e5175 * _e4731));
-                                            let _e5213 = (((_e5169 * _e4738) + (_e5172 * _e4739)) + (_e5175 * _e4740));
-                                            let _e5221 = (((_e5169 * _e4737[0]) + (_e5172 * _e4737[1])) + (_e5175 * _e4737[2]));
-                                            if (_e5180 < _e5185) {
-                                                phi_8202_ = _e5180;
+                                            let _e5168 = ((_e4674 * _e5165) - (_e4677 * _e5164));
+                                            let _e5171 = ((_e4677 * _e5163) - (_e4671 * _e5165));
+                                            let _e5174 = ((_e4671 * _e5164) - (_e4674 * _e5163));
+                                            let _e5179 = (((_e5168 * _e4680[0]) + (_e5171 * _e4680[1])) + (_e5174 * _e4680[2]));
+                                            let _e5184 = (((_e5168 * _e4697) + (_e5171 * _e4698)) + (_e5174 * _e4699));
+                                            let _e5189 = (((_e5168 * _e4706) + (_e5171 * _e4707)) + (_e5174 * _e4708));
+                                            let _e5197 = (((_e5168 * _e4705[0]) + (_e5171 * _e4705[1])) + (_e5174 * _e4705[2]));
+                                            let _e5202 = (((_e5168 * _e4711[0]) + (_e5171 * _e4711[1])) + (_e5174 * _e4711[2]));
+                                            let _e5207 = (((_e5168 * _e4728) + (_e5171 * _e4729)) + (_e5174 * _e4730));
+                                            let _e5212 = (((_e5168 * _e4737) + (_e5171 * _e4738)) + (_e5174 * _e4739));
+                                            let _e5220 = (((_e5168 * _e4736[0]) + (_e5171 * _e4736[1])) + (_e5174 * _e4736[2]));
+                                            if (_e5179 < _e5184) {
+                                                phi_8201_ = _e5179;
                                             } else {
-                                                phi_8202_ = _e5185;
+                                                phi_8201_ = _e5184;
                                             }
-                                            let _e5224 = phi_8202_;
-                                            if (_e5190 < _e5198) {
-                                                phi_8207_ = _e5190;
+                                            let _e5223 = phi_8201_;
+                                            if (_e5189 < _e5197) {
+                                                phi_8206_ = _e5189;
                                             } else {
-                                                phi_8207_ = _e5198;
+                                                phi_8206_ = _e5197;
                                             }
-                                            let _e5227 = phi_8207_;
-                                            if (_e5224 < _e5227) {
-                                                phi_8212_ = _e5224;
+                                            let _e5226 = phi_8206_;
+                                            if (_e5223 < _e5226) {
+                                                phi_8211_ = _e5223;
                                             } else {
-                                                phi_8212_ = _e5227;
+                                                phi_8211_ = _e5226;
                                             }
-                                            let _e5230 = phi_8212_;
-                                            if (_e5203 < _e5208) {
-                                                phi_8217_ = _e5203;
+                                            let _e5229 = phi_8211_;
+                                            if (_e5202 < _e5207) {
+                                                phi_8216_ = _e5202;
                                             } else {
-                                                phi_8217_ = _e5208;
+                                                phi_8216_ = _e5207;
                                             }
-                                            let _e5233 = phi_8217_;
-                                            if (_e5213 < _e5221) {
-                                                phi_8222_ = _e5213;
+                                            let _e5232 = phi_8216_;
+                                            if (_e5212 < _e5220) {
+                                                phi_8221_ = _e5212;
                                             } else {
-                                                phi_8222_ = _e5221;
+                                                phi_8221_ = _e5220;
                                             }
-                                            let _e5236 = phi_8222_;
-                                            if (_e5233 < _e5236) {
-                                                phi_8227_ = _e5233;
+                                            let _e5235 = phi_8221_;
+                                            if (_e5232 < _e5235) {
+                                                phi_8226_ = _e5232;
                                             } else {
-                                                phi_8227_ = _e5236;
+                                                phi_8226_ = _e5235;
                                             }
-                                            let _e5239 = phi_8227_;
-                                            if (_e5230 < _e5239) {
-                                                phi_8232_ = _e5230;
+                                            let _e5238 = phi_8226_;
+                                            if (_e5229 < _e5238) {
+                                                phi_8231_ = _e5229;
                                             } else {
-                                                phi_8232_ = _e5239;
+                                                phi_8231_ = _e5238;
                                             }
-                                            let _e5242 = phi_8232_;
-                                            if (_e5180 > _e5185) {
-                                                phi_8237_ = _e5180;
+                                            let _e5241 = phi_8231_;
+                                            if (_e5179 > _e5184) {
+                                                phi_8236_ = _e5179;
                                             } else {
-                                                phi_8237_ = _e5185;
+                                                phi_8236_ = _e5184;
                                             }
-                                            let _e5245 = phi_8237_;
-                                            if (_e5190 > _e5198) {
-                                                phi_8242_ = _e5190;
+                                            let _e5244 = phi_8236_;
+                                            if (_e5189 > _e5197) {
+                                                phi_8241_ = _e5189;
                                             } else {
-                                                phi_8242_ = _e5198;
+                                                phi_8241_ = _e5197;
                                             }
-                                            let _e5248 = phi_8242_;
-                                            if (_e5245 > _e5248) {
-                                                phi_8247_ = _e5245;
+                                            let _e5247 = phi_8241_;
+                                            if (_e5244 > _e5247) {
+                                                phi_8246_ = _e5244;
                                             } else {
-                                                phi_8247_ = _e5248;
+                                                phi_8246_ = _e5247;
                                             }
-                                            let _e5251 = phi_8247_;
-                                            if (_e5203 > _e5208) {
-                                                phi_8252_ = _e5203;
+                                            let _e5250 = phi_8246_;
+                                            if (_e5202 > _e5207) {
+                                                phi_8251_ = _e5202;
                                             } else {
-                                                phi_8252_ = _e5208;
+                                                phi_8251_ = _e5207;
                                             }
-                                            let _e5254 = phi_8252_;
-                                            if (_e5213 > _e5221) {
-                                                phi_8257_ = _e5213;
+                                            let _e5253 = phi_8251_;
+                                            if (_e5212 > _e5220) {
+                                                phi_8256_ = _e5212;
                                             } else {
-                                                phi_8257_ = _e5221;
+                                                phi_8256_ = _e5220;
                                             }
-                                            let _e5257 = phi_8257_;
-                                            if (_e5254 > _e5257) {
-                                                phi_8262_ = _e5254;
+                                            let _e5256 = phi_8256_;
+                                            if (_e5253 > _e5256) {
+                                                phi_8261_ = _e5253;
                                             } else {
-                                                phi_8262_ = _e5257;
+                                                phi_8261_ = _e5256;
                                             }
-                                            let _e5260 = phi_8262_;
-                                            if (_e5251 > _e5260) {
-                                                phi_8267_ = _e5251;
+                                            let _e5259 = phi_8261_;
+                                            if (_e5250 > _e5259) {
+                                                phi_8266_ = _e5250;
                                             } else {
-                                                phi_8267_ = _e5260;
+                                                phi_8266_ = _e5259;
                                             }
-                                            let _e5263 = phi_8267_;
-                                            if (_e5169 < 0f) {
-                                                phi_8273_ = -(_e5169);
+                                            let _e5262 = phi_8266_;
+                                            if (_e5168 < 0f) {
+                                                phi_8272_ = -(_e5168);
                                             } else {
-                                                phi_8273_ = _e5169;
+                                                phi_8272_ = _e5168;
                                             }
-                                            let _e5267 = phi_8273_;
-                                            if (_e5172 < 0f) {
-                                                phi_8279_ = -(_e5172);
+                                            let _e5266 = phi_8272_;
+                                            if (_e5171 < 0f) {
+                                                phi_8278_ = -(_e5171);
                                             } else {
-                                                phi_8279_ = _e5172;
+                                                phi_8278_ = _e5171;
                                             }
-                                            let _e5271 = phi_8279_;
-                                            if (_e5175 < 0f) {
-                                                phi_8286_ = -(_e5175);
+                                            let _e5270 = phi_8278_;
+                                            if (_e5174 < 0f) {
+                                                phi_8285_ = -(_e5174);
                                             } else {
-                                                phi_8286_ = _e5175;
+                                                phi_8285_ = _e5174;
                                             }
-                                            let _e5276 = phi_8286_;
-                                            let _e5277 = ((_e5267 + _e5271) + _e5276);
-                                            let _e5282 = -(_e5263);
-                                            if (_e5242 > _e5282) {
-                                                phi_8297_ = _e5242;
+                                            let _e5275 = phi_8285_;
+                                            let _e5276 = ((_e5266 + _e5270) + _e5275);
+                                            let _e5281 = -(_e5262);
+                                            if (_e5241 > _e5281) {
+                                                phi_8296_ = _e5241;
                                             } else {
-                                                phi_8297_ = _e5282;
+                                                phi_8296_ = _e5281;
                                             }
-                                            let _e5285 = phi_8297_;
-                                            let _e5290 = (((_e5285 - ((_e5277 * _e4905) * (0.000000059604645f * (17f / 2f)))) - (_e5277 * _e4912)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                            if (_e5163 > _e5290) {
-                                                phi_8307_ = _e5163;
+                                            let _e5284 = phi_8296_;
+                                            let _e5289 = (((_e5284 - ((_e5276 * _e4904) * (0.000000059604645f * (17f / 2f)))) - (_e5276 * _e4911)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                            if (_e5162 > _e5289) {
+                                                phi_8306_ = _e5162;
                                             } else {
-                                                phi_8307_ = _e5290;
+                                                phi_8306_ = _e5289;
                                             }
-                                            let _e5293 = phi_8307_;
-                                            phi_8308_ = _e5293;
+                                            let _e5292 = phi_8306_;
+                                            phi_8307_ = _e5292;
                                         } else {
-                                            phi_8308_ = _e5163;
+                                            phi_8307_ = _e5162;
                                         }
-                                        let _e5295 = phi_8308_;
-                                        phi_8311_ = (_e4639 || (_e5295 > 0f));
+                                        let _e5294 = phi_8307_;
+                                        phi_8310_ = (_e4638 || (_e5294 > 0f));
                                     }
-                                    let _e5299 = phi_8311_;
-                                    phi_8313_ = (_e4204 && _e5299);
+                                    let _e5298 = phi_8310_;
+                                    phi_8312_ = (_e4203 && _e5298);
                                 } else {
-                                    phi_8313_ = _e4204;
+                                    phi_8312_ = _e4203;
                                 }
-                                let _e5302 = phi_8313_;
-                                if !(_e5302) {
-                                    let _e5305 = atomicAdd((&counters[7u]), 1u);
-                                    hits[_e2866] = ((2147483648u | (_e5305 << bitcast<u32>(12i))) | _e2869);
+                                let _e5301 = phi_8312_;
+                                if _e5301 {
+                                } else {
+                                    let _e5303 = atomicAdd((&counters[7u]), 1u);
+                                    hits[_e2865] = ((2147483648u | (_e5303 << bitcast<u32>(12i))) | _e2868);
                                 }
-                                phi_8324_ = true;
+                                phi_8322_ = true;
                             }
-                            let _e5312 = phi_8324_;
-                            phi_8325_ = _e5312;
+                            let _e5310 = phi_8322_;
+                            phi_8323_ = _e5310;
                         } else {
-                            phi_8325_ = false;
+                            phi_8323_ = false;
                         }
-                        let _e5314 = phi_8325_;
+                        let _e5312 = phi_8323_;
                         continue;
                         continuing {
-                            phi_4742_ = _e2858;
-                            break if !(_e5314);
+                            phi_4741_ = _e2857;
+                            break if !(_e5312);
                         }
                     }
-                    let _e5318 = params.member.member_1.member_3;
+                    let _e5316 = params.member.member_1.member_3;
                     workgroupBarrier();
                     if (_e73 == 0u) {
-                        let _e5321 = atomicLoad((&counters[7u]));
-                        if (_e5321 > 0u) {
-                            let _e5324 = atomicAdd((&output.member[0u]), _e5321);
-                            if ((_e5324 + _e5321) < _e5324) {
-                                let _e5328 = atomicAdd((&output.member[2u]), 1u);
+                        let _e5319 = atomicLoad((&counters[7u]));
+                        if (_e5319 > 0u) {
+                            let _e5322 = atomicAdd((&output.member[0u]), _e5319);
+                            if ((_e5322 + _e5319) < _e5322) {
+                                let _e5326 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            atomicStore((&counters[8u]), _e5324);
+                            atomicStore((&counters[8u]), _e5322);
                         }
                         atomicStore((&counters[5u]), 0u);
                         atomicStore((&counters[6u]), 0u);
                         atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e5334 = atomicLoad((&counters[8u]));
-                    phi_8361_ = type_9(0u, 4u);
+                    let _e5332 = atomicLoad((&counters[8u]));
+                    phi_8359_ = type_9(0u, 4u);
                     loop {
-                        let _e5336 = phi_8361_;
-                        if (_e5336.member < _e5336.member_1) {
-                            phi_8362_ = type_9((_e5336.member + 1u), _e5336.member_1);
-                            phi_8385_ = type_9(1u, _e5336.member);
+                        let _e5334 = phi_8359_;
+                        if (_e5334.member < _e5334.member_1) {
+                            phi_8360_ = type_9((_e5334.member + 1u), _e5334.member_1);
+                            phi_8383_ = type_9(1u, _e5334.member);
                         } else {
-                            phi_8362_ = _e5336;
-                            phi_8385_ = type_9(0u, type_9().member_1);
+                            phi_8360_ = _e5334;
+                            phi_8383_ = type_9(0u, type_9().member_1);
                         }
-                        let _e5348 = phi_8362_;
-                        let _e5350 = phi_8385_;
-                        if (bitcast<i32>(_e5350.member) != 0i) {
-                            let _e5356 = (_e73 + (_e5350.member_1 * 128u));
-                            if (_e5356 >= _e2844) {
-                                phi_8480_ = false;
+                        let _e5346 = phi_8360_;
+                        let _e5348 = phi_8383_;
+                        if (bitcast<i32>(_e5348.member) != 0i) {
+                            let _e5354 = (_e73 + (_e5348.member_1 * 128u));
+                            if (_e5354 >= _e2843) {
+                                phi_8478_ = false;
                             } else {
-                                let _e5359 = hits[_e5356];
-                                if ((_e5359 & 2147483648u) == 0u) {
-                                    phi_8409_ = 4294967295u;
+                                let _e5357 = hits[_e5354];
+                                if ((_e5357 & 2147483648u) == 0u) {
+                                    phi_8407_ = 4294967295u;
                                 } else {
-                                    phi_8409_ = ((_e5359 & 2147483647u) >> bitcast<u32>(12i));
+                                    phi_8407_ = ((_e5357 & 2147483647u) >> bitcast<u32>(12i));
                                 }
-                                let _e5366 = phi_8409_;
-                                if (_e5366 != 4294967295u) {
-                                    let _e5370 = ((_e5359 >> bitcast<u32>(10i)) & 3u);
-                                    let _e5377 = firsts[(2u * _e5370)];
-                                    let _e5382 = firsts[((2u * _e5370) + 1u)];
-                                    let _e5385 = leaves.member[(_e5377 + ((_e5359 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e5388 = leaves.member[(_e5382 + (_e5359 & 31u))];
-                                    let _e5390 = (_e5334 + _e5366);
-                                    if (_e5390 < _e5318) {
-                                        let _e5392 = (2u * _e5390);
-                                        atomicStore((&output.member[(4u + _e5392)]), _e5385.w);
-                                        atomicStore((&output.member[(_e5392 + 5u)]), _e5388.w);
+                                let _e5364 = phi_8407_;
+                                if (_e5364 != 4294967295u) {
+                                    let _e5368 = ((_e5357 >> bitcast<u32>(10i)) & 3u);
+                                    let _e5375 = firsts[(2u * _e5368)];
+                                    let _e5380 = firsts[((2u * _e5368) + 1u)];
+                                    let _e5383 = leaves.member[(_e5375 + ((_e5357 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e5386 = leaves.member[(_e5380 + (_e5357 & 31u))];
+                                    let _e5388 = (_e5332 + _e5364);
+                                    if (_e5388 < _e5316) {
+                                        let _e5390 = (2u * _e5388);
+                                        atomicStore((&output.member[(4u + _e5390)]), _e5383.w);
+                                        atomicStore((&output.member[(_e5390 + 5u)]), _e5386.w);
                                     }
                                 }
-                                phi_8480_ = true;
+                                phi_8478_ = true;
                             }
-                            let _e5398 = phi_8480_;
-                            phi_8481_ = _e5398;
+                            let _e5396 = phi_8478_;
+                            phi_8479_ = _e5396;
                         } else {
-                            phi_8481_ = false;
+                            phi_8479_ = false;
                         }
-                        let _e5400 = phi_8481_;
+                        let _e5398 = phi_8479_;
                         continue;
                         continuing {
-                            phi_8361_ = _e5348;
-                            break if !(_e5400);
+                            phi_8359_ = _e5346;
+                            break if !(_e5398);
                         }
                     }
                     workgroupBarrier();
-                    let _e5984 = local_7;
-                    phi_1277_ = _e5984;
+                    let _e5982 = local_7;
+                    phi_1277_ = _e5982;
                 } else {
                     phi_1277_ = type_9();
                 }
-                let _e5403 = phi_1277_;
+                let _e5401 = phi_1277_;
                 continue;
                 continuing {
                     phi_1273_ = _e626;
-                    phi_1276_ = _e5403;
+                    phi_1276_ = _e5401;
                     break if !(_e632);
                 }
             }
@@ -5013,11 +5015,11 @@ fn function_8(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     if (_e73 == 0u) {
-        let _e5408 = atomicLoad((&counters[9u]));
-        if (_e5408 > 0u) {
-            let _e5411 = atomicAdd((&output.member[1u]), _e5408);
-            if ((_e5411 + _e5408) < _e5411) {
-                let _e5415 = atomicAdd((&output.member[3u]), 1u);
+        let _e5406 = atomicLoad((&counters[9u]));
+        if (_e5406 > 0u) {
+            let _e5409 = atomicAdd((&output.member[1u]), _e5406);
+            if ((_e5409 + _e5406) < _e5409) {
+                let _e5413 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -16,7 +16,7 @@ pub const TESTS: crate::Tests = &[
 ];
 
 fn check_thousandfold(device: &Device) {
-    let (mesh, [a, b, c]) = collapse(120);
+    let (mesh, [a, b, c]) = collapse(60);
     for limit in [None, Some(1 << 30)] {
         let options = Options::default().with_max_memory(limit);
         let mut session = Session::new(device, &mesh, options.clone()).unwrap();

@@ -20,13 +20,12 @@ pub fn may_touch<P: Stored<Path>>(
     error: f32,
     min_distance: f32,
 ) -> bool {
-    let (x0, x1) = ends(ids, paths);
     near_on_axes(patch, ids, paths, error, min_distance)
-        && !apart(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
+        && !apart(&motion(patch, ids, paths, error), patch, min_distance)
 }
 
-/// The filters of [`may_touch`] one by one, for those who gather what one leaves before the next,
-/// behind a cheaper one: whether no axis keeps the features apart, by their boxes at both ends.
+/// The first and cheapest filter of [`may_touch`]: whether no axis keeps the features apart, by
+/// their boxes at both ends. The others are [`apart_throughout`] and [`apart_in_halves`].
 #[inline(always)]
 pub fn near_on_axes<P: Stored<Path>>(
     patch: Patch,
@@ -43,30 +42,16 @@ pub fn near_on_axes<P: Stored<Path>>(
     !axis_separated(&a0, &a1, &b0, &b1, needed)
 }
 
-/// The second: whether a look at the whole step leaves them.
+/// The motion that the filters behind it look at.
 #[inline(always)]
-pub fn near_throughout<P: Stored<Path>>(
+pub fn motion<P: Stored<Path>>(
     patch: Patch,
     ids: [u32; 4],
     paths: &[P],
     error: f32,
-    min_distance: f32,
-) -> bool {
+) -> Motion<f32> {
     let (x0, x1) = ends(ids, paths);
-    !apart_throughout(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
-}
-
-/// The third: whether a look at each half of the step does.
-#[inline(always)]
-pub fn near_in_halves<P: Stored<Path>>(
-    patch: Patch,
-    ids: [u32; 4],
-    paths: &[P],
-    error: f32,
-    min_distance: f32,
-) -> bool {
-    let (x0, x1) = ends(ids, paths);
-    !apart_in_halves(&Motion::new(patch, &x0, &x1, error), patch, min_distance)
+    Motion::new(patch, &x0, &x1, error)
 }
 
 /// The boxes `[min, max]` of both features of a query at one time.
