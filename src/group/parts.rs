@@ -123,12 +123,30 @@ pub struct Elements<'a> {
     mesh: &'a Mesh,
     /// Edges of no face.
     rods: Vec<u32>,
+    /// Faces that are one vertex, of some edge, each with an element that has such an edge. A part
+    /// has both, so that the vertex is one of an edge there, too.
+    points: Vec<(u32, u32)>,
 }
 
 impl<'a> Elements<'a> {
     /// Of this mesh.
     pub fn new(mesh: &'a Mesh) -> Self {
-        Self { mesh, rods: edges_of_no_face(mesh) }
+        let mut elements = Self { mesh, rods: edges_of_no_face(mesh), points: Vec::new() };
+        let faces = (0..).zip(mesh.faces());
+        let points: Vec<(u32, u32)> =
+            faces.filter(|(_, face)| is_point(&face[..])).map(|(f, face)| (f, face[0])).collect();
+        if !points.is_empty() {
+            let mut element_of = vec![None; mesh.n_vertices()];
+            for element in 0..(mesh.faces().len() + elements.rods.len()) as u32 {
+                let vertices = elements.vertices(element);
+                if !is_point(vertices) {
+                    vertices.iter().for_each(|&v| element_of[v as usize] = Some(element));
+                }
+            }
+            let with = |(face, v): (u32, u32)| Some((face, element_of[v as usize]?));
+            elements.points = points.into_iter().filter_map(with).collect();
+        }
+        elements
     }
 
     /// How many.
@@ -158,6 +176,11 @@ impl<'a> Elements<'a> {
         keys.sort_unstable();
         Ok(keys.into_iter().map(|(_, element)| element).collect())
     }
+}
+
+/// Whether all vertices of an element are one.
+fn is_point(vertices: &[u32]) -> bool {
+    vertices.iter().all(|&v| v == vertices[0])
 }
 
 /// So many elements, if each has a number: a mesh has fewer of each kind than half of these.
@@ -207,7 +230,14 @@ fn halos<'a>(
 impl Part {
     fn new(elements: &Elements, mut all: Vec<u32>, room: &[Aabb<f32>]) -> Result<Self, Error> {
         let (whole, n_faces) = (elements.mesh, elements.mesh.faces().len());
+        let with = |e: &u32| {
+            let at = elements.points.binary_search_by_key(e, |point| point.0).ok()?;
+            Some(elements.points[at].1)
+        };
+        let others: Vec<u32> = all.iter().filter_map(with).collect();
+        all.extend(others);
         all.sort_unstable();
+        all.dedup();
         let mut place = vec![u32::MAX; whole.n_vertices()];
         all.iter().flat_map(|&e| elements.vertices(e)).for_each(|&v| place[v as usize] = 0);
         let vertices: Vec<u32> =

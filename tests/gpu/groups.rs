@@ -5,8 +5,11 @@ use ccd::gpu::{Device, Group, Session};
 use ccd::scenes::{Random, crumpled_sheet, particles_and_rods};
 use ccd::{Contact, Mesh, Options};
 
-pub const TESTS: crate::Tests =
-    &[("groups_of_devices", check_groups), ("many_positions", check_many_positions)];
+pub const TESTS: crate::Tests = &[
+    ("groups_of_devices", check_groups),
+    ("faces_of_one_vertex", check_faces_of_one_vertex),
+    ("many_positions", check_many_positions),
+];
 
 fn check_groups(device: &Device) {
     let devices = vec![device.clone(); 2];
@@ -30,6 +33,22 @@ fn check_groups(device: &Device) {
         });
         assert!(found == want, "candidates of a group");
     }
+}
+
+/// A face that is one vertex, in a part without the edges of that vertex: there it is no particle,
+/// either.
+fn check_faces_of_one_vertex(device: &Device) {
+    let mesh = Mesh::new(4, &[[0, 1, 2], [0, 0, 0]]).unwrap();
+    let x0 = [[0.0f32, 0.0, 0.0], [-1.0, 0.0, -0.2], [-1.0, -1.0, -0.2], [1.0, 1.0, 1.0]];
+    let mut x1 = x0;
+    x1[3] = [0.0, 0.0, 0.05];
+    let options = Options::default().with_min_distance(0.1);
+    let mut one = Session::new(device, &mesh, options.clone()).unwrap();
+    let mut group = Group::new(&[device.clone(), device.clone()], &mesh, options).unwrap();
+    group.set_least_share(1);
+    let want = &one.step(&x0, &x1).unwrap().contacts;
+    assert_eq!(want.len(), 2);
+    assert_eq!(&group.step(&x0, &x1).unwrap().contacts, want);
 }
 
 /// Some triangles among many that meet nothing, in steps of which each is another: the CPU finds

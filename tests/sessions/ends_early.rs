@@ -4,7 +4,7 @@
 
 use ccd::method::{BroadPhaseMethod, Pipeline, Scheduling, Traversal, TreeOptions};
 use ccd::scenes::{Step, crumpled_sheet, particles_and_rods};
-use ccd::{CancelToken, Contact, Error, Options, Pair, PerKind, Session};
+use ccd::{Bodies, BodyMotion, CancelToken, Contact, Error, Mesh, Options, Pair, PerKind, Session};
 use ccd_testkit::methods::is_near_default;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -112,4 +112,42 @@ fn check_all(unwinds: bool) {
             }
         }
     }
+}
+
+/// A body that was to move stands where it stood, as after an error.
+#[test]
+fn bodies_of_a_call_that_panics_stay() {
+    let faces = [[0u32, 1, 2], [3, 4, 5], [6, 7, 8]];
+    let mesh = Mesh::new(9, &faces).unwrap();
+    let bodies = Bodies::new(&[0, 0, 0, 1, 1, 1, 2, 2, 2]).with_self_contacts(false);
+    let at = |y: f64| [[0.2, y, 0.2], [0.4, y + 0.1, 0.2], [0.2, y + 0.1, 0.4]];
+    let floor = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let x: Vec<[f64; 3]> = [floor, at(1.0), at(-5.0)].concat();
+    let new = || {
+        let options = Options::default().with_bodies(bodies.clone());
+        let mut session = Session::new(&mesh, options).unwrap();
+        session.set_positions(&x).unwrap();
+        session
+    };
+    let panics = Arc::new(AtomicUsize::new(1));
+    let mut session = new();
+    let until = panics.clone();
+    let filter = move |_, _, _| {
+        if until.load(Relaxed) > 0 {
+            resume_unwind(Box::new(()));
+        }
+        true
+    };
+    session.set_filter(filter).unwrap();
+    let (from, to) = (at(1.0), at(-1.0));
+    let falls = [BodyMotion::new(1, &from, &to)];
+    let step = AssertUnwindSafe(|| session.step_bodies(&falls).map(|_| ()));
+    assert!(catch_unwind(step).is_err());
+    panics.store(0, Relaxed);
+    // Through what stands at 1 still.
+    let (from, to) = (at(0.5), at(2.0));
+    let rises = [BodyMotion::new(2, &from, &to)];
+    let found = session.step_bodies(&rises).unwrap().contacts.clone();
+    assert!(!found.is_empty());
+    assert_eq!(found, new().step_bodies(&rises).unwrap().contacts);
 }

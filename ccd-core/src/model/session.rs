@@ -329,12 +329,25 @@ impl<E: Engine, P> Session<E, P> {
         motions: &[BodyMotion],
         find: impl FnOnce(&mut E, Given, Option<Moved>) -> Result<T, E::Error>,
     ) -> Result<T, E::Error> {
+        /// Bodies on their way: they stand where they stood unless `find` ends well, also if it
+        /// unwinds.
+        struct Moving<'a> {
+            kept: &'a mut Kept,
+            fails: bool,
+        }
+        impl Drop for Moving<'_> {
+            fn drop(&mut self) {
+                self.kept.end(self.fails);
+            }
+        }
         let Self { engine, kept, .. } = self;
-        let begun = kept.begin(engine.state().options.bodies.as_ref(), motions);
+        let mut moving = Moving { kept, fails: true };
+        let begun = moving.kept.begin(engine.state().options.bodies.as_ref(), motions);
         let done = begun
             .map_err(E::Error::from)
             .and_then(|(given, moved)| find(engine, given, Some(moved)));
-        kept.end(done.is_err());
+        moving.fails = done.is_err();
+        drop(moving);
         self.settled(done)
     }
 
