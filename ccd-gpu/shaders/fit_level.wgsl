@@ -77,25 +77,41 @@ var<storage, read_write> nodes: type_20;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 4>;
-    var phi_120_: u32;
-    var phi_121_: u32;
-    var phi_147_: type_22;
-    var phi_162_: type_11;
-    var phi_165_: type_22;
-    var phi_167_: u32;
-    var phi_188_: bool;
-    var phi_194_: type_12;
-    var phi_163_: type_11;
-    var phi_208_: type_12;
-    var phi_240_: f32;
-    var phi_247_: f32;
-    var phi_254_: f32;
-    var phi_262_: f32;
-    var phi_269_: f32;
-    var phi_276_: f32;
-    var phi_291_: type_22;
-    var phi_166_: type_22;
-    var phi_168_: u32;
+    var phi_123_: u32;
+    var phi_124_: u32;
+    var phi_150_: type_22;
+    var phi_170_: type_11;
+    var phi_173_: type_22;
+    var phi_175_: u32;
+    var phi_196_: bool;
+    var phi_202_: type_12;
+    var phi_171_: type_11;
+    var phi_216_: type_12;
+    var phi_368_: f32;
+    var phi_375_: f32;
+    var phi_382_: f32;
+    var phi_390_: f32;
+    var phi_397_: f32;
+    var phi_404_: f32;
+    var phi_251_: f32;
+    var phi_258_: f32;
+    var phi_265_: f32;
+    var phi_273_: f32;
+    var phi_280_: f32;
+    var phi_287_: f32;
+    var phi_301_: bool;
+    var phi_316_: bool;
+    var phi_317_: bool;
+    var phi_339_: bool;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_358_: f32;
+    var phi_360_: type_22;
+    var phi_361_: type_22;
+    var phi_407_: type_22;
+    var phi_420_: type_22;
+    var phi_174_: type_22;
+    var phi_176_: u32;
     var local_1: type_22;
     var local_2: type_22;
     var local_3: type_22;
@@ -109,148 +125,247 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e23 = id_2;
-    let _e24 = n_2;
-    let _e25 = lane_2;
-    let _e35 = params.member.member_2.member_2;
-    let _e39 = params.member.member_2.member[_e35];
-    local = array<u32, 4>(_e39[0], _e39[1], _e39[2], _e39[3]);
-    let _e46 = local[0u];
-    let _e49 = ((_e46 + (((_e23.y * _e24.x) + _e23.x) * 256u)) + _e25);
-    let _e51 = local[2u];
-    if (_e49 >= _e51) {
-        phi_121_ = 2u;
+    let _e26 = id_2;
+    let _e27 = n_2;
+    let _e28 = lane_2;
+    let _e38 = params.member.member_2.member_2;
+    let _e42 = params.member.member_2.member[_e38];
+    local = array<u32, 4>(_e42[0], _e42[1], _e42[2], _e42[3]);
+    let _e49 = local[0u];
+    let _e52 = ((_e49 + (((_e26.y * _e27.x) + _e26.x) * 256u)) + _e28);
+    let _e54 = local[2u];
+    if (_e52 >= _e54) {
+        phi_124_ = 2u;
     } else {
-        let _e54 = local[1u];
-        if (_e49 >= _e54) {
-            phi_120_ = 1u;
+        let _e57 = local[1u];
+        if (_e52 >= _e57) {
+            phi_123_ = 1u;
         } else {
-            phi_120_ = 0u;
+            phi_123_ = 0u;
         }
-        let _e57 = phi_120_;
-        phi_121_ = _e57;
+        let _e60 = phi_123_;
+        phi_124_ = _e60;
     }
-    let _e59 = phi_121_;
-    let _e61 = local[3u];
-    let _e62 = (_e49 < _e61);
-    if _e62 {
-        let _e64 = nodes.member[_e49];
-        phi_147_ = type_22(array<f32, 3>(_e64.member.x, _e64.member.y, _e64.member_1.x), array<f32, 3>(_e64.member_1.y, _e64.member_2.x, _e64.member_2.y));
+    let _e62 = phi_124_;
+    let _e64 = local[3u];
+    let _e65 = (_e52 < _e64);
+    if _e65 {
+        let _e67 = nodes.member[_e52];
+        phi_150_ = type_22(array<f32, 3>(_e67.member.x, _e67.member.y, _e67.member_1.x), array<f32, 3>(_e67.member_1.y, _e67.member_2.x, _e67.member_2.y));
     } else {
-        phi_147_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_150_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e81 = phi_147_;
-    shared_[_e25] = type_22(array<f32, 3>(_e81.member[0], _e81.member[1], _e81.member[2]), array<f32, 3>(_e81.member_1[0], _e81.member_1[1], _e81.member_1[2]));
-    phi_162_ = type_11(0i, 5i);
-    phi_165_ = _e81;
-    phi_167_ = 16u;
+    let _e84 = phi_150_;
+    let _e87 = params.member.member.member_1;
+    shared_[_e28] = type_22(array<f32, 3>(_e84.member[0], _e84.member[1], _e84.member[2]), array<f32, 3>(_e84.member_1[0], _e84.member_1[1], _e84.member_1[2]));
+    phi_170_ = type_11(0i, 5i);
+    phi_173_ = _e84;
+    phi_175_ = 16u;
     loop {
-        let _e95 = phi_162_;
-        let _e97 = phi_165_;
-        let _e99 = phi_167_;
-        local_1 = _e97;
-        local_2 = _e97;
-        local_3 = _e97;
-        local_4 = _e97;
-        local_5 = _e97;
-        local_6 = _e97;
-        if (_e95.member < _e95.member_1) {
-            let _e106 = (_e95.member + 1i);
-            if ((false == (_e106 > _e95.member)) != false) {
-                phi_188_ = true;
+        let _e103 = phi_170_;
+        let _e105 = phi_173_;
+        let _e107 = phi_175_;
+        local_1 = _e105;
+        local_2 = _e105;
+        local_3 = _e105;
+        local_4 = _e105;
+        local_5 = _e105;
+        local_6 = _e105;
+        if (_e103.member < _e103.member_1) {
+            let _e114 = (_e103.member + 1i);
+            if ((false == (_e114 > _e103.member)) != false) {
+                phi_196_ = true;
             } else {
-                phi_188_ = false;
+                phi_196_ = false;
             }
-            let _e111 = phi_188_;
-            if _e111 {
-                phi_194_ = type_12(0u, type_12().member_1);
+            let _e119 = phi_196_;
+            if _e119 {
+                phi_202_ = type_12(0u, type_12().member_1);
             } else {
-                phi_194_ = type_12(1u, _e106);
+                phi_202_ = type_12(1u, _e114);
             }
-            let _e116 = phi_194_;
-            phi_163_ = type_11(_e116.member_1, _e95.member_1);
-            phi_208_ = type_12(1u, _e95.member);
+            let _e124 = phi_202_;
+            phi_171_ = type_11(_e124.member_1, _e103.member_1);
+            phi_216_ = type_12(1u, _e103.member);
         } else {
-            phi_163_ = _e95;
-            phi_208_ = type_12(0u, type_12().member_1);
+            phi_171_ = _e103;
+            phi_216_ = type_12(0u, type_12().member_1);
         }
-        let _e122 = phi_163_;
-        let _e124 = phi_208_;
-        let _e127 = (bitcast<i32>(_e124.member) != 0i);
-        if _e127 {
+        let _e130 = phi_171_;
+        let _e132 = phi_216_;
+        let _e135 = (bitcast<i32>(_e132.member) != 0i);
+        if _e135 {
             workgroupBarrier();
-            if ((_e25 % 32u) < _e99) {
-                let _e132 = shared_[(_e25 + _e99)];
-                if (_e97.member[0] < _e132.member[0]) {
-                    phi_240_ = _e97.member[0];
+            if ((_e28 % 32u) < _e107) {
+                let _e140 = shared_[(_e28 + _e107)];
+                if ((_e87 & 256u) != 0u) {
+                    if (_e105.member[0] < _e140.member[0]) {
+                        phi_251_ = _e105.member[0];
+                    } else {
+                        phi_251_ = _e140.member[0];
+                    }
+                    let _e186 = phi_251_;
+                    if (_e105.member[1] < _e140.member[1]) {
+                        phi_258_ = _e105.member[1];
+                    } else {
+                        phi_258_ = _e140.member[1];
+                    }
+                    let _e191 = phi_258_;
+                    if (_e105.member[2] < _e140.member[2]) {
+                        phi_265_ = _e105.member[2];
+                    } else {
+                        phi_265_ = _e140.member[2];
+                    }
+                    let _e196 = phi_265_;
+                    if (_e105.member_1[0] > _e140.member_1[0]) {
+                        phi_273_ = _e105.member_1[0];
+                    } else {
+                        phi_273_ = _e140.member_1[0];
+                    }
+                    let _e202 = phi_273_;
+                    if (_e105.member_1[1] > _e140.member_1[1]) {
+                        phi_280_ = _e105.member_1[1];
+                    } else {
+                        phi_280_ = _e140.member_1[1];
+                    }
+                    let _e207 = phi_280_;
+                    if (_e105.member_1[2] > _e140.member_1[2]) {
+                        phi_287_ = _e105.member_1[2];
+                    } else {
+                        phi_287_ = _e140.member_1[2];
+                    }
+                    let _e212 = phi_287_;
+                    let _e214 = type_22(array<f32, 3>(_e186, _e191, _e196), array<f32, 3>(_e202, _e207, _e212));
+                    if ((bitcast<u32>(_e105.member_1[0]) & 1u) == 1u) {
+                        phi_301_ = true;
+                    } else {
+                        phi_301_ = !((_e105.member[0] <= _e105.member_1[0]));
+                    }
+                    let _e227 = phi_301_;
+                    if _e227 {
+                        if ((bitcast<u32>(_e140.member_1[0]) & 1u) == 1u) {
+                            phi_316_ = true;
+                        } else {
+                            phi_316_ = !((_e140.member[0] <= _e140.member_1[0]));
+                        }
+                        let _e234 = phi_316_;
+                        phi_317_ = _e234;
+                    } else {
+                        phi_317_ = false;
+                    }
+                    let _e236 = phi_317_;
+                    if (_e186 <= _e202) {
+                        if (((bitcast<u32>(_e202) & 1u) == 1u) != _e236) {
+                            let _e242 = bitcast<u32>(_e202);
+                            if ((_e242 & 2139095040u) == 2139095040u) {
+                                phi_339_ = (_e202 < 0f);
+                            } else {
+                                phi_339_ = true;
+                            }
+                            let _e247 = phi_339_;
+                            if _e247 {
+                                if (_e202 > 0f) {
+                                    phi_357_ = bitcast<f32>((_e242 + 1u));
+                                } else {
+                                    if (_e202 < 0f) {
+                                        phi_356_ = bitcast<f32>((_e242 - 1u));
+                                    } else {
+                                        phi_356_ = 0.000000000000000000000000000000000000000000001f;
+                                    }
+                                    let _e253 = phi_356_;
+                                    phi_357_ = _e253;
+                                }
+                                let _e257 = phi_357_;
+                                phi_358_ = _e257;
+                            } else {
+                                phi_358_ = _e202;
+                            }
+                            let _e259 = phi_358_;
+                            phi_360_ = type_22(_e214.member, array<f32, 3>(_e259, _e214.member_1[1], _e214.member_1[2]));
+                        } else {
+                            phi_360_ = _e214;
+                        }
+                        let _e267 = phi_360_;
+                        phi_361_ = _e267;
+                    } else {
+                        phi_361_ = _e214;
+                    }
+                    let _e269 = phi_361_;
+                    phi_407_ = _e269;
                 } else {
-                    phi_240_ = _e132.member[0];
+                    if (_e105.member[0] < _e140.member[0]) {
+                        phi_368_ = _e105.member[0];
+                    } else {
+                        phi_368_ = _e140.member[0];
+                    }
+                    let _e153 = phi_368_;
+                    if (_e105.member[1] < _e140.member[1]) {
+                        phi_375_ = _e105.member[1];
+                    } else {
+                        phi_375_ = _e140.member[1];
+                    }
+                    let _e158 = phi_375_;
+                    if (_e105.member[2] < _e140.member[2]) {
+                        phi_382_ = _e105.member[2];
+                    } else {
+                        phi_382_ = _e140.member[2];
+                    }
+                    let _e163 = phi_382_;
+                    if (_e105.member_1[0] > _e140.member_1[0]) {
+                        phi_390_ = _e105.member_1[0];
+                    } else {
+                        phi_390_ = _e140.member_1[0];
+                    }
+                    let _e169 = phi_390_;
+                    if (_e105.member_1[1] > _e140.member_1[1]) {
+                        phi_397_ = _e105.member_1[1];
+                    } else {
+                        phi_397_ = _e140.member_1[1];
+                    }
+                    let _e174 = phi_397_;
+                    if (_e105.member_1[2] > _e140.member_1[2]) {
+                        phi_404_ = _e105.member_1[2];
+                    } else {
+                        phi_404_ = _e140.member_1[2];
+                    }
+                    let _e179 = phi_404_;
+                    phi_407_ = type_22(array<f32, 3>(_e153, _e158, _e163), array<f32, 3>(_e169, _e174, _e179));
                 }
-                let _e145 = phi_240_;
-                if (_e97.member[1] < _e132.member[1]) {
-                    phi_247_ = _e97.member[1];
-                } else {
-                    phi_247_ = _e132.member[1];
-                }
-                let _e150 = phi_247_;
-                if (_e97.member[2] < _e132.member[2]) {
-                    phi_254_ = _e97.member[2];
-                } else {
-                    phi_254_ = _e132.member[2];
-                }
-                let _e155 = phi_254_;
-                if (_e97.member_1[0] > _e132.member_1[0]) {
-                    phi_262_ = _e97.member_1[0];
-                } else {
-                    phi_262_ = _e132.member_1[0];
-                }
-                let _e161 = phi_262_;
-                if (_e97.member_1[1] > _e132.member_1[1]) {
-                    phi_269_ = _e97.member_1[1];
-                } else {
-                    phi_269_ = _e132.member_1[1];
-                }
-                let _e166 = phi_269_;
-                if (_e97.member_1[2] > _e132.member_1[2]) {
-                    phi_276_ = _e97.member_1[2];
-                } else {
-                    phi_276_ = _e132.member_1[2];
-                }
-                let _e171 = phi_276_;
-                shared_[_e25] = type_22(array<f32, 3>(_e145, _e150, _e155), array<f32, 3>(_e161, _e166, _e171));
-                phi_291_ = type_22(array<f32, 3>(_e145, _e150, _e155), array<f32, 3>(_e161, _e166, _e171));
+                let _e271 = phi_407_;
+                shared_[_e28] = type_22(array<f32, 3>(_e271.member[0], _e271.member[1], _e271.member[2]), array<f32, 3>(_e271.member_1[0], _e271.member_1[1], _e271.member_1[2]));
+                phi_420_ = _e271;
             } else {
-                phi_291_ = _e97;
+                phi_420_ = _e105;
             }
-            let _e179 = phi_291_;
-            phi_166_ = _e179;
-            phi_168_ = (_e99 / 2u);
+            let _e285 = phi_420_;
+            phi_174_ = _e285;
+            phi_176_ = (_e107 / 2u);
         } else {
-            phi_166_ = type_22();
-            phi_168_ = u32();
+            phi_174_ = type_22();
+            phi_176_ = u32();
         }
-        let _e182 = phi_166_;
-        let _e184 = phi_168_;
+        let _e288 = phi_174_;
+        let _e290 = phi_176_;
         continue;
         continuing {
-            phi_162_ = _e122;
-            phi_165_ = _e182;
-            phi_167_ = _e184;
-            break if !(_e127);
+            phi_170_ = _e130;
+            phi_173_ = _e288;
+            phi_175_ = _e290;
+            break if !(_e135);
         }
     }
-    if _e62 {
-        if ((_e25 % 32u) == 0u) {
-            let _e191 = params.member.member_2.member_2;
-            let _e194 = local[_e59];
-            let _e200 = params.member.member_2.member[(_e191 + 1u)][_e59];
-            let _e203 = local_1;
-            let _e207 = local_2;
-            let _e211 = local_3;
-            let _e215 = local_4;
-            let _e219 = local_5;
-            let _e223 = local_6;
-            nodes.member[(_e200 + ((_e49 - _e194) / 32u))] = type_18(vec2<f32>(_e203.member[0], _e207.member[1]), vec2<f32>(_e211.member[2], _e215.member_1[0]), vec2<f32>(_e219.member_1[1], _e223.member_1[2]));
+    if _e65 {
+        if ((_e28 % 32u) == 0u) {
+            let _e297 = params.member.member_2.member_2;
+            let _e300 = local[_e62];
+            let _e306 = params.member.member_2.member[(_e297 + 1u)][_e62];
+            let _e309 = local_1;
+            let _e313 = local_2;
+            let _e317 = local_3;
+            let _e321 = local_4;
+            let _e325 = local_5;
+            let _e329 = local_6;
+            nodes.member[(_e306 + ((_e52 - _e300) / 32u))] = type_18(vec2<f32>(_e309.member[0], _e313.member[1]), vec2<f32>(_e317.member[2], _e321.member_1[0]), vec2<f32>(_e325.member_1[1], _e329.member_1[2]));
         }
     }
     return;

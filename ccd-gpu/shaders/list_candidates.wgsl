@@ -112,304 +112,304 @@ var<storage> keys: type_36;
 var<storage> input: type_11;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2692_: bool;
-    var phi_2693_: bool;
-    var phi_2697_: array<u32, 2>;
+    var phi_2793_: bool;
+    var phi_2794_: bool;
+    var phi_2798_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2693_ = true;
+        phi_2794_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2692_ = (param_1[0] > param[0]);
+            phi_2793_ = (param_1[0] > param[0]);
         } else {
-            phi_2692_ = false;
+            phi_2793_ = false;
         }
-        let _e14 = phi_2692_;
-        phi_2693_ = _e14;
+        let _e14 = phi_2793_;
+        phi_2794_ = _e14;
     }
-    let _e16 = phi_2693_;
+    let _e16 = phi_2794_;
     if _e16 {
-        phi_2697_ = param_1;
+        phi_2798_ = param_1;
     } else {
-        phi_2697_ = param;
+        phi_2798_ = param;
     }
-    let _e18 = phi_2697_;
+    let _e18 = phi_2798_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2668_: bool;
-    var phi_2669_: bool;
-    var phi_2673_: array<u32, 2>;
+    var phi_2769_: bool;
+    var phi_2770_: bool;
+    var phi_2774_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2669_ = true;
+        phi_2770_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2668_ = (param_2[0] > param_3[0]);
+            phi_2769_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2668_ = false;
+            phi_2769_ = false;
         }
-        let _e14 = phi_2668_;
-        phi_2669_ = _e14;
+        let _e14 = phi_2769_;
+        phi_2770_ = _e14;
     }
-    let _e16 = phi_2669_;
+    let _e16 = phi_2770_;
     if _e16 {
-        phi_2673_ = param_3;
+        phi_2774_ = param_3;
     } else {
-        phi_2673_ = param_2;
+        phi_2774_ = param_2;
     }
-    let _e18 = phi_2673_;
+    let _e18 = phi_2774_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2644_: bool;
-    var phi_2645_: bool;
-    var phi_2649_: array<u32, 2>;
+    var phi_2745_: bool;
+    var phi_2746_: bool;
+    var phi_2750_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2645_ = true;
+        phi_2746_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2644_ = (param_5[0] > param_4[0]);
+            phi_2745_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2644_ = false;
+            phi_2745_ = false;
         }
-        let _e14 = phi_2644_;
-        phi_2645_ = _e14;
+        let _e14 = phi_2745_;
+        phi_2746_ = _e14;
     }
-    let _e16 = phi_2645_;
+    let _e16 = phi_2746_;
     if _e16 {
-        phi_2649_ = param_5;
+        phi_2750_ = param_5;
     } else {
-        phi_2649_ = param_4;
+        phi_2750_ = param_4;
     }
-    let _e18 = phi_2649_;
+    let _e18 = phi_2750_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2620_: bool;
-    var phi_2621_: bool;
-    var phi_2625_: array<u32, 2>;
+    var phi_2721_: bool;
+    var phi_2722_: bool;
+    var phi_2726_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2621_ = true;
+        phi_2722_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2620_ = (param_6[0] > param_7[0]);
+            phi_2721_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2620_ = false;
+            phi_2721_ = false;
         }
-        let _e14 = phi_2620_;
-        phi_2621_ = _e14;
+        let _e14 = phi_2721_;
+        phi_2722_ = _e14;
     }
-    let _e16 = phi_2621_;
+    let _e16 = phi_2722_;
     if _e16 {
-        phi_2625_ = param_7;
+        phi_2726_ = param_7;
     } else {
-        phi_2625_ = param_6;
+        phi_2726_ = param_6;
     }
-    let _e18 = phi_2625_;
+    let _e18 = phi_2726_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2596_: bool;
-    var phi_2597_: bool;
-    var phi_2601_: array<u32, 2>;
+    var phi_2697_: bool;
+    var phi_2698_: bool;
+    var phi_2702_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2597_ = true;
+        phi_2698_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2596_ = (param_9[0] > param_8[0]);
+            phi_2697_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2596_ = false;
+            phi_2697_ = false;
         }
-        let _e14 = phi_2596_;
-        phi_2597_ = _e14;
+        let _e14 = phi_2697_;
+        phi_2698_ = _e14;
     }
-    let _e16 = phi_2597_;
+    let _e16 = phi_2698_;
     if _e16 {
-        phi_2601_ = param_9;
+        phi_2702_ = param_9;
     } else {
-        phi_2601_ = param_8;
+        phi_2702_ = param_8;
     }
-    let _e18 = phi_2601_;
+    let _e18 = phi_2702_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2572_: bool;
-    var phi_2573_: bool;
-    var phi_2577_: array<u32, 2>;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
+    var phi_2678_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2573_ = true;
+        phi_2674_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2572_ = (param_10[0] > param_11[0]);
+            phi_2673_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2572_ = false;
+            phi_2673_ = false;
         }
-        let _e14 = phi_2572_;
-        phi_2573_ = _e14;
+        let _e14 = phi_2673_;
+        phi_2674_ = _e14;
     }
-    let _e16 = phi_2573_;
+    let _e16 = phi_2674_;
     if _e16 {
-        phi_2577_ = param_11;
+        phi_2678_ = param_11;
     } else {
-        phi_2577_ = param_10;
+        phi_2678_ = param_10;
     }
-    let _e18 = phi_2577_;
+    let _e18 = phi_2678_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_191_: u32;
-    var phi_240_: u32;
+    var phi_192_: u32;
     var phi_241_: u32;
-    var phi_249_: u32;
-    var phi_265_: u32;
-    var phi_288_: u32;
+    var phi_242_: u32;
+    var phi_250_: u32;
+    var phi_266_: u32;
     var phi_289_: u32;
-    var phi_292_: type_9;
+    var phi_290_: u32;
     var phi_293_: type_9;
-    var phi_318_: type_9;
-    var phi_365_: u32;
+    var phi_294_: type_9;
+    var phi_319_: type_9;
     var phi_366_: u32;
-    var phi_374_: u32;
-    var phi_388_: u32;
-    var phi_431_: array<u32, 2>;
-    var phi_491_: array<u32, 2>;
-    var phi_652_: bool;
-    var phi_690_: type_29;
-    var phi_696_: bool;
-    var phi_719_: u32;
-    var phi_722_: type_9;
-    var phi_725_: u32;
+    var phi_367_: u32;
+    var phi_375_: u32;
+    var phi_389_: u32;
+    var phi_432_: array<u32, 2>;
+    var phi_492_: array<u32, 2>;
+    var phi_653_: bool;
+    var phi_691_: type_29;
+    var phi_697_: bool;
+    var phi_720_: u32;
     var phi_723_: type_9;
-    var phi_748_: type_9;
     var phi_726_: u32;
+    var phi_724_: type_9;
+    var phi_749_: type_9;
+    var phi_727_: u32;
     var local: u32;
-    var phi_937_: u32;
-    var phi_943_: type_9;
-    var phi_946_: u32;
-    var phi_944_: type_9;
-    var phi_969_: type_9;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_995_: bool;
-    var phi_999_: bool;
-    var phi_1007_: bool;
-    var phi_1015_: u32;
-    var phi_947_: u32;
-    var phi_1016_: u32;
-    var phi_1026_: type_9;
-    var phi_1052_: u32;
-    var phi_1055_: type_9;
-    var phi_1058_: type_9;
-    var phi_1056_: type_9;
-    var phi_1083_: type_9;
-    var phi_1100_: type_9;
-    var phi_1103_: type_9;
-    var phi_1104_: type_9;
-    var phi_1126_: type_9;
-    var phi_1160_: type_9;
-    var phi_1161_: bool;
-    var phi_1101_: type_9;
-    var phi_1162_: bool;
-    var phi_1170_: u32;
-    var phi_1173_: type_9;
-    var phi_1174_: type_9;
-    var phi_1199_: type_9;
-    var phi_1354_: bool;
-    var phi_1360_: bool;
-    var phi_1332_: bool;
-    var phi_1339_: bool;
-    var phi_1347_: bool;
-    var phi_1362_: bool;
-    var phi_1366_: bool;
-    var phi_1367_: bool;
-    var phi_1408_: bool;
-    var phi_1409_: bool;
-    var phi_1416_: bool;
-    var phi_1530_: bool;
-    var phi_1531_: bool;
-    var phi_1566_: u32;
-    var phi_1567_: u32;
-    var phi_1568_: u32;
-    var phi_1569_: u32;
-    var phi_1572_: type_15;
-    var phi_1575_: u32;
-    var phi_1577_: u32;
-    var phi_1598_: bool;
-    var phi_1604_: type_16;
-    var phi_1573_: type_15;
-    var phi_1618_: type_16;
-    var phi_1686_: bool;
-    var phi_1687_: bool;
-    var phi_1688_: bool;
-    var phi_1689_: bool;
-    var phi_1693_: bool;
-    var phi_1694_: bool;
-    var phi_1699_: u32;
-    var phi_1700_: u32;
-    var phi_1701_: u32;
-    var phi_1702_: u32;
-    var phi_1703_: bool;
-    var phi_1576_: u32;
-    var phi_1578_: u32;
-    var phi_1704_: bool;
+    var phi_938_: u32;
+    var phi_1044_: type_9;
+    var phi_1047_: u32;
+    var phi_1045_: type_9;
+    var phi_1070_: type_9;
+    var phi_1094_: bool;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
+    var phi_1100_: bool;
+    var phi_1108_: bool;
+    var phi_1116_: u32;
+    var phi_1048_: u32;
+    var phi_1117_: u32;
+    var phi_1127_: type_9;
+    var phi_1153_: u32;
+    var phi_1156_: type_9;
+    var phi_1159_: type_9;
+    var phi_1157_: type_9;
+    var phi_1184_: type_9;
+    var phi_1201_: type_9;
+    var phi_1204_: type_9;
+    var phi_1205_: type_9;
+    var phi_1227_: type_9;
+    var phi_1261_: type_9;
+    var phi_1262_: bool;
+    var phi_1202_: type_9;
+    var phi_1263_: bool;
+    var phi_1271_: u32;
+    var phi_1274_: type_9;
+    var phi_1275_: type_9;
+    var phi_1300_: type_9;
+    var phi_1455_: bool;
+    var phi_1461_: bool;
+    var phi_1433_: bool;
+    var phi_1440_: bool;
+    var phi_1448_: bool;
+    var phi_1463_: bool;
+    var phi_1467_: bool;
+    var phi_1468_: bool;
+    var phi_1509_: bool;
+    var phi_1510_: bool;
+    var phi_1517_: bool;
+    var phi_1631_: bool;
+    var phi_1632_: bool;
+    var phi_1667_: u32;
+    var phi_1668_: u32;
+    var phi_1669_: u32;
+    var phi_1670_: u32;
+    var phi_1673_: type_15;
+    var phi_1676_: u32;
+    var phi_1678_: u32;
+    var phi_1699_: bool;
+    var phi_1705_: type_16;
+    var phi_1674_: type_15;
+    var phi_1719_: type_16;
+    var phi_1787_: bool;
+    var phi_1788_: bool;
+    var phi_1789_: bool;
+    var phi_1790_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: bool;
+    var phi_1800_: u32;
+    var phi_1801_: u32;
+    var phi_1802_: u32;
+    var phi_1803_: u32;
+    var phi_1804_: bool;
+    var phi_1677_: u32;
+    var phi_1679_: u32;
+    var phi_1805_: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1759_: bool;
-    var phi_1760_: bool;
-    var phi_1764_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1895_: bool;
-    var phi_1896_: bool;
-    var phi_1983_: bool;
-    var phi_1984_: bool;
-    var phi_2072_: bool;
-    var phi_2073_: bool;
-    var phi_2160_: bool;
-    var phi_2161_: bool;
-    var phi_2250_: bool;
-    var phi_2251_: bool;
-    var phi_2338_: bool;
-    var phi_2339_: bool;
-    var phi_2343_: bool;
-    var phi_2344_: bool;
-    var phi_2345_: bool;
-    var phi_2349_: bool;
-    var phi_2350_: bool;
+    var phi_1853_: bool;
+    var phi_1854_: bool;
+    var phi_1855_: bool;
+    var phi_1856_: bool;
+    var phi_1860_: bool;
+    var phi_1861_: bool;
+    var phi_1865_: bool;
+    var phi_1869_: bool;
+    var phi_1870_: bool;
+    var phi_1874_: bool;
+    var phi_1875_: bool;
+    var phi_1879_: bool;
+    var phi_1880_: bool;
+    var phi_1996_: bool;
+    var phi_1997_: bool;
+    var phi_2084_: bool;
+    var phi_2085_: bool;
+    var phi_2173_: bool;
+    var phi_2174_: bool;
+    var phi_2261_: bool;
+    var phi_2262_: bool;
     var phi_2351_: bool;
     var phi_2352_: bool;
-    var phi_2353_: bool;
-    var phi_2357_: bool;
-    var phi_2373_: bool;
-    var phi_2374_: bool;
-    var phi_2410_: type_9;
-    var phi_2411_: type_9;
-    var phi_2434_: type_9;
-    var phi_2458_: u32;
-    var phi_2510_: type_9;
-    var phi_2515_: type_9;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_1059_: type_9;
+    var phi_2439_: bool;
+    var phi_2440_: bool;
+    var phi_2444_: bool;
+    var phi_2445_: bool;
+    var phi_2446_: bool;
+    var phi_2450_: bool;
+    var phi_2451_: bool;
+    var phi_2452_: bool;
+    var phi_2453_: bool;
+    var phi_2454_: bool;
+    var phi_2458_: bool;
+    var phi_2474_: bool;
+    var phi_2475_: bool;
+    var phi_2511_: type_9;
+    var phi_2512_: type_9;
+    var phi_2535_: type_9;
+    var phi_2559_: u32;
+    var phi_2611_: type_9;
+    var phi_2616_: type_9;
+    var phi_2630_: bool;
+    var phi_2631_: bool;
+    var phi_1160_: type_9;
     var local_3: u32;
     var local_4: u32;
     var local_5: type_9;
@@ -430,11 +430,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e75 = params.member.member_1.member_2;
     let _e77 = input.member[0u];
     if (_e75 < _e77) {
-        phi_191_ = _e75;
+        phi_192_ = _e75;
     } else {
-        phi_191_ = _e77;
+        phi_192_ = _e77;
     }
-    let _e80 = phi_191_;
+    let _e80 = phi_192_;
     if (_e52 == 0u) {
         atomicStore((&counters[9u]), 0u);
     }
@@ -451,30 +451,30 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e90 % _e93) > 0u) {
-            phi_240_ = (_e95 + 1u);
+            phi_241_ = (_e95 + 1u);
         } else {
-            phi_240_ = _e95;
+            phi_241_ = _e95;
         }
-        let _e101 = phi_240_;
-        phi_241_ = _e101;
+        let _e101 = phi_241_;
+        phi_242_ = _e101;
     } else {
-        phi_241_ = 0u;
+        phi_242_ = 0u;
     }
-    let _e103 = phi_241_;
+    let _e103 = phi_242_;
     let _e106 = params.member.member_2.member_4;
     if (_e106 < _e103) {
-        phi_249_ = _e106;
+        phi_250_ = _e106;
     } else {
-        phi_249_ = _e103;
+        phi_250_ = _e103;
     }
-    let _e109 = phi_249_;
+    let _e109 = phi_250_;
     let _e110 = (_e109 / 4u);
     if ((_e109 % 4u) > 0u) {
-        phi_265_ = (_e110 + 1u);
+        phi_266_ = (_e110 + 1u);
     } else {
-        phi_265_ = _e110;
+        phi_266_ = _e110;
     }
-    let _e115 = phi_265_;
+    let _e115 = phi_266_;
     if (_e115 > _e64) {
         let _e117 = (_e115 - _e64);
         if (_e67 == 0u) {
@@ -485,28 +485,28 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e117 % _e67) > 0u) {
-            phi_288_ = (_e119 + 1u);
+            phi_289_ = (_e119 + 1u);
         } else {
-            phi_288_ = _e119;
+            phi_289_ = _e119;
         }
-        let _e125 = phi_288_;
-        phi_289_ = _e125;
+        let _e125 = phi_289_;
+        phi_290_ = _e125;
     } else {
-        phi_289_ = 0u;
+        phi_290_ = 0u;
     }
-    let _e127 = phi_289_;
-    phi_292_ = type_9(0u, _e127);
+    let _e127 = phi_290_;
+    phi_293_ = type_9(0u, _e127);
     loop {
-        let _e130 = phi_292_;
+        let _e130 = phi_293_;
         if (_e130.member < _e130.member_1) {
-            phi_293_ = type_9((_e130.member + 1u), _e130.member_1);
-            phi_318_ = type_9(1u, _e130.member);
+            phi_294_ = type_9((_e130.member + 1u), _e130.member_1);
+            phi_319_ = type_9(1u, _e130.member);
         } else {
-            phi_293_ = _e130;
-            phi_318_ = type_9(0u, type_9().member_1);
+            phi_294_ = _e130;
+            phi_319_ = type_9(0u, type_9().member_1);
         }
-        let _e142 = phi_293_;
-        let _e144 = phi_318_;
+        let _e142 = phi_294_;
+        let _e144 = phi_319_;
         let _e148 = (bitcast<i32>(_e144.member) != 0i);
         if _e148 {
             let _e153 = (((_e64 + (_e144.member_1 * _e67)) * 4u) + (_e52 / 32u));
@@ -523,32 +523,32 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e161 % _e164) > 0u) {
-                    phi_365_ = (_e166 + 1u);
+                    phi_366_ = (_e166 + 1u);
                 } else {
-                    phi_365_ = _e166;
+                    phi_366_ = _e166;
                 }
-                let _e172 = phi_365_;
-                phi_366_ = _e172;
+                let _e172 = phi_366_;
+                phi_367_ = _e172;
             } else {
-                phi_366_ = 0u;
+                phi_367_ = 0u;
             }
-            let _e174 = phi_366_;
+            let _e174 = phi_367_;
             let _e177 = params.member.member_2.member_4;
             if (_e177 < _e174) {
-                phi_374_ = _e177;
+                phi_375_ = _e177;
             } else {
-                phi_374_ = _e174;
+                phi_375_ = _e174;
             }
-            let _e180 = phi_374_;
+            let _e180 = phi_375_;
             let _e181 = (_e153 < _e180);
             let _e184 = params.member.member_1.member_1;
             let _e187 = params.member.member_2.member_3;
             if _e181 {
-                phi_388_ = (_e153 * _e187);
+                phi_389_ = (_e153 * _e187);
             } else {
-                phi_388_ = 0u;
+                phi_389_ = 0u;
             }
-            let _e190 = phi_388_;
+            let _e190 = phi_389_;
             let _e192 = (2u * (_e184 + _e190));
             let _e195 = input.member[(4u + _e192)];
             let _e198 = input.member[(_e192 + 5u)];
@@ -557,11 +557,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             workgroupBarrier();
             if (_e72 == 0u) {
-                phi_431_ = array<u32, 2>(0u, 2u);
+                phi_432_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_431_ = array<u32, 2>(1u, 1u);
+                phi_432_ = array<u32, 2>(1u, 1u);
             }
-            let _e203 = phi_431_;
+            let _e203 = phi_432_;
             if ((_e52 % 32u) == 0u) {
                 let _e209 = (_e52 / 32u);
                 let _e215 = params.member.member_2.member[0u][_e203[0]];
@@ -571,11 +571,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e229 = params.member.member_2.member_1;
             if (_e229 == 0u) {
-                phi_491_ = array<u32, 2>(0u, 2u);
+                phi_492_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_491_ = array<u32, 2>(1u, 1u);
+                phi_492_ = array<u32, 2>(1u, 1u);
             }
-            let _e232 = phi_491_;
+            let _e232 = phi_492_;
             let _e235 = (_e52 / 32u);
             let _e236 = (_e52 % 32u);
             let _e238 = params.member.member_2.member_2;
@@ -591,11 +591,11 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e314 = params.member.member_2.member[(_e307 - 1u)][_e232[1]];
             let _e317 = nodes.member[(_e314 + ((_e198 * 32u) + _e236))];
             if _e181 {
-                phi_652_ = ((((((_e290.member.x <= _e266.member_1.y) && (_e266.member.x <= _e290.member_1.y)) && (_e290.member.y <= _e266.member_2.x)) && (_e266.member.y <= _e290.member_2.x)) && (_e290.member_1.x <= _e266.member_2.y)) && (_e266.member_1.x <= _e290.member_2.y));
+                phi_653_ = ((((((_e290.member.x <= _e266.member_1.y) && (_e266.member.x <= _e290.member_1.y)) && (_e290.member.y <= _e266.member_2.x)) && (_e266.member.y <= _e290.member_2.x)) && (_e290.member_1.x <= _e266.member_2.y)) && (_e266.member_1.x <= _e290.member_2.y));
             } else {
-                phi_652_ = false;
+                phi_653_ = false;
             }
-            let _e342 = phi_652_;
+            let _e342 = phi_653_;
             if _e181 {
                 if ((((((_e317.member.x <= _e245.member_1.y) && (_e245.member.x <= _e317.member_1.y)) && (_e317.member.y <= _e245.member_2.x)) && (_e245.member.y <= _e317.member_2.x)) && (_e317.member_1.x <= _e245.member_2.y)) && (_e245.member_1.x <= _e317.member_2.y)) {
                     let _e356 = atomicAdd((&counters[_e235]), 1u);
@@ -605,44 +605,44 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             if _e342 {
-                phi_690_ = type_29(array<f32, 3>(_e290.member.x, _e290.member.y, _e290.member_1.x), array<f32, 3>(_e290.member_1.y, _e290.member_2.x, _e290.member_2.y));
+                phi_691_ = type_29(array<f32, 3>(_e290.member.x, _e290.member.y, _e290.member_1.x), array<f32, 3>(_e290.member_1.y, _e290.member_2.x, _e290.member_2.y));
             } else {
-                phi_690_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_691_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e364 = phi_690_;
+            let _e364 = phi_691_;
             workgroupBarrier();
             if (_e72 == 1u) {
-                phi_696_ = (_e195 == _e198);
+                phi_697_ = (_e195 == _e198);
             } else {
-                phi_696_ = false;
+                phi_697_ = false;
             }
-            let _e368 = phi_696_;
+            let _e368 = phi_697_;
             let _e369 = (_e52 / 32u);
             let _e371 = (_e369 * 32u);
             let _e373 = atomicLoad((&counters[_e369]));
             let _e374 = (_e373 / 4u);
             if ((_e373 % 4u) > 0u) {
-                phi_719_ = (_e374 + 1u);
+                phi_720_ = (_e374 + 1u);
             } else {
-                phi_719_ = _e374;
+                phi_720_ = _e374;
             }
-            let _e379 = phi_719_;
-            phi_722_ = type_9(0u, _e379);
-            phi_725_ = 0u;
+            let _e379 = phi_720_;
+            phi_723_ = type_9(0u, _e379);
+            phi_726_ = 0u;
             loop {
-                let _e382 = phi_722_;
-                let _e384 = phi_725_;
+                let _e382 = phi_723_;
+                let _e384 = phi_726_;
                 local = _e384;
                 local_3 = _e384;
                 if (_e382.member < _e382.member_1) {
-                    phi_723_ = type_9((_e382.member + 1u), _e382.member_1);
-                    phi_748_ = type_9(1u, _e382.member);
+                    phi_724_ = type_9((_e382.member + 1u), _e382.member_1);
+                    phi_749_ = type_9(1u, _e382.member);
                 } else {
-                    phi_723_ = _e382;
-                    phi_748_ = type_9(0u, type_9().member_1);
+                    phi_724_ = _e382;
+                    phi_749_ = type_9(0u, type_9().member_1);
                 }
-                let _e396 = phi_723_;
-                let _e398 = phi_748_;
+                let _e396 = phi_724_;
+                let _e398 = phi_749_;
                 let _e402 = (bitcast<i32>(_e398.member) != 0i);
                 if _e402 {
                     let _e403 = (4u * _e398.member_1);
@@ -650,105 +650,105 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e445 = columns[((_e371 + _e403) + 1u)];
                     let _e486 = columns[((_e371 + _e403) + 2u)];
                     let _e527 = columns[((_e371 + _e403) + 3u)];
-                    phi_726_ = (_e384 | ((((select(0u, 1u, ((((((_e364.member[0] <= _e406.member_1[0]) && (_e406.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e406.member_1[1])) && (_e406.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e406.member_1[2])) && (_e406.member[2] <= _e364.member_1[2]))) << bitcast<u32>((_e403 & 31u))) | (select(0u, 1u, ((((((_e364.member[0] <= _e445.member_1[0]) && (_e445.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e445.member_1[1])) && (_e445.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e445.member_1[2])) && (_e445.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e486.member_1[0]) && (_e486.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e486.member_1[1])) && (_e486.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e486.member_1[2])) && (_e486.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 3u) & 31u)))));
+                    phi_727_ = (_e384 | ((((select(0u, 1u, ((((((_e364.member[0] <= _e406.member_1[0]) && (_e406.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e406.member_1[1])) && (_e406.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e406.member_1[2])) && (_e406.member[2] <= _e364.member_1[2]))) << bitcast<u32>((_e403 & 31u))) | (select(0u, 1u, ((((((_e364.member[0] <= _e445.member_1[0]) && (_e445.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e445.member_1[1])) && (_e445.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e445.member_1[2])) && (_e445.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e486.member_1[0]) && (_e486.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e486.member_1[1])) && (_e486.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e486.member_1[2])) && (_e486.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 3u) & 31u)))));
                 } else {
-                    phi_726_ = u32();
+                    phi_727_ = u32();
                 }
-                let _e567 = phi_726_;
+                let _e567 = phi_727_;
                 continue;
                 continuing {
-                    phi_722_ = _e396;
-                    phi_725_ = _e567;
+                    phi_723_ = _e396;
+                    phi_726_ = _e567;
                     break if !(_e402);
                 }
             }
             if (_e373 < 32u) {
                 let _e575 = local;
-                phi_937_ = (_e575 & ((1u << bitcast<u32>((_e373 & 31u))) - 1u));
+                phi_938_ = (_e575 & ((1u << bitcast<u32>((_e373 & 31u))) - 1u));
             } else {
                 let _e1501 = local_3;
-                phi_937_ = _e1501;
+                phi_938_ = _e1501;
             }
-            let _e578 = phi_937_;
+            let _e578 = phi_938_;
             if _e368 {
-                phi_943_ = type_9(0u, _e373);
-                phi_946_ = _e578;
+                phi_1044_ = type_9(0u, _e373);
+                phi_1047_ = _e578;
                 loop {
-                    let _e581 = phi_943_;
-                    let _e583 = phi_946_;
+                    let _e581 = phi_1044_;
+                    let _e583 = phi_1047_;
                     local_4 = _e583;
                     if (_e581.member < _e581.member_1) {
-                        phi_944_ = type_9((_e581.member + 1u), _e581.member_1);
-                        phi_969_ = type_9(1u, _e581.member);
+                        phi_1045_ = type_9((_e581.member + 1u), _e581.member_1);
+                        phi_1070_ = type_9(1u, _e581.member);
                     } else {
-                        phi_944_ = _e581;
-                        phi_969_ = type_9(0u, type_9().member_1);
+                        phi_1045_ = _e581;
+                        phi_1070_ = type_9(0u, type_9().member_1);
                     }
-                    let _e595 = phi_944_;
-                    let _e597 = phi_969_;
+                    let _e595 = phi_1045_;
+                    let _e597 = phi_1070_;
                     let _e601 = (bitcast<i32>(_e597.member) != 0i);
                     if _e601 {
                         let _e604 = names[(_e371 + _e597.member_1)];
                         if _e368 {
                             let _e605 = ((_e52 % 32u) < _e604);
                             if _e605 {
-                                phi_993_ = bool();
+                                phi_1094_ = bool();
                             } else {
-                                phi_993_ = false;
+                                phi_1094_ = false;
                             }
-                            let _e607 = phi_993_;
-                            phi_994_ = _e607;
-                            phi_995_ = _e605;
+                            let _e607 = phi_1094_;
+                            phi_1095_ = _e607;
+                            phi_1096_ = _e605;
                         } else {
-                            phi_994_ = bool();
-                            phi_995_ = true;
+                            phi_1095_ = bool();
+                            phi_1096_ = true;
                         }
-                        let _e609 = phi_994_;
-                        let _e611 = phi_995_;
+                        let _e609 = phi_1095_;
+                        let _e611 = phi_1096_;
                         if _e611 {
-                            phi_999_ = true;
+                            phi_1100_ = true;
                         } else {
-                            phi_999_ = _e609;
+                            phi_1100_ = _e609;
                         }
-                        let _e613 = phi_999_;
+                        let _e613 = phi_1100_;
                         if _e613 {
-                            phi_1007_ = false;
+                            phi_1108_ = false;
                         } else {
-                            phi_1007_ = true;
+                            phi_1108_ = true;
                         }
-                        let _e615 = phi_1007_;
+                        let _e615 = phi_1108_;
                         if _e615 {
-                            phi_1015_ = (_e583 & ~((1u << bitcast<u32>((_e597.member_1 & 31u)))));
+                            phi_1116_ = (_e583 & ~((1u << bitcast<u32>((_e597.member_1 & 31u)))));
                         } else {
-                            phi_1015_ = _e583;
+                            phi_1116_ = _e583;
                         }
-                        let _e622 = phi_1015_;
-                        phi_947_ = _e622;
+                        let _e622 = phi_1116_;
+                        phi_1048_ = _e622;
                     } else {
-                        phi_947_ = u32();
+                        phi_1048_ = u32();
                     }
-                    let _e624 = phi_947_;
+                    let _e624 = phi_1048_;
                     continue;
                     continuing {
-                        phi_943_ = _e595;
-                        phi_946_ = _e624;
+                        phi_1044_ = _e595;
+                        phi_1047_ = _e624;
                         break if !(_e601);
                     }
                 }
                 let _e1515 = local_4;
-                phi_1016_ = _e1515;
+                phi_1117_ = _e1515;
             } else {
-                phi_1016_ = _e578;
+                phi_1117_ = _e578;
             }
-            let _e627 = phi_1016_;
+            let _e627 = phi_1117_;
             let _e629 = countOneBits(_e627);
             if (_e629 > 0u) {
                 let _e632 = atomicAdd((&counters[4u]), _e629);
-                phi_1026_ = type_9(_e627, _e632);
+                phi_1127_ = type_9(_e627, _e632);
             } else {
-                phi_1026_ = type_9(_e627, 0u);
+                phi_1127_ = type_9(_e627, 0u);
             }
-            let _e635 = phi_1026_;
+            let _e635 = phi_1127_;
             workgroupBarrier();
             if (_e52 == 0u) {
                 let _e638 = atomicLoad((&counters[4u]));
@@ -757,69 +757,69 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e641 = workgroupUniformLoad((&n_hits[0u]));
             let _e642 = (_e641 / 512u);
             if ((_e641 % 512u) > 0u) {
-                phi_1052_ = (_e642 + 1u);
+                phi_1153_ = (_e642 + 1u);
             } else {
-                phi_1052_ = _e642;
+                phi_1153_ = _e642;
             }
-            let _e647 = phi_1052_;
-            phi_1055_ = type_9(0u, _e647);
-            phi_1058_ = _e635;
+            let _e647 = phi_1153_;
+            phi_1156_ = type_9(0u, _e647);
+            phi_1159_ = _e635;
             loop {
-                let _e650 = phi_1055_;
-                let _e652 = phi_1058_;
+                let _e650 = phi_1156_;
+                let _e652 = phi_1159_;
                 if (_e650.member < _e650.member_1) {
-                    phi_1056_ = type_9((_e650.member + 1u), _e650.member_1);
-                    phi_1083_ = type_9(1u, _e650.member);
+                    phi_1157_ = type_9((_e650.member + 1u), _e650.member_1);
+                    phi_1184_ = type_9(1u, _e650.member);
                 } else {
-                    phi_1056_ = _e650;
-                    phi_1083_ = type_9(0u, type_9().member_1);
+                    phi_1157_ = _e650;
+                    phi_1184_ = type_9(0u, type_9().member_1);
                 }
-                let _e664 = phi_1056_;
-                let _e666 = phi_1083_;
+                let _e664 = phi_1157_;
+                let _e666 = phi_1184_;
                 let _e670 = (bitcast<i32>(_e666.member) != 0i);
                 if _e670 {
                     let _e671 = (_e52 / 32u);
                     let _e673 = (_e666.member_1 * 512u);
-                    phi_1100_ = _e652;
-                    phi_1103_ = type_9(0u, countOneBits(_e652.member));
+                    phi_1201_ = _e652;
+                    phi_1204_ = type_9(0u, countOneBits(_e652.member));
                     loop {
-                        let _e678 = phi_1100_;
-                        let _e680 = phi_1103_;
+                        let _e678 = phi_1201_;
+                        let _e680 = phi_1204_;
                         local_5 = _e678;
                         if (_e680.member < _e680.member_1) {
-                            phi_1104_ = type_9((_e680.member + 1u), _e680.member_1);
-                            phi_1126_ = type_9(1u, _e680.member);
+                            phi_1205_ = type_9((_e680.member + 1u), _e680.member_1);
+                            phi_1227_ = type_9(1u, _e680.member);
                         } else {
-                            phi_1104_ = _e680;
-                            phi_1126_ = type_9(0u, type_9().member_1);
+                            phi_1205_ = _e680;
+                            phi_1227_ = type_9(0u, type_9().member_1);
                         }
-                        let _e692 = phi_1104_;
-                        let _e694 = phi_1126_;
+                        let _e692 = phi_1205_;
+                        let _e694 = phi_1227_;
                         if (bitcast<i32>(_e694.member) != 0i) {
                             let _e699 = (_e678.member_1 - _e673);
                             if (_e699 >= 512u) {
-                                phi_1160_ = type_9();
-                                phi_1161_ = false;
+                                phi_1261_ = type_9();
+                                phi_1262_ = false;
                             } else {
                                 let _e708 = names[((_e671 * 32u) + select(firstTrailingBit(_e678.member), 32u, (_e678.member == 0u)))];
                                 hits[_e699] = (((_e671 << bitcast<u32>(10i)) | ((_e52 % 32u) << bitcast<u32>(5i))) | _e708);
-                                phi_1160_ = type_9((_e678.member & (_e678.member - 1u)), (_e678.member_1 + 1u));
-                                phi_1161_ = true;
+                                phi_1261_ = type_9((_e678.member & (_e678.member - 1u)), (_e678.member_1 + 1u));
+                                phi_1262_ = true;
                             }
-                            let _e724 = phi_1160_;
-                            let _e726 = phi_1161_;
-                            phi_1101_ = _e724;
-                            phi_1162_ = _e726;
+                            let _e724 = phi_1261_;
+                            let _e726 = phi_1262_;
+                            phi_1202_ = _e724;
+                            phi_1263_ = _e726;
                         } else {
-                            phi_1101_ = type_9();
-                            phi_1162_ = false;
+                            phi_1202_ = type_9();
+                            phi_1263_ = false;
                         }
-                        let _e728 = phi_1101_;
-                        let _e730 = phi_1162_;
+                        let _e728 = phi_1202_;
+                        let _e730 = phi_1263_;
                         continue;
                         continuing {
-                            phi_1100_ = _e728;
-                            phi_1103_ = _e692;
+                            phi_1201_ = _e728;
+                            phi_1204_ = _e692;
                             break if !(_e730);
                         }
                     }
@@ -827,27 +827,27 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e733 = n_hits[0u];
                     let _e734 = (_e733 - _e673);
                     if (512u < _e734) {
-                        phi_1170_ = 512u;
+                        phi_1271_ = 512u;
                     } else {
-                        phi_1170_ = _e734;
+                        phi_1271_ = _e734;
                     }
-                    let _e737 = phi_1170_;
-                    phi_1173_ = type_9(0u, 4u);
+                    let _e737 = phi_1271_;
+                    phi_1274_ = type_9(0u, 4u);
                     loop {
-                        let _e739 = phi_1173_;
+                        let _e739 = phi_1274_;
                         if (_e739.member < _e739.member_1) {
-                            phi_1174_ = type_9((_e739.member + 1u), _e739.member_1);
-                            phi_1199_ = type_9(1u, _e739.member);
+                            phi_1275_ = type_9((_e739.member + 1u), _e739.member_1);
+                            phi_1300_ = type_9(1u, _e739.member);
                         } else {
-                            phi_1174_ = _e739;
-                            phi_1199_ = type_9(0u, type_9().member_1);
+                            phi_1275_ = _e739;
+                            phi_1300_ = type_9(0u, type_9().member_1);
                         }
-                        let _e751 = phi_1174_;
-                        let _e753 = phi_1199_;
+                        let _e751 = phi_1275_;
+                        let _e753 = phi_1300_;
                         if (bitcast<i32>(_e753.member) != 0i) {
                             let _e759 = (_e52 + (_e753.member_1 * 128u));
                             if (_e759 >= _e737) {
-                                phi_2373_ = false;
+                                phi_2474_ = false;
                             } else {
                                 let _e762 = hits[_e759];
                                 let _e765 = ((_e762 >> bitcast<u32>(10i)) & 3u);
@@ -863,73 +863,73 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if ((_e69.member_1 & 1u) != 0u) {
                                     if (_e72 == 0u) {
                                         if (_e786.x == _e780.x) {
-                                            phi_1332_ = true;
+                                            phi_1433_ = true;
                                         } else {
-                                            phi_1332_ = (_e786.x == _e780.x);
+                                            phi_1433_ = (_e786.x == _e780.x);
                                         }
-                                        let _e851 = phi_1332_;
+                                        let _e851 = phi_1433_;
                                         if (_e786.y == _e780.x) {
-                                            phi_1339_ = true;
+                                            phi_1440_ = true;
                                         } else {
-                                            phi_1339_ = (_e786.y == _e780.x);
+                                            phi_1440_ = (_e786.y == _e780.x);
                                         }
-                                        let _e855 = phi_1339_;
+                                        let _e855 = phi_1440_;
                                         if (_e786.z == _e780.x) {
-                                            phi_1347_ = true;
+                                            phi_1448_ = true;
                                         } else {
-                                            phi_1347_ = (_e786.z == _e780.x);
+                                            phi_1448_ = (_e786.z == _e780.x);
                                         }
-                                        let _e860 = phi_1347_;
-                                        phi_1362_ = ((_e851 || _e855) || _e860);
+                                        let _e860 = phi_1448_;
+                                        phi_1463_ = ((_e851 || _e855) || _e860);
                                     } else {
                                         if (_e786.x == _e780.x) {
-                                            phi_1354_ = true;
+                                            phi_1455_ = true;
                                         } else {
-                                            phi_1354_ = (_e786.x == _e780.y);
+                                            phi_1455_ = (_e786.x == _e780.y);
                                         }
-                                        let _e842 = phi_1354_;
+                                        let _e842 = phi_1455_;
                                         if (_e786.y == _e780.x) {
-                                            phi_1360_ = true;
+                                            phi_1461_ = true;
                                         } else {
-                                            phi_1360_ = (_e786.y == _e780.y);
+                                            phi_1461_ = (_e786.y == _e780.y);
                                         }
-                                        let _e846 = phi_1360_;
-                                        phi_1362_ = (_e842 || _e846);
+                                        let _e846 = phi_1461_;
+                                        phi_1463_ = (_e842 || _e846);
                                     }
-                                    let _e863 = phi_1362_;
+                                    let _e863 = phi_1463_;
                                     if _e863 {
-                                        phi_1366_ = false;
+                                        phi_1467_ = false;
                                     } else {
-                                        phi_1366_ = true;
+                                        phi_1467_ = true;
                                     }
-                                    let _e865 = phi_1366_;
-                                    phi_1367_ = _e865;
+                                    let _e865 = phi_1467_;
+                                    phi_1468_ = _e865;
                                 } else {
-                                    phi_1367_ = true;
+                                    phi_1468_ = true;
                                 }
-                                let _e867 = phi_1367_;
+                                let _e867 = phi_1468_;
                                 if _e867 {
                                     if ((_e69.member_1 & 2u) != 0u) {
                                         let _e872 = bodies.member[_e780.x];
                                         let _e874 = bodies.member[_e786.x];
                                         if ((_e872 / 4u) != (_e874 / 4u)) {
-                                            phi_1409_ = true;
+                                            phi_1510_ = true;
                                         } else {
                                             if ((_e872 & 2u) == 0u) {
-                                                phi_1408_ = false;
+                                                phi_1509_ = false;
                                             } else {
-                                                phi_1408_ = true;
+                                                phi_1509_ = true;
                                             }
-                                            let _e881 = phi_1408_;
-                                            phi_1409_ = _e881;
+                                            let _e881 = phi_1509_;
+                                            phi_1510_ = _e881;
                                         }
-                                        let _e883 = phi_1409_;
+                                        let _e883 = phi_1510_;
                                         if _e883 {
-                                            phi_1416_ = (((_e872 & _e874) & 1u) == 0u);
+                                            phi_1517_ = (((_e872 & _e874) & 1u) == 0u);
                                         } else {
-                                            phi_1416_ = false;
+                                            phi_1517_ = false;
                                         }
-                                        let _e888 = phi_1416_;
+                                        let _e888 = phi_1517_;
                                         if _e888 {
                                             if ((_e69.member_1 & 4u) != 0u) {
                                                 let _e895 = bodies.member[_e69.member[0]];
@@ -943,74 +943,74 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e927 = bodies.member[(_e908 + 1u)];
                                                 if (_e924 == _e927) {
                                                     if (((_e921 >> bitcast<u32>(((_e912 % 32u) & 31u))) & 1u) == 1u) {
-                                                        phi_1530_ = true;
+                                                        phi_1631_ = true;
                                                     } else {
-                                                        phi_1530_ = ((_e872 >> bitcast<u32>(2i)) == (_e874 >> bitcast<u32>(2i)));
+                                                        phi_1631_ = ((_e872 >> bitcast<u32>(2i)) == (_e874 >> bitcast<u32>(2i)));
                                                     }
-                                                    let _e941 = phi_1530_;
-                                                    phi_1531_ = _e941;
+                                                    let _e941 = phi_1631_;
+                                                    phi_1632_ = _e941;
                                                 } else {
-                                                    phi_1531_ = false;
+                                                    phi_1632_ = false;
                                                 }
-                                                let _e943 = phi_1531_;
+                                                let _e943 = phi_1632_;
                                                 if _e943 {
                                                     let _e946 = bodies.member[(_e69.member[0] + 2u)];
                                                     let _e949 = bodies.member[(_e69.member[0] + 3u)];
                                                     let _e950 = (_e949 + _e69.member[0]);
                                                     if (_e72 == 1u) {
                                                         if (_e786.w < _e780.w) {
-                                                            phi_1566_ = _e780.w;
-                                                            phi_1567_ = _e786.w;
+                                                            phi_1667_ = _e780.w;
+                                                            phi_1668_ = _e786.w;
                                                         } else {
-                                                            phi_1566_ = _e786.w;
-                                                            phi_1567_ = _e780.w;
+                                                            phi_1667_ = _e786.w;
+                                                            phi_1668_ = _e780.w;
                                                         }
-                                                        let _e954 = phi_1566_;
-                                                        let _e956 = phi_1567_;
-                                                        phi_1568_ = _e954;
-                                                        phi_1569_ = _e956;
+                                                        let _e954 = phi_1667_;
+                                                        let _e956 = phi_1668_;
+                                                        phi_1669_ = _e954;
+                                                        phi_1670_ = _e956;
                                                     } else {
-                                                        phi_1568_ = _e786.w;
-                                                        phi_1569_ = _e780.w;
+                                                        phi_1669_ = _e786.w;
+                                                        phi_1670_ = _e780.w;
                                                     }
-                                                    let _e958 = phi_1568_;
-                                                    let _e960 = phi_1569_;
-                                                    phi_1572_ = type_15(0i, 32i);
-                                                    phi_1575_ = _e946;
-                                                    phi_1577_ = 0u;
+                                                    let _e958 = phi_1669_;
+                                                    let _e960 = phi_1670_;
+                                                    phi_1673_ = type_15(0i, 32i);
+                                                    phi_1676_ = _e946;
+                                                    phi_1678_ = 0u;
                                                     loop {
-                                                        let _e962 = phi_1572_;
-                                                        let _e964 = phi_1575_;
-                                                        let _e966 = phi_1577_;
+                                                        let _e962 = phi_1673_;
+                                                        let _e964 = phi_1676_;
+                                                        let _e966 = phi_1678_;
                                                         local_1 = _e966;
                                                         local_2 = _e966;
                                                         if (_e962.member < _e962.member_1) {
                                                             let _e973 = (_e962.member + 1i);
                                                             if ((false == (_e973 > _e962.member)) != false) {
-                                                                phi_1598_ = true;
+                                                                phi_1699_ = true;
                                                             } else {
-                                                                phi_1598_ = false;
+                                                                phi_1699_ = false;
                                                             }
-                                                            let _e978 = phi_1598_;
+                                                            let _e978 = phi_1699_;
                                                             if _e978 {
-                                                                phi_1604_ = type_16(0u, type_16().member_1);
+                                                                phi_1705_ = type_16(0u, type_16().member_1);
                                                             } else {
-                                                                phi_1604_ = type_16(1u, _e973);
+                                                                phi_1705_ = type_16(1u, _e973);
                                                             }
-                                                            let _e983 = phi_1604_;
-                                                            phi_1573_ = type_15(_e983.member_1, _e962.member_1);
-                                                            phi_1618_ = type_16(1u, _e962.member);
+                                                            let _e983 = phi_1705_;
+                                                            phi_1674_ = type_15(_e983.member_1, _e962.member_1);
+                                                            phi_1719_ = type_16(1u, _e962.member);
                                                         } else {
-                                                            phi_1573_ = _e962;
-                                                            phi_1618_ = type_16(0u, type_16().member_1);
+                                                            phi_1674_ = _e962;
+                                                            phi_1719_ = type_16(0u, type_16().member_1);
                                                         }
-                                                        let _e989 = phi_1573_;
-                                                        let _e991 = phi_1618_;
+                                                        let _e989 = phi_1674_;
+                                                        let _e991 = phi_1719_;
                                                         if (bitcast<i32>(_e991.member) != 0i) {
                                                             if (_e966 >= _e964) {
-                                                                phi_1701_ = u32();
-                                                                phi_1702_ = u32();
-                                                                phi_1703_ = false;
+                                                                phi_1802_ = u32();
+                                                                phi_1803_ = u32();
+                                                                phi_1804_ = false;
                                                             } else {
                                                                 let _e998 = (_e966 + ((_e964 - _e966) / 2u));
                                                                 let _e1000 = (_e950 + (3u * _e998));
@@ -1018,73 +1018,73 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 let _e1005 = bodies.member[(_e1000 + 1u)];
                                                                 let _e1008 = bodies.member[(_e1000 + 2u)];
                                                                 if (_e1002 < _e72) {
-                                                                    phi_1694_ = true;
+                                                                    phi_1795_ = true;
                                                                 } else {
                                                                     if (_e1002 == _e72) {
                                                                         if (_e1005 < _e960) {
-                                                                            phi_1688_ = false;
+                                                                            phi_1789_ = false;
                                                                         } else {
                                                                             if (_e1005 == _e960) {
                                                                                 if (_e1008 < _e958) {
-                                                                                    phi_1686_ = false;
+                                                                                    phi_1787_ = false;
                                                                                 } else {
-                                                                                    phi_1686_ = true;
+                                                                                    phi_1787_ = true;
                                                                                 }
-                                                                                let _e1015 = phi_1686_;
-                                                                                phi_1687_ = _e1015;
+                                                                                let _e1015 = phi_1787_;
+                                                                                phi_1788_ = _e1015;
                                                                             } else {
-                                                                                phi_1687_ = true;
+                                                                                phi_1788_ = true;
                                                                             }
-                                                                            let _e1017 = phi_1687_;
-                                                                            phi_1688_ = _e1017;
+                                                                            let _e1017 = phi_1788_;
+                                                                            phi_1789_ = _e1017;
                                                                         }
-                                                                        let _e1019 = phi_1688_;
-                                                                        phi_1689_ = _e1019;
+                                                                        let _e1019 = phi_1789_;
+                                                                        phi_1790_ = _e1019;
                                                                     } else {
-                                                                        phi_1689_ = true;
+                                                                        phi_1790_ = true;
                                                                     }
-                                                                    let _e1021 = phi_1689_;
+                                                                    let _e1021 = phi_1790_;
                                                                     if _e1021 {
-                                                                        phi_1693_ = false;
+                                                                        phi_1794_ = false;
                                                                     } else {
-                                                                        phi_1693_ = true;
+                                                                        phi_1794_ = true;
                                                                     }
-                                                                    let _e1023 = phi_1693_;
-                                                                    phi_1694_ = _e1023;
+                                                                    let _e1023 = phi_1794_;
+                                                                    phi_1795_ = _e1023;
                                                                 }
-                                                                let _e1025 = phi_1694_;
+                                                                let _e1025 = phi_1795_;
                                                                 if _e1025 {
-                                                                    phi_1699_ = _e964;
-                                                                    phi_1700_ = (_e998 + 1u);
+                                                                    phi_1800_ = _e964;
+                                                                    phi_1801_ = (_e998 + 1u);
                                                                 } else {
-                                                                    phi_1699_ = _e998;
-                                                                    phi_1700_ = _e966;
+                                                                    phi_1800_ = _e998;
+                                                                    phi_1801_ = _e966;
                                                                 }
-                                                                let _e1028 = phi_1699_;
-                                                                let _e1030 = phi_1700_;
-                                                                phi_1701_ = _e1028;
-                                                                phi_1702_ = _e1030;
-                                                                phi_1703_ = true;
+                                                                let _e1028 = phi_1800_;
+                                                                let _e1030 = phi_1801_;
+                                                                phi_1802_ = _e1028;
+                                                                phi_1803_ = _e1030;
+                                                                phi_1804_ = true;
                                                             }
-                                                            let _e1032 = phi_1701_;
-                                                            let _e1034 = phi_1702_;
-                                                            let _e1036 = phi_1703_;
-                                                            phi_1576_ = _e1032;
-                                                            phi_1578_ = _e1034;
-                                                            phi_1704_ = _e1036;
+                                                            let _e1032 = phi_1802_;
+                                                            let _e1034 = phi_1803_;
+                                                            let _e1036 = phi_1804_;
+                                                            phi_1677_ = _e1032;
+                                                            phi_1679_ = _e1034;
+                                                            phi_1805_ = _e1036;
                                                         } else {
-                                                            phi_1576_ = u32();
-                                                            phi_1578_ = u32();
-                                                            phi_1704_ = false;
+                                                            phi_1677_ = u32();
+                                                            phi_1679_ = u32();
+                                                            phi_1805_ = false;
                                                         }
-                                                        let _e1038 = phi_1576_;
-                                                        let _e1040 = phi_1578_;
-                                                        let _e1042 = phi_1704_;
+                                                        let _e1038 = phi_1677_;
+                                                        let _e1040 = phi_1679_;
+                                                        let _e1042 = phi_1805_;
                                                         continue;
                                                         continuing {
-                                                            phi_1572_ = _e989;
-                                                            phi_1575_ = _e1038;
-                                                            phi_1577_ = _e1040;
+                                                            phi_1673_ = _e989;
+                                                            phi_1676_ = _e1038;
+                                                            phi_1678_ = _e1040;
                                                             break if !(_e1042);
                                                         }
                                                     }
@@ -1097,76 +1097,76 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             let _e1056 = bodies.member[(_e1050 + 1u)];
                                                             if (_e1056 == _e960) {
                                                                 let _e1060 = bodies.member[(_e1050 + 2u)];
-                                                                phi_1752_ = (_e1060 == _e958);
-                                                                phi_1753_ = false;
+                                                                phi_1853_ = (_e1060 == _e958);
+                                                                phi_1854_ = false;
                                                             } else {
-                                                                phi_1752_ = bool();
-                                                                phi_1753_ = true;
+                                                                phi_1853_ = bool();
+                                                                phi_1854_ = true;
                                                             }
-                                                            let _e1063 = phi_1752_;
-                                                            let _e1065 = phi_1753_;
-                                                            phi_1754_ = _e1063;
-                                                            phi_1755_ = _e1065;
+                                                            let _e1063 = phi_1853_;
+                                                            let _e1065 = phi_1854_;
+                                                            phi_1855_ = _e1063;
+                                                            phi_1856_ = _e1065;
                                                         } else {
-                                                            phi_1754_ = bool();
-                                                            phi_1755_ = true;
+                                                            phi_1855_ = bool();
+                                                            phi_1856_ = true;
                                                         }
-                                                        let _e1067 = phi_1754_;
-                                                        let _e1069 = phi_1755_;
+                                                        let _e1067 = phi_1855_;
+                                                        let _e1069 = phi_1856_;
                                                         if _e1069 {
-                                                            phi_1759_ = false;
+                                                            phi_1860_ = false;
                                                         } else {
-                                                            phi_1759_ = _e1067;
+                                                            phi_1860_ = _e1067;
                                                         }
-                                                        let _e1071 = phi_1759_;
-                                                        phi_1760_ = _e1071;
+                                                        let _e1071 = phi_1860_;
+                                                        phi_1861_ = _e1071;
                                                     } else {
-                                                        phi_1760_ = false;
+                                                        phi_1861_ = false;
                                                     }
-                                                    let _e1073 = phi_1760_;
-                                                    phi_1764_ = _e1073;
+                                                    let _e1073 = phi_1861_;
+                                                    phi_1865_ = _e1073;
                                                 } else {
-                                                    phi_1764_ = true;
+                                                    phi_1865_ = true;
                                                 }
-                                                let _e1075 = phi_1764_;
+                                                let _e1075 = phi_1865_;
                                                 if _e1075 {
-                                                    phi_1768_ = false;
+                                                    phi_1869_ = false;
                                                 } else {
-                                                    phi_1768_ = true;
+                                                    phi_1869_ = true;
                                                 }
-                                                let _e1077 = phi_1768_;
-                                                phi_1769_ = _e1077;
+                                                let _e1077 = phi_1869_;
+                                                phi_1870_ = _e1077;
                                             } else {
-                                                phi_1769_ = true;
+                                                phi_1870_ = true;
                                             }
-                                            let _e1079 = phi_1769_;
+                                            let _e1079 = phi_1870_;
                                             if _e1079 {
-                                                phi_1773_ = false;
+                                                phi_1874_ = false;
                                             } else {
-                                                phi_1773_ = true;
+                                                phi_1874_ = true;
                                             }
-                                            let _e1081 = phi_1773_;
-                                            phi_1774_ = _e1081;
+                                            let _e1081 = phi_1874_;
+                                            phi_1875_ = _e1081;
                                         } else {
-                                            phi_1774_ = true;
+                                            phi_1875_ = true;
                                         }
-                                        let _e1083 = phi_1774_;
+                                        let _e1083 = phi_1875_;
                                         if _e1083 {
-                                            phi_1778_ = false;
+                                            phi_1879_ = false;
                                         } else {
-                                            phi_1778_ = true;
+                                            phi_1879_ = true;
                                         }
-                                        let _e1085 = phi_1778_;
-                                        phi_1779_ = _e1085;
+                                        let _e1085 = phi_1879_;
+                                        phi_1880_ = _e1085;
                                     } else {
-                                        phi_1779_ = true;
+                                        phi_1880_ = true;
                                     }
-                                    let _e1087 = phi_1779_;
+                                    let _e1087 = phi_1880_;
                                     if _e1087 {
                                         if ((_e69.member_1 & 32u) != 0u) {
                                             let _e1108 = (((((_e808.member_1.y - _e822.member.x) > _e69.member_6) && ((_e822.member_1.y - _e808.member.x) > _e69.member_6)) && (((_e808.member_2.x - _e822.member.y) > _e69.member_6) && ((_e822.member_2.x - _e808.member.y) > _e69.member_6))) && (((_e808.member_2.y - _e822.member_1.x) > _e69.member_6) && ((_e822.member_2.y - _e808.member_1.x) > _e69.member_6)));
                                             if _e1108 {
-                                                phi_2343_ = bool();
+                                                phi_2444_ = bool();
                                             } else {
                                                 let _e1110 = keys.member[_e780.x];
                                                 let _e1113 = keys.member[_e780.y];
@@ -1179,17 +1179,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1128 = keys.member[_e786.z];
                                                 let _e1130 = function_4(_e1126, _e1128[3]);
                                                 if (_e1119[1] > _e1130[1]) {
-                                                    phi_1896_ = true;
+                                                    phi_1997_ = true;
                                                 } else {
                                                     if (_e1119[1] == _e1130[1]) {
-                                                        phi_1895_ = (_e1119[0] > _e1130[0]);
+                                                        phi_1996_ = (_e1119[0] > _e1130[0]);
                                                     } else {
-                                                        phi_1895_ = false;
+                                                        phi_1996_ = false;
                                                     }
-                                                    let _e1141 = phi_1895_;
-                                                    phi_1896_ = _e1141;
+                                                    let _e1141 = phi_1996_;
+                                                    phi_1997_ = _e1141;
                                                 }
-                                                let _e1143 = phi_1896_;
+                                                let _e1143 = phi_1997_;
                                                 let _e1146 = keys.member[_e786.x];
                                                 let _e1149 = keys.member[_e786.y];
                                                 let _e1151 = function_5(_e1146[0], _e1149[0]);
@@ -1201,17 +1201,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1164 = keys.member[_e780.z];
                                                 let _e1166 = function_4(_e1162, _e1164[3]);
                                                 if (_e1155[1] > _e1166[1]) {
-                                                    phi_1984_ = true;
+                                                    phi_2085_ = true;
                                                 } else {
                                                     if (_e1155[1] == _e1166[1]) {
-                                                        phi_1983_ = (_e1155[0] > _e1166[0]);
+                                                        phi_2084_ = (_e1155[0] > _e1166[0]);
                                                     } else {
-                                                        phi_1983_ = false;
+                                                        phi_2084_ = false;
                                                     }
-                                                    let _e1177 = phi_1983_;
-                                                    phi_1984_ = _e1177;
+                                                    let _e1177 = phi_2084_;
+                                                    phi_2085_ = _e1177;
                                                 }
-                                                let _e1179 = phi_1984_;
+                                                let _e1179 = phi_2085_;
                                                 let _e1183 = keys.member[_e780.x];
                                                 let _e1186 = keys.member[_e780.y];
                                                 let _e1188 = function_3(_e1183[1], _e1186[1]);
@@ -1223,17 +1223,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1201 = keys.member[_e786.z];
                                                 let _e1203 = function_2(_e1199, _e1201[4]);
                                                 if (_e1192[1] > _e1203[1]) {
-                                                    phi_2073_ = true;
+                                                    phi_2174_ = true;
                                                 } else {
                                                     if (_e1192[1] == _e1203[1]) {
-                                                        phi_2072_ = (_e1192[0] > _e1203[0]);
+                                                        phi_2173_ = (_e1192[0] > _e1203[0]);
                                                     } else {
-                                                        phi_2072_ = false;
+                                                        phi_2173_ = false;
                                                     }
-                                                    let _e1214 = phi_2072_;
-                                                    phi_2073_ = _e1214;
+                                                    let _e1214 = phi_2173_;
+                                                    phi_2174_ = _e1214;
                                                 }
-                                                let _e1216 = phi_2073_;
+                                                let _e1216 = phi_2174_;
                                                 let _e1219 = keys.member[_e786.x];
                                                 let _e1222 = keys.member[_e786.y];
                                                 let _e1224 = function_3(_e1219[1], _e1222[1]);
@@ -1245,17 +1245,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1237 = keys.member[_e780.z];
                                                 let _e1239 = function_2(_e1235, _e1237[4]);
                                                 if (_e1228[1] > _e1239[1]) {
-                                                    phi_2161_ = true;
+                                                    phi_2262_ = true;
                                                 } else {
                                                     if (_e1228[1] == _e1239[1]) {
-                                                        phi_2160_ = (_e1228[0] > _e1239[0]);
+                                                        phi_2261_ = (_e1228[0] > _e1239[0]);
                                                     } else {
-                                                        phi_2160_ = false;
+                                                        phi_2261_ = false;
                                                     }
-                                                    let _e1250 = phi_2160_;
-                                                    phi_2161_ = _e1250;
+                                                    let _e1250 = phi_2261_;
+                                                    phi_2262_ = _e1250;
                                                 }
-                                                let _e1252 = phi_2161_;
+                                                let _e1252 = phi_2262_;
                                                 let _e1257 = keys.member[_e780.x];
                                                 let _e1260 = keys.member[_e780.y];
                                                 let _e1262 = function_1(_e1257[2], _e1260[2]);
@@ -1267,17 +1267,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1275 = keys.member[_e786.z];
                                                 let _e1277 = function_(_e1273, _e1275[5]);
                                                 if (_e1266[1] > _e1277[1]) {
-                                                    phi_2251_ = true;
+                                                    phi_2352_ = true;
                                                 } else {
                                                     if (_e1266[1] == _e1277[1]) {
-                                                        phi_2250_ = (_e1266[0] > _e1277[0]);
+                                                        phi_2351_ = (_e1266[0] > _e1277[0]);
                                                     } else {
-                                                        phi_2250_ = false;
+                                                        phi_2351_ = false;
                                                     }
-                                                    let _e1288 = phi_2250_;
-                                                    phi_2251_ = _e1288;
+                                                    let _e1288 = phi_2351_;
+                                                    phi_2352_ = _e1288;
                                                 }
-                                                let _e1290 = phi_2251_;
+                                                let _e1290 = phi_2352_;
                                                 let _e1293 = keys.member[_e786.x];
                                                 let _e1296 = keys.member[_e786.y];
                                                 let _e1298 = function_1(_e1293[2], _e1296[2]);
@@ -1289,56 +1289,56 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1311 = keys.member[_e780.z];
                                                 let _e1313 = function_(_e1309, _e1311[5]);
                                                 if (_e1302[1] > _e1313[1]) {
-                                                    phi_2339_ = true;
+                                                    phi_2440_ = true;
                                                 } else {
                                                     if (_e1302[1] == _e1313[1]) {
-                                                        phi_2338_ = (_e1302[0] > _e1313[0]);
+                                                        phi_2439_ = (_e1302[0] > _e1313[0]);
                                                     } else {
-                                                        phi_2338_ = false;
+                                                        phi_2439_ = false;
                                                     }
-                                                    let _e1324 = phi_2338_;
-                                                    phi_2339_ = _e1324;
+                                                    let _e1324 = phi_2439_;
+                                                    phi_2440_ = _e1324;
                                                 }
-                                                let _e1326 = phi_2339_;
-                                                phi_2343_ = (((!(_e1143) && !(_e1179)) && (!(_e1216) && !(_e1252))) && (!(_e1290) && !(_e1326)));
+                                                let _e1326 = phi_2440_;
+                                                phi_2444_ = (((!(_e1143) && !(_e1179)) && (!(_e1216) && !(_e1252))) && (!(_e1290) && !(_e1326)));
                                             }
-                                            let _e1331 = phi_2343_;
-                                            phi_2344_ = _e1331;
-                                            phi_2345_ = _e1108;
+                                            let _e1331 = phi_2444_;
+                                            phi_2445_ = _e1331;
+                                            phi_2446_ = _e1108;
                                         } else {
-                                            phi_2344_ = bool();
-                                            phi_2345_ = true;
+                                            phi_2445_ = bool();
+                                            phi_2446_ = true;
                                         }
-                                        let _e1333 = phi_2344_;
-                                        let _e1335 = phi_2345_;
+                                        let _e1333 = phi_2445_;
+                                        let _e1335 = phi_2446_;
                                         if _e1335 {
-                                            phi_2349_ = false;
+                                            phi_2450_ = false;
                                         } else {
-                                            phi_2349_ = true;
+                                            phi_2450_ = true;
                                         }
-                                        let _e1337 = phi_2349_;
-                                        phi_2350_ = _e1333;
-                                        phi_2351_ = _e1337;
+                                        let _e1337 = phi_2450_;
+                                        phi_2451_ = _e1333;
+                                        phi_2452_ = _e1337;
                                     } else {
-                                        phi_2350_ = false;
-                                        phi_2351_ = true;
+                                        phi_2451_ = false;
+                                        phi_2452_ = true;
                                     }
-                                    let _e1339 = phi_2350_;
-                                    let _e1341 = phi_2351_;
-                                    phi_2352_ = _e1339;
-                                    phi_2353_ = _e1341;
+                                    let _e1339 = phi_2451_;
+                                    let _e1341 = phi_2452_;
+                                    phi_2453_ = _e1339;
+                                    phi_2454_ = _e1341;
                                 } else {
-                                    phi_2352_ = false;
-                                    phi_2353_ = true;
+                                    phi_2453_ = false;
+                                    phi_2454_ = true;
                                 }
-                                let _e1343 = phi_2352_;
-                                let _e1345 = phi_2353_;
+                                let _e1343 = phi_2453_;
+                                let _e1345 = phi_2454_;
                                 if _e1345 {
-                                    phi_2357_ = _e1343;
+                                    phi_2458_ = _e1343;
                                 } else {
-                                    phi_2357_ = true;
+                                    phi_2458_ = true;
                                 }
-                                let _e1347 = phi_2357_;
+                                let _e1347 = phi_2458_;
                                 if _e1347 {
                                     let _e1349 = atomicAdd((&counters[9u]), 1u);
                                 }
@@ -1346,17 +1346,17 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1351 = atomicAdd((&counters[7u]), 1u);
                                     hits[_e759] = ((2147483648u | (_e1351 << bitcast<u32>(12i))) | _e762);
                                 }
-                                phi_2373_ = true;
+                                phi_2474_ = true;
                             }
-                            let _e1358 = phi_2373_;
-                            phi_2374_ = _e1358;
+                            let _e1358 = phi_2474_;
+                            phi_2475_ = _e1358;
                         } else {
-                            phi_2374_ = false;
+                            phi_2475_ = false;
                         }
-                        let _e1360 = phi_2374_;
+                        let _e1360 = phi_2475_;
                         continue;
                         continuing {
-                            phi_1173_ = _e751;
+                            phi_1274_ = _e751;
                             break if !(_e1360);
                         }
                     }
@@ -1377,30 +1377,30 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     workgroupBarrier();
                     let _e1380 = atomicLoad((&counters[8u]));
-                    phi_2410_ = type_9(0u, 4u);
+                    phi_2511_ = type_9(0u, 4u);
                     loop {
-                        let _e1382 = phi_2410_;
+                        let _e1382 = phi_2511_;
                         if (_e1382.member < _e1382.member_1) {
-                            phi_2411_ = type_9((_e1382.member + 1u), _e1382.member_1);
-                            phi_2434_ = type_9(1u, _e1382.member);
+                            phi_2512_ = type_9((_e1382.member + 1u), _e1382.member_1);
+                            phi_2535_ = type_9(1u, _e1382.member);
                         } else {
-                            phi_2411_ = _e1382;
-                            phi_2434_ = type_9(0u, type_9().member_1);
+                            phi_2512_ = _e1382;
+                            phi_2535_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1394 = phi_2411_;
-                        let _e1396 = phi_2434_;
+                        let _e1394 = phi_2512_;
+                        let _e1396 = phi_2535_;
                         if (bitcast<i32>(_e1396.member) != 0i) {
                             let _e1402 = (_e52 + (_e1396.member_1 * 128u));
                             if (_e1402 >= _e737) {
-                                phi_2529_ = false;
+                                phi_2630_ = false;
                             } else {
                                 let _e1405 = hits[_e1402];
                                 if ((_e1405 & 2147483648u) == 0u) {
-                                    phi_2458_ = 4294967295u;
+                                    phi_2559_ = 4294967295u;
                                 } else {
-                                    phi_2458_ = ((_e1405 & 2147483647u) >> bitcast<u32>(12i));
+                                    phi_2559_ = ((_e1405 & 2147483647u) >> bitcast<u32>(12i));
                                 }
-                                let _e1412 = phi_2458_;
+                                let _e1412 = phi_2559_;
                                 if (_e1412 != 4294967295u) {
                                     let _e1416 = ((_e1405 >> bitcast<u32>(10i)) & 3u);
                                     let _e1423 = firsts[(2u * _e1416)];
@@ -1410,54 +1410,54 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1436 = (_e1380 + _e1412);
                                     if (_e72 == 1u) {
                                         if (_e1431.w < _e1434.w) {
-                                            phi_2510_ = type_9(_e1431.w, _e1434.w);
+                                            phi_2611_ = type_9(_e1431.w, _e1434.w);
                                         } else {
-                                            phi_2510_ = type_9(_e1434.w, _e1431.w);
+                                            phi_2611_ = type_9(_e1434.w, _e1431.w);
                                         }
-                                        let _e1443 = phi_2510_;
-                                        phi_2515_ = _e1443;
+                                        let _e1443 = phi_2611_;
+                                        phi_2616_ = _e1443;
                                     } else {
-                                        phi_2515_ = type_9(_e1431.w, _e1434.w);
+                                        phi_2616_ = type_9(_e1431.w, _e1434.w);
                                     }
-                                    let _e1445 = phi_2515_;
+                                    let _e1445 = phi_2616_;
                                     if (_e1436 < _e1364) {
                                         let _e1449 = (2u * _e1436);
                                         atomicStore((&output.member[(4u + _e1449)]), _e1445.member);
                                         atomicStore((&output.member[(_e1449 + 5u)]), _e1445.member_1);
                                     }
                                 }
-                                phi_2529_ = true;
+                                phi_2630_ = true;
                             }
-                            let _e1455 = phi_2529_;
-                            phi_2530_ = _e1455;
+                            let _e1455 = phi_2630_;
+                            phi_2631_ = _e1455;
                         } else {
-                            phi_2530_ = false;
+                            phi_2631_ = false;
                         }
-                        let _e1457 = phi_2530_;
+                        let _e1457 = phi_2631_;
                         continue;
                         continuing {
-                            phi_2410_ = _e1394;
+                            phi_2511_ = _e1394;
                             break if !(_e1457);
                         }
                     }
                     workgroupBarrier();
                     let _e1620 = local_5;
-                    phi_1059_ = _e1620;
+                    phi_1160_ = _e1620;
                 } else {
-                    phi_1059_ = type_9();
+                    phi_1160_ = type_9();
                 }
-                let _e1460 = phi_1059_;
+                let _e1460 = phi_1160_;
                 continue;
                 continuing {
-                    phi_1055_ = _e664;
-                    phi_1058_ = _e1460;
+                    phi_1156_ = _e664;
+                    phi_1159_ = _e1460;
                     break if !(_e670);
                 }
             }
         }
         continue;
         continuing {
-            phi_292_ = _e142;
+            phi_293_ = _e142;
             break if !(_e148);
         }
     }

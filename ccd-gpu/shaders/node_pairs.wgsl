@@ -88,69 +88,80 @@ var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_156_: u32;
-    var phi_193_: u32;
-    var phi_194_: u32;
-    var phi_202_: u32;
-    var phi_218_: u32;
-    var phi_241_: u32;
-    var phi_242_: u32;
-    var phi_245_: type_9;
-    var phi_246_: type_9;
-    var phi_269_: type_9;
-    var phi_316_: u32;
-    var phi_317_: u32;
-    var phi_325_: u32;
-    var phi_339_: u32;
-    var phi_399_: array<u32, 2>;
-    var phi_560_: bool;
-    var phi_598_: type_24;
-    var phi_607_: bool;
-    var phi_630_: u32;
-    var phi_633_: type_9;
-    var phi_636_: u32;
-    var phi_634_: type_9;
-    var phi_659_: type_9;
-    var phi_637_: u32;
+    var phi_158_: u32;
+    var phi_195_: u32;
+    var phi_196_: u32;
+    var phi_204_: u32;
+    var phi_220_: u32;
+    var phi_243_: u32;
+    var phi_244_: u32;
+    var phi_247_: type_9;
+    var phi_248_: type_9;
+    var phi_271_: type_9;
+    var phi_318_: u32;
+    var phi_319_: u32;
+    var phi_327_: u32;
+    var phi_341_: u32;
+    var phi_401_: array<u32, 2>;
+    var phi_562_: bool;
+    var phi_600_: type_24;
+    var phi_609_: bool;
+    var phi_632_: u32;
+    var phi_635_: type_9;
+    var phi_638_: u32;
+    var phi_636_: type_9;
+    var phi_661_: type_9;
+    var phi_639_: u32;
     var local: u32;
-    var phi_848_: u32;
-    var phi_854_: type_9;
-    var phi_857_: u32;
-    var phi_855_: type_9;
+    var phi_850_: u32;
+    var phi_874_: bool;
     var phi_880_: type_9;
-    var phi_903_: bool;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_910_: bool;
-    var phi_918_: bool;
-    var phi_926_: u32;
-    var phi_858_: u32;
-    var phi_927_: u32;
-    var phi_937_: type_9;
-    var phi_963_: u32;
-    var phi_966_: type_9;
-    var phi_969_: type_9;
-    var phi_967_: type_9;
-    var phi_992_: type_9;
-    var phi_1009_: type_9;
-    var phi_1012_: type_9;
-    var phi_1013_: type_9;
-    var phi_1035_: type_9;
+    var phi_883_: u32;
+    var phi_881_: type_9;
+    var phi_906_: type_9;
+    var phi_939_: bool;
+    var phi_947_: u32;
+    var phi_884_: u32;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_956_: type_9;
+    var phi_959_: u32;
+    var phi_957_: type_9;
+    var phi_982_: type_9;
+    var phi_1005_: bool;
+    var phi_1006_: bool;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1012_: bool;
+    var phi_1020_: bool;
+    var phi_1028_: u32;
+    var phi_960_: u32;
+    var phi_1029_: u32;
+    var phi_1039_: type_9;
+    var phi_1065_: u32;
+    var phi_1068_: type_9;
+    var phi_1071_: type_9;
     var phi_1069_: type_9;
-    var phi_1070_: bool;
-    var phi_1010_: type_9;
-    var phi_1071_: bool;
-    var phi_1079_: u32;
-    var phi_1116_: type_9;
-    var phi_1117_: type_9;
-    var phi_1140_: type_9;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_970_: type_9;
+    var phi_1094_: type_9;
+    var phi_1111_: type_9;
+    var phi_1114_: type_9;
+    var phi_1115_: type_9;
+    var phi_1137_: type_9;
+    var phi_1171_: type_9;
+    var phi_1172_: bool;
+    var phi_1112_: type_9;
+    var phi_1173_: bool;
+    var phi_1181_: u32;
+    var phi_1218_: type_9;
+    var phi_1219_: type_9;
+    var phi_1242_: type_9;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1072_: type_9;
     var local_1: u32;
     var local_2: u32;
-    var local_3: type_9;
+    var local_3: u32;
+    var local_4: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -158,493 +169,555 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e38 = id_2;
-    let _e39 = n_2;
-    let _e40 = lane_2;
-    let _e49 = ((_e38.y * _e39.x) + _e38.x);
-    let _e52 = (_e39.x * _e39.y);
-    let _e55 = params.member.member_1.member_2;
-    let _e57 = input.member[0u];
-    if (_e55 < _e57) {
-        phi_156_ = _e55;
+    let _e39 = id_2;
+    let _e40 = n_2;
+    let _e41 = lane_2;
+    let _e50 = ((_e39.y * _e40.x) + _e39.x);
+    let _e53 = (_e40.x * _e40.y);
+    let _e56 = params.member.member_1.member_2;
+    let _e58 = input.member[0u];
+    if (_e56 < _e58) {
+        phi_158_ = _e56;
     } else {
-        phi_156_ = _e57;
+        phi_158_ = _e58;
     }
-    let _e60 = phi_156_;
-    let _e61 = (_e40 / 32u);
-    let _e65 = params.member.member_1.member_1;
-    if (_e60 > _e65) {
-        let _e69 = params.member.member_1.member_1;
-        let _e70 = (_e60 - _e69);
-        let _e73 = params.member.member_2.member_3;
-        if (_e73 == 0u) {
+    let _e61 = phi_158_;
+    let _e62 = (_e41 / 32u);
+    let _e66 = params.member.member_1.member_1;
+    if (_e61 > _e66) {
+        let _e70 = params.member.member_1.member_1;
+        let _e71 = (_e61 - _e70);
+        let _e74 = params.member.member_2.member_3;
+        if (_e74 == 0u) {
             return;
         }
-        let _e75 = (_e70 / _e73);
-        if (_e73 == 0u) {
+        let _e76 = (_e71 / _e74);
+        if (_e74 == 0u) {
             return;
         }
-        if ((_e70 % _e73) > 0u) {
-            phi_193_ = (_e75 + 1u);
+        if ((_e71 % _e74) > 0u) {
+            phi_195_ = (_e76 + 1u);
         } else {
-            phi_193_ = _e75;
+            phi_195_ = _e76;
         }
-        let _e81 = phi_193_;
-        phi_194_ = _e81;
+        let _e82 = phi_195_;
+        phi_196_ = _e82;
     } else {
-        phi_194_ = 0u;
+        phi_196_ = 0u;
     }
-    let _e83 = phi_194_;
-    let _e86 = params.member.member_2.member_4;
-    if (_e86 < _e83) {
-        phi_202_ = _e86;
+    let _e84 = phi_196_;
+    let _e87 = params.member.member_2.member_4;
+    if (_e87 < _e84) {
+        phi_204_ = _e87;
     } else {
-        phi_202_ = _e83;
+        phi_204_ = _e84;
     }
-    let _e89 = phi_202_;
-    let _e90 = (_e89 / 4u);
-    if ((_e89 % 4u) > 0u) {
-        phi_218_ = (_e90 + 1u);
+    let _e90 = phi_204_;
+    let _e91 = (_e90 / 4u);
+    if ((_e90 % 4u) > 0u) {
+        phi_220_ = (_e91 + 1u);
     } else {
-        phi_218_ = _e90;
+        phi_220_ = _e91;
     }
-    let _e95 = phi_218_;
-    if (_e95 > _e49) {
-        let _e97 = (_e95 - _e49);
-        if (_e52 == 0u) {
+    let _e96 = phi_220_;
+    if (_e96 > _e50) {
+        let _e98 = (_e96 - _e50);
+        if (_e53 == 0u) {
             return;
         }
-        let _e99 = (_e97 / _e52);
-        if (_e52 == 0u) {
+        let _e100 = (_e98 / _e53);
+        if (_e53 == 0u) {
             return;
         }
-        if ((_e97 % _e52) > 0u) {
-            phi_241_ = (_e99 + 1u);
+        if ((_e98 % _e53) > 0u) {
+            phi_243_ = (_e100 + 1u);
         } else {
-            phi_241_ = _e99;
+            phi_243_ = _e100;
         }
-        let _e105 = phi_241_;
-        phi_242_ = _e105;
+        let _e106 = phi_243_;
+        phi_244_ = _e106;
     } else {
-        phi_242_ = 0u;
+        phi_244_ = 0u;
     }
-    let _e107 = phi_242_;
-    phi_245_ = type_9(0u, _e107);
+    let _e108 = phi_244_;
+    phi_247_ = type_9(0u, _e108);
     loop {
-        let _e110 = phi_245_;
-        if (_e110.member < _e110.member_1) {
-            phi_246_ = type_9((_e110.member + 1u), _e110.member_1);
-            phi_269_ = type_9(1u, _e110.member);
+        let _e111 = phi_247_;
+        if (_e111.member < _e111.member_1) {
+            phi_248_ = type_9((_e111.member + 1u), _e111.member_1);
+            phi_271_ = type_9(1u, _e111.member);
         } else {
-            phi_246_ = _e110;
-            phi_269_ = type_9(0u, type_9().member_1);
+            phi_248_ = _e111;
+            phi_271_ = type_9(0u, type_9().member_1);
         }
-        let _e122 = phi_246_;
-        let _e124 = phi_269_;
-        let _e128 = (bitcast<i32>(_e124.member) != 0i);
-        if _e128 {
-            let _e133 = (((_e49 + (_e124.member_1 * _e52)) * 4u) + (_e40 / 32u));
-            let _e136 = params.member.member_1.member_1;
-            if (_e60 > _e136) {
-                let _e140 = params.member.member_1.member_1;
-                let _e141 = (_e60 - _e140);
-                let _e144 = params.member.member_2.member_3;
-                if (_e144 == 0u) {
+        let _e123 = phi_248_;
+        let _e125 = phi_271_;
+        let _e129 = (bitcast<i32>(_e125.member) != 0i);
+        if _e129 {
+            let _e134 = (((_e50 + (_e125.member_1 * _e53)) * 4u) + (_e41 / 32u));
+            let _e137 = params.member.member_1.member_1;
+            if (_e61 > _e137) {
+                let _e141 = params.member.member_1.member_1;
+                let _e142 = (_e61 - _e141);
+                let _e145 = params.member.member_2.member_3;
+                if (_e145 == 0u) {
                     return;
                 }
-                let _e146 = (_e141 / _e144);
-                if (_e144 == 0u) {
+                let _e147 = (_e142 / _e145);
+                if (_e145 == 0u) {
                     return;
                 }
-                if ((_e141 % _e144) > 0u) {
-                    phi_316_ = (_e146 + 1u);
+                if ((_e142 % _e145) > 0u) {
+                    phi_318_ = (_e147 + 1u);
                 } else {
-                    phi_316_ = _e146;
+                    phi_318_ = _e147;
                 }
-                let _e152 = phi_316_;
-                phi_317_ = _e152;
+                let _e153 = phi_318_;
+                phi_319_ = _e153;
             } else {
-                phi_317_ = 0u;
+                phi_319_ = 0u;
             }
-            let _e154 = phi_317_;
-            let _e157 = params.member.member_2.member_4;
-            if (_e157 < _e154) {
-                phi_325_ = _e157;
+            let _e155 = phi_319_;
+            let _e158 = params.member.member_2.member_4;
+            if (_e158 < _e155) {
+                phi_327_ = _e158;
             } else {
-                phi_325_ = _e154;
+                phi_327_ = _e155;
             }
-            let _e160 = phi_325_;
-            let _e161 = (_e133 < _e160);
-            let _e164 = params.member.member_1.member_1;
-            let _e167 = params.member.member_2.member_3;
-            if _e161 {
-                phi_339_ = (_e133 * _e167);
+            let _e161 = phi_327_;
+            let _e162 = (_e134 < _e161);
+            let _e165 = params.member.member_1.member_1;
+            let _e168 = params.member.member_2.member_3;
+            if _e162 {
+                phi_341_ = (_e134 * _e168);
             } else {
-                phi_339_ = 0u;
+                phi_341_ = 0u;
             }
-            let _e170 = phi_339_;
-            let _e172 = (2u * (_e164 + _e170));
-            let _e175 = input.member[(4u + _e172)];
-            let _e178 = input.member[(_e172 + 5u)];
-            if (_e40 <= 7u) {
-                atomicStore((&counters[_e40]), 0u);
+            let _e171 = phi_341_;
+            let _e173 = (2u * (_e165 + _e171));
+            let _e176 = input.member[(4u + _e173)];
+            let _e179 = input.member[(_e173 + 5u)];
+            if (_e41 <= 7u) {
+                atomicStore((&counters[_e41]), 0u);
             }
             workgroupBarrier();
-            if ((_e40 % 32u) == 0u) {
-                firsts[(2u * _e61)] = (_e175 * 32u);
-                firsts[((2u * _e61) + 1u)] = (_e178 * 32u);
+            if ((_e41 % 32u) == 0u) {
+                firsts[(2u * _e62)] = (_e176 * 32u);
+                firsts[((2u * _e62) + 1u)] = (_e179 * 32u);
             }
-            let _e191 = params.member.member_2.member_1;
-            if (_e191 == 0u) {
-                phi_399_ = array<u32, 2>(0u, 2u);
+            let _e192 = params.member.member_2.member_1;
+            if (_e192 == 0u) {
+                phi_401_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_399_ = array<u32, 2>(1u, 1u);
+                phi_401_ = array<u32, 2>(1u, 1u);
             }
-            let _e194 = phi_399_;
-            let _e197 = (_e40 / 32u);
-            let _e198 = (_e40 % 32u);
-            let _e200 = params.member.member_2.member_2;
-            let _e204 = params.member.member_2.member[_e200][_e194[0]];
-            let _e207 = nodes.member[(_e204 + _e175)];
-            let _e221 = params.member.member_2.member_2;
-            let _e225 = params.member.member_2.member[_e221][_e194[1]];
-            let _e228 = nodes.member[(_e225 + _e178)];
-            let _e242 = params.member.member_2.member_2;
-            let _e249 = params.member.member_2.member[(_e242 - 1u)][_e194[0]];
-            let _e252 = nodes.member[(_e249 + ((_e175 * 32u) + _e198))];
-            let _e269 = params.member.member_2.member_2;
-            let _e276 = params.member.member_2.member[(_e269 - 1u)][_e194[1]];
-            let _e279 = nodes.member[(_e276 + ((_e178 * 32u) + _e198))];
-            if _e161 {
-                phi_560_ = ((((((_e252.member.x <= _e228.member_1.y) && (_e228.member.x <= _e252.member_1.y)) && (_e252.member.y <= _e228.member_2.x)) && (_e228.member.y <= _e252.member_2.x)) && (_e252.member_1.x <= _e228.member_2.y)) && (_e228.member_1.x <= _e252.member_2.y));
+            let _e195 = phi_401_;
+            let _e198 = (_e41 / 32u);
+            let _e199 = (_e41 % 32u);
+            let _e201 = params.member.member_2.member_2;
+            let _e205 = params.member.member_2.member[_e201][_e195[0]];
+            let _e208 = nodes.member[(_e205 + _e176)];
+            let _e222 = params.member.member_2.member_2;
+            let _e226 = params.member.member_2.member[_e222][_e195[1]];
+            let _e229 = nodes.member[(_e226 + _e179)];
+            let _e243 = params.member.member_2.member_2;
+            let _e250 = params.member.member_2.member[(_e243 - 1u)][_e195[0]];
+            let _e253 = nodes.member[(_e250 + ((_e176 * 32u) + _e199))];
+            let _e270 = params.member.member_2.member_2;
+            let _e277 = params.member.member_2.member[(_e270 - 1u)][_e195[1]];
+            let _e280 = nodes.member[(_e277 + ((_e179 * 32u) + _e199))];
+            if _e162 {
+                phi_562_ = ((((((_e253.member.x <= _e229.member_1.y) && (_e229.member.x <= _e253.member_1.y)) && (_e253.member.y <= _e229.member_2.x)) && (_e229.member.y <= _e253.member_2.x)) && (_e253.member_1.x <= _e229.member_2.y)) && (_e229.member_1.x <= _e253.member_2.y));
             } else {
-                phi_560_ = false;
+                phi_562_ = false;
             }
-            let _e304 = phi_560_;
-            if _e161 {
-                if ((((((_e279.member.x <= _e207.member_1.y) && (_e207.member.x <= _e279.member_1.y)) && (_e279.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e279.member_2.x)) && (_e279.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e279.member_2.y)) {
-                    let _e318 = atomicAdd((&counters[_e197]), 1u);
-                    let _e319 = ((_e197 * 32u) + _e318);
-                    columns[_e319] = type_24(array<f32, 3>(_e279.member.x, _e279.member.y, _e279.member_1.x), array<f32, 3>(_e279.member_1.y, _e279.member_2.x, _e279.member_2.y));
-                    names[_e319] = _e198;
+            let _e305 = phi_562_;
+            if _e162 {
+                if ((((((_e280.member.x <= _e208.member_1.y) && (_e208.member.x <= _e280.member_1.y)) && (_e280.member.y <= _e208.member_2.x)) && (_e208.member.y <= _e280.member_2.x)) && (_e280.member_1.x <= _e208.member_2.y)) && (_e208.member_1.x <= _e280.member_2.y)) {
+                    let _e319 = atomicAdd((&counters[_e198]), 1u);
+                    let _e320 = ((_e198 * 32u) + _e319);
+                    columns[_e320] = type_24(array<f32, 3>(_e280.member.x, _e280.member.y, _e280.member_1.x), array<f32, 3>(_e280.member_1.y, _e280.member_2.x, _e280.member_2.y));
+                    names[_e320] = _e199;
                 }
             }
-            if _e304 {
-                phi_598_ = type_24(array<f32, 3>(_e252.member.x, _e252.member.y, _e252.member_1.x), array<f32, 3>(_e252.member_1.y, _e252.member_2.x, _e252.member_2.y));
+            if _e305 {
+                phi_600_ = type_24(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member_1.x), array<f32, 3>(_e253.member_1.y, _e253.member_2.x, _e253.member_2.y));
             } else {
-                phi_598_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_600_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e326 = phi_598_;
+            let _e327 = phi_600_;
             workgroupBarrier();
-            let _e329 = params.member.member_2.member_1;
-            if (_e329 == 1u) {
-                phi_607_ = (_e175 == _e178);
+            let _e330 = params.member.member_2.member_1;
+            if (_e330 == 1u) {
+                phi_609_ = (_e176 == _e179);
             } else {
-                phi_607_ = false;
+                phi_609_ = false;
             }
-            let _e333 = phi_607_;
-            let _e334 = (_e40 / 32u);
-            let _e335 = (_e40 % 32u);
-            let _e336 = (_e334 * 32u);
-            let _e338 = atomicLoad((&counters[_e334]));
-            let _e339 = (_e338 / 4u);
-            if ((_e338 % 4u) > 0u) {
-                phi_630_ = (_e339 + 1u);
+            let _e334 = phi_609_;
+            let _e335 = (_e41 / 32u);
+            let _e336 = (_e41 % 32u);
+            let _e337 = (_e335 * 32u);
+            let _e339 = atomicLoad((&counters[_e335]));
+            let _e340 = (_e339 / 4u);
+            if ((_e339 % 4u) > 0u) {
+                phi_632_ = (_e340 + 1u);
             } else {
-                phi_630_ = _e339;
+                phi_632_ = _e340;
             }
-            let _e344 = phi_630_;
-            phi_633_ = type_9(0u, _e344);
-            phi_636_ = 0u;
+            let _e345 = phi_632_;
+            phi_635_ = type_9(0u, _e345);
+            phi_638_ = 0u;
             loop {
-                let _e347 = phi_633_;
-                let _e349 = phi_636_;
-                local = _e349;
-                local_1 = _e349;
-                if (_e347.member < _e347.member_1) {
-                    phi_634_ = type_9((_e347.member + 1u), _e347.member_1);
-                    phi_659_ = type_9(1u, _e347.member);
+                let _e348 = phi_635_;
+                let _e350 = phi_638_;
+                local = _e350;
+                local_1 = _e350;
+                if (_e348.member < _e348.member_1) {
+                    phi_636_ = type_9((_e348.member + 1u), _e348.member_1);
+                    phi_661_ = type_9(1u, _e348.member);
                 } else {
-                    phi_634_ = _e347;
-                    phi_659_ = type_9(0u, type_9().member_1);
+                    phi_636_ = _e348;
+                    phi_661_ = type_9(0u, type_9().member_1);
                 }
-                let _e361 = phi_634_;
-                let _e363 = phi_659_;
-                let _e367 = (bitcast<i32>(_e363.member) != 0i);
-                if _e367 {
-                    let _e368 = (4u * _e363.member_1);
-                    let _e371 = columns[(_e336 + _e368)];
-                    let _e410 = columns[((_e336 + _e368) + 1u)];
-                    let _e451 = columns[((_e336 + _e368) + 2u)];
-                    let _e492 = columns[((_e336 + _e368) + 3u)];
-                    phi_637_ = (_e349 | ((((select(0u, 1u, ((((((_e326.member[0] <= _e371.member_1[0]) && (_e371.member[0] <= _e326.member_1[0])) && (_e326.member[1] <= _e371.member_1[1])) && (_e371.member[1] <= _e326.member_1[1])) && (_e326.member[2] <= _e371.member_1[2])) && (_e371.member[2] <= _e326.member_1[2]))) << bitcast<u32>((_e368 & 31u))) | (select(0u, 1u, ((((((_e326.member[0] <= _e410.member_1[0]) && (_e410.member[0] <= _e326.member_1[0])) && (_e326.member[1] <= _e410.member_1[1])) && (_e410.member[1] <= _e326.member_1[1])) && (_e326.member[2] <= _e410.member_1[2])) && (_e410.member[2] <= _e326.member_1[2]))) << bitcast<u32>(((_e368 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e326.member[0] <= _e451.member_1[0]) && (_e451.member[0] <= _e326.member_1[0])) && (_e326.member[1] <= _e451.member_1[1])) && (_e451.member[1] <= _e326.member_1[1])) && (_e326.member[2] <= _e451.member_1[2])) && (_e451.member[2] <= _e326.member_1[2]))) << bitcast<u32>(((_e368 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e326.member[0] <= _e492.member_1[0]) && (_e492.member[0] <= _e326.member_1[0])) && (_e326.member[1] <= _e492.member_1[1])) && (_e492.member[1] <= _e326.member_1[1])) && (_e326.member[2] <= _e492.member_1[2])) && (_e492.member[2] <= _e326.member_1[2]))) << bitcast<u32>(((_e368 + 3u) & 31u)))));
+                let _e362 = phi_636_;
+                let _e364 = phi_661_;
+                let _e368 = (bitcast<i32>(_e364.member) != 0i);
+                if _e368 {
+                    let _e369 = (4u * _e364.member_1);
+                    let _e372 = columns[(_e337 + _e369)];
+                    let _e411 = columns[((_e337 + _e369) + 1u)];
+                    let _e452 = columns[((_e337 + _e369) + 2u)];
+                    let _e493 = columns[((_e337 + _e369) + 3u)];
+                    phi_639_ = (_e350 | ((((select(0u, 1u, ((((((_e327.member[0] <= _e372.member_1[0]) && (_e372.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e372.member_1[1])) && (_e372.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e372.member_1[2])) && (_e372.member[2] <= _e327.member_1[2]))) << bitcast<u32>((_e369 & 31u))) | (select(0u, 1u, ((((((_e327.member[0] <= _e411.member_1[0]) && (_e411.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e411.member_1[1])) && (_e411.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e411.member_1[2])) && (_e411.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e452.member_1[0]) && (_e452.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e452.member_1[1])) && (_e452.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e452.member_1[2])) && (_e452.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e493.member_1[0]) && (_e493.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e493.member_1[1])) && (_e493.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e493.member_1[2])) && (_e493.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 3u) & 31u)))));
                 } else {
-                    phi_637_ = u32();
+                    phi_639_ = u32();
                 }
-                let _e532 = phi_637_;
+                let _e533 = phi_639_;
                 continue;
                 continuing {
-                    phi_633_ = _e361;
-                    phi_636_ = _e532;
-                    break if !(_e367);
+                    phi_635_ = _e362;
+                    phi_638_ = _e533;
+                    break if !(_e368);
                 }
             }
-            if (_e338 < 32u) {
-                let _e540 = local;
-                phi_848_ = (_e540 & ((1u << bitcast<u32>((_e338 & 31u))) - 1u));
+            if (_e339 < 32u) {
+                let _e541 = local;
+                phi_850_ = (_e541 & ((1u << bitcast<u32>((_e339 & 31u))) - 1u));
             } else {
-                let _e811 = local_1;
-                phi_848_ = _e811;
+                let _e881 = local_1;
+                phi_850_ = _e881;
             }
-            let _e543 = phi_848_;
-            if _e333 {
-                phi_854_ = type_9(0u, _e338);
-                phi_857_ = _e543;
-                loop {
-                    let _e546 = phi_854_;
-                    let _e548 = phi_857_;
-                    local_2 = _e548;
-                    if (_e546.member < _e546.member_1) {
-                        phi_855_ = type_9((_e546.member + 1u), _e546.member_1);
-                        phi_880_ = type_9(1u, _e546.member);
-                    } else {
-                        phi_855_ = _e546;
-                        phi_880_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e560 = phi_855_;
-                    let _e562 = phi_880_;
-                    let _e566 = (bitcast<i32>(_e562.member) != 0i);
-                    if _e566 {
-                        let _e569 = names[(_e336 + _e562.member_1)];
-                        if _e333 {
-                            let _e570 = (_e335 < _e569);
-                            if _e570 {
-                                phi_904_ = bool();
-                            } else {
-                                if (_e335 == _e569) {
-                                    phi_903_ = true;
-                                } else {
-                                    phi_903_ = false;
-                                }
-                                let _e573 = phi_903_;
-                                phi_904_ = _e573;
-                            }
-                            let _e575 = phi_904_;
-                            phi_905_ = _e575;
-                            phi_906_ = _e570;
-                        } else {
-                            phi_905_ = bool();
-                            phi_906_ = true;
-                        }
-                        let _e577 = phi_905_;
-                        let _e579 = phi_906_;
-                        if _e579 {
-                            phi_910_ = true;
-                        } else {
-                            phi_910_ = _e577;
-                        }
-                        let _e581 = phi_910_;
-                        if _e581 {
-                            phi_918_ = false;
-                        } else {
-                            phi_918_ = true;
-                        }
-                        let _e583 = phi_918_;
-                        if _e583 {
-                            phi_926_ = (_e548 & ~((1u << bitcast<u32>((_e562.member_1 & 31u)))));
-                        } else {
-                            phi_926_ = _e548;
-                        }
-                        let _e590 = phi_926_;
-                        phi_858_ = _e590;
-                    } else {
-                        phi_858_ = u32();
-                    }
-                    let _e592 = phi_858_;
-                    continue;
-                    continuing {
-                        phi_854_ = _e560;
-                        phi_857_ = _e592;
-                        break if !(_e566);
-                    }
-                }
-                let _e826 = local_2;
-                phi_927_ = _e826;
-            } else {
-                phi_927_ = _e543;
-            }
-            let _e595 = phi_927_;
-            let _e597 = countOneBits(_e595);
-            if (_e597 > 0u) {
-                let _e600 = atomicAdd((&counters[4u]), _e597);
-                phi_937_ = type_9(_e595, _e600);
-            } else {
-                phi_937_ = type_9(_e595, 0u);
-            }
-            let _e603 = phi_937_;
-            workgroupBarrier();
-            if (_e40 == 0u) {
-                let _e606 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e606;
-            }
-            let _e609 = workgroupUniformLoad((&n_hits[0u]));
-            let _e610 = (_e609 / 512u);
-            if ((_e609 % 512u) > 0u) {
-                phi_963_ = (_e610 + 1u);
-            } else {
-                phi_963_ = _e610;
-            }
-            let _e615 = phi_963_;
-            phi_966_ = type_9(0u, _e615);
-            phi_969_ = _e603;
-            loop {
-                let _e618 = phi_966_;
-                let _e620 = phi_969_;
-                if (_e618.member < _e618.member_1) {
-                    phi_967_ = type_9((_e618.member + 1u), _e618.member_1);
-                    phi_992_ = type_9(1u, _e618.member);
+            let _e544 = phi_850_;
+            let _e547 = params.member.member.member_1;
+            if ((_e547 & 256u) != 0u) {
+                if ((bitcast<u32>(_e327.member_1[0]) & 1u) == 1u) {
+                    phi_874_ = true;
                 } else {
-                    phi_967_ = _e618;
-                    phi_992_ = type_9(0u, type_9().member_1);
+                    phi_874_ = !((_e327.member[0] <= _e327.member_1[0]));
                 }
-                let _e632 = phi_967_;
-                let _e634 = phi_992_;
-                let _e638 = (bitcast<i32>(_e634.member) != 0i);
-                if _e638 {
-                    let _e639 = (_e40 / 32u);
-                    let _e641 = (_e634.member_1 * 512u);
-                    phi_1009_ = _e620;
-                    phi_1012_ = type_9(0u, countOneBits(_e620.member));
+                let _e562 = phi_874_;
+                if _e562 {
+                    phi_880_ = type_9(0u, _e339);
+                    phi_883_ = _e544;
                     loop {
-                        let _e646 = phi_1009_;
-                        let _e648 = phi_1012_;
-                        local_3 = _e646;
-                        if (_e648.member < _e648.member_1) {
-                            phi_1013_ = type_9((_e648.member + 1u), _e648.member_1);
-                            phi_1035_ = type_9(1u, _e648.member);
+                        let _e565 = phi_880_;
+                        let _e567 = phi_883_;
+                        local_2 = _e567;
+                        if (_e565.member < _e565.member_1) {
+                            phi_881_ = type_9((_e565.member + 1u), _e565.member_1);
+                            phi_906_ = type_9(1u, _e565.member);
                         } else {
-                            phi_1013_ = _e648;
-                            phi_1035_ = type_9(0u, type_9().member_1);
+                            phi_881_ = _e565;
+                            phi_906_ = type_9(0u, type_9().member_1);
                         }
-                        let _e660 = phi_1013_;
-                        let _e662 = phi_1035_;
-                        if (bitcast<i32>(_e662.member) != 0i) {
-                            let _e667 = (_e646.member_1 - _e641);
-                            if (_e667 >= 512u) {
-                                phi_1069_ = type_9();
-                                phi_1070_ = false;
+                        let _e579 = phi_881_;
+                        let _e581 = phi_906_;
+                        let _e585 = (bitcast<i32>(_e581.member) != 0i);
+                        if _e585 {
+                            let _e588 = columns[(_e337 + _e581.member_1)];
+                            if ((bitcast<u32>(_e588.member_1[0]) & 1u) == 1u) {
+                                phi_939_ = true;
                             } else {
-                                let _e676 = names[((_e639 * 32u) + select(firstTrailingBit(_e646.member), 32u, (_e646.member == 0u)))];
-                                hits[_e667] = (((_e639 << bitcast<u32>(10i)) | ((_e40 % 32u) << bitcast<u32>(5i))) | _e676);
-                                phi_1069_ = type_9((_e646.member & (_e646.member - 1u)), (_e646.member_1 + 1u));
-                                phi_1070_ = true;
+                                phi_939_ = !((_e588.member[0] <= _e588.member_1[0]));
                             }
-                            let _e692 = phi_1069_;
-                            let _e694 = phi_1070_;
-                            phi_1010_ = _e692;
-                            phi_1071_ = _e694;
+                            let _e599 = phi_939_;
+                            if _e599 {
+                                phi_947_ = (_e567 & ~((1u << bitcast<u32>((_e581.member_1 & 31u)))));
+                            } else {
+                                phi_947_ = _e567;
+                            }
+                            let _e606 = phi_947_;
+                            phi_884_ = _e606;
                         } else {
-                            phi_1010_ = type_9();
-                            phi_1071_ = false;
+                            phi_884_ = u32();
                         }
-                        let _e696 = phi_1010_;
-                        let _e698 = phi_1071_;
+                        let _e608 = phi_884_;
                         continue;
                         continuing {
-                            phi_1009_ = _e696;
-                            phi_1012_ = _e660;
-                            break if !(_e698);
+                            phi_880_ = _e579;
+                            phi_883_ = _e608;
+                            break if !(_e585);
+                        }
+                    }
+                    let _e892 = local_2;
+                    phi_948_ = _e892;
+                } else {
+                    phi_948_ = _e544;
+                }
+                let _e611 = phi_948_;
+                phi_949_ = _e611;
+            } else {
+                phi_949_ = _e544;
+            }
+            let _e613 = phi_949_;
+            if _e334 {
+                phi_956_ = type_9(0u, _e339);
+                phi_959_ = _e613;
+                loop {
+                    let _e616 = phi_956_;
+                    let _e618 = phi_959_;
+                    local_3 = _e618;
+                    if (_e616.member < _e616.member_1) {
+                        phi_957_ = type_9((_e616.member + 1u), _e616.member_1);
+                        phi_982_ = type_9(1u, _e616.member);
+                    } else {
+                        phi_957_ = _e616;
+                        phi_982_ = type_9(0u, type_9().member_1);
+                    }
+                    let _e630 = phi_957_;
+                    let _e632 = phi_982_;
+                    let _e636 = (bitcast<i32>(_e632.member) != 0i);
+                    if _e636 {
+                        let _e639 = names[(_e337 + _e632.member_1)];
+                        if _e334 {
+                            let _e640 = (_e336 < _e639);
+                            if _e640 {
+                                phi_1006_ = bool();
+                            } else {
+                                if (_e336 == _e639) {
+                                    phi_1005_ = true;
+                                } else {
+                                    phi_1005_ = false;
+                                }
+                                let _e643 = phi_1005_;
+                                phi_1006_ = _e643;
+                            }
+                            let _e645 = phi_1006_;
+                            phi_1007_ = _e645;
+                            phi_1008_ = _e640;
+                        } else {
+                            phi_1007_ = bool();
+                            phi_1008_ = true;
+                        }
+                        let _e647 = phi_1007_;
+                        let _e649 = phi_1008_;
+                        if _e649 {
+                            phi_1012_ = true;
+                        } else {
+                            phi_1012_ = _e647;
+                        }
+                        let _e651 = phi_1012_;
+                        if _e651 {
+                            phi_1020_ = false;
+                        } else {
+                            phi_1020_ = true;
+                        }
+                        let _e653 = phi_1020_;
+                        if _e653 {
+                            phi_1028_ = (_e618 & ~((1u << bitcast<u32>((_e632.member_1 & 31u)))));
+                        } else {
+                            phi_1028_ = _e618;
+                        }
+                        let _e660 = phi_1028_;
+                        phi_960_ = _e660;
+                    } else {
+                        phi_960_ = u32();
+                    }
+                    let _e662 = phi_960_;
+                    continue;
+                    continuing {
+                        phi_956_ = _e630;
+                        phi_959_ = _e662;
+                        break if !(_e636);
+                    }
+                }
+                let _e908 = local_3;
+                phi_1029_ = _e908;
+            } else {
+                phi_1029_ = _e613;
+            }
+            let _e665 = phi_1029_;
+            let _e667 = countOneBits(_e665);
+            if (_e667 > 0u) {
+                let _e670 = atomicAdd((&counters[4u]), _e667);
+                phi_1039_ = type_9(_e665, _e670);
+            } else {
+                phi_1039_ = type_9(_e665, 0u);
+            }
+            let _e673 = phi_1039_;
+            workgroupBarrier();
+            if (_e41 == 0u) {
+                let _e676 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e676;
+            }
+            let _e679 = workgroupUniformLoad((&n_hits[0u]));
+            let _e680 = (_e679 / 512u);
+            if ((_e679 % 512u) > 0u) {
+                phi_1065_ = (_e680 + 1u);
+            } else {
+                phi_1065_ = _e680;
+            }
+            let _e685 = phi_1065_;
+            phi_1068_ = type_9(0u, _e685);
+            phi_1071_ = _e673;
+            loop {
+                let _e688 = phi_1068_;
+                let _e690 = phi_1071_;
+                if (_e688.member < _e688.member_1) {
+                    phi_1069_ = type_9((_e688.member + 1u), _e688.member_1);
+                    phi_1094_ = type_9(1u, _e688.member);
+                } else {
+                    phi_1069_ = _e688;
+                    phi_1094_ = type_9(0u, type_9().member_1);
+                }
+                let _e702 = phi_1069_;
+                let _e704 = phi_1094_;
+                let _e708 = (bitcast<i32>(_e704.member) != 0i);
+                if _e708 {
+                    let _e709 = (_e41 / 32u);
+                    let _e711 = (_e704.member_1 * 512u);
+                    phi_1111_ = _e690;
+                    phi_1114_ = type_9(0u, countOneBits(_e690.member));
+                    loop {
+                        let _e716 = phi_1111_;
+                        let _e718 = phi_1114_;
+                        local_4 = _e716;
+                        if (_e718.member < _e718.member_1) {
+                            phi_1115_ = type_9((_e718.member + 1u), _e718.member_1);
+                            phi_1137_ = type_9(1u, _e718.member);
+                        } else {
+                            phi_1115_ = _e718;
+                            phi_1137_ = type_9(0u, type_9().member_1);
+                        }
+                        let _e730 = phi_1115_;
+                        let _e732 = phi_1137_;
+                        if (bitcast<i32>(_e732.member) != 0i) {
+                            let _e737 = (_e716.member_1 - _e711);
+                            if (_e737 >= 512u) {
+                                phi_1171_ = type_9();
+                                phi_1172_ = false;
+                            } else {
+                                let _e746 = names[((_e709 * 32u) + select(firstTrailingBit(_e716.member), 32u, (_e716.member == 0u)))];
+                                hits[_e737] = (((_e709 << bitcast<u32>(10i)) | ((_e41 % 32u) << bitcast<u32>(5i))) | _e746);
+                                phi_1171_ = type_9((_e716.member & (_e716.member - 1u)), (_e716.member_1 + 1u));
+                                phi_1172_ = true;
+                            }
+                            let _e762 = phi_1171_;
+                            let _e764 = phi_1172_;
+                            phi_1112_ = _e762;
+                            phi_1173_ = _e764;
+                        } else {
+                            phi_1112_ = type_9();
+                            phi_1173_ = false;
+                        }
+                        let _e766 = phi_1112_;
+                        let _e768 = phi_1173_;
+                        continue;
+                        continuing {
+                            phi_1111_ = _e766;
+                            phi_1114_ = _e730;
+                            break if !(_e768);
                         }
                     }
                     workgroupBarrier();
-                    let _e701 = n_hits[0u];
-                    let _e702 = (_e701 - _e641);
-                    if (512u < _e702) {
-                        phi_1079_ = 512u;
+                    let _e771 = n_hits[0u];
+                    let _e772 = (_e771 - _e711);
+                    if (512u < _e772) {
+                        phi_1181_ = 512u;
                     } else {
-                        phi_1079_ = _e702;
+                        phi_1181_ = _e772;
                     }
-                    let _e705 = phi_1079_;
-                    if (_e40 == 0u) {
-                        atomicStore((&counters[7u]), _e705);
+                    let _e775 = phi_1181_;
+                    if (_e41 == 0u) {
+                        atomicStore((&counters[7u]), _e775);
                     }
                     workgroupBarrier();
-                    if (_e40 == 0u) {
-                        let _e710 = atomicLoad((&counters[7u]));
-                        if (_e710 > 0u) {
-                            let _e713 = atomicAdd((&output.member[0u]), _e710);
-                            if ((_e713 + _e710) < _e713) {
-                                let _e717 = atomicAdd((&output.member[2u]), 1u);
+                    if (_e41 == 0u) {
+                        let _e780 = atomicLoad((&counters[7u]));
+                        if (_e780 > 0u) {
+                            let _e783 = atomicAdd((&output.member[0u]), _e780);
+                            if ((_e783 + _e780) < _e783) {
+                                let _e787 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            atomicStore((&counters[8u]), _e713);
+                            atomicStore((&counters[8u]), _e783);
                         }
                         atomicStore((&counters[5u]), 0u);
                         atomicStore((&counters[6u]), 0u);
                         atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e723 = atomicLoad((&counters[8u]));
-                    phi_1116_ = type_9(0u, 4u);
+                    let _e793 = atomicLoad((&counters[8u]));
+                    phi_1218_ = type_9(0u, 4u);
                     loop {
-                        let _e725 = phi_1116_;
-                        if (_e725.member < _e725.member_1) {
-                            phi_1117_ = type_9((_e725.member + 1u), _e725.member_1);
-                            phi_1140_ = type_9(1u, _e725.member);
+                        let _e795 = phi_1218_;
+                        if (_e795.member < _e795.member_1) {
+                            phi_1219_ = type_9((_e795.member + 1u), _e795.member_1);
+                            phi_1242_ = type_9(1u, _e795.member);
                         } else {
-                            phi_1117_ = _e725;
-                            phi_1140_ = type_9(0u, type_9().member_1);
+                            phi_1219_ = _e795;
+                            phi_1242_ = type_9(0u, type_9().member_1);
                         }
-                        let _e737 = phi_1117_;
-                        let _e739 = phi_1140_;
-                        if (bitcast<i32>(_e739.member) != 0i) {
-                            let _e745 = (_e40 + (_e739.member_1 * 128u));
-                            if (_e745 >= _e705) {
-                                phi_1185_ = false;
+                        let _e807 = phi_1219_;
+                        let _e809 = phi_1242_;
+                        if (bitcast<i32>(_e809.member) != 0i) {
+                            let _e815 = (_e41 + (_e809.member_1 * 128u));
+                            if (_e815 >= _e775) {
+                                phi_1287_ = false;
                             } else {
-                                let _e748 = hits[_e745];
-                                let _e751 = ((_e748 >> bitcast<u32>(10i)) & 3u);
-                                let _e758 = firsts[(2u * _e751)];
-                                let _e763 = firsts[((2u * _e751) + 1u)];
-                                let _e767 = params.member.member_1.member_3;
-                                let _e768 = (_e723 + _e745);
-                                if (_e768 < _e767) {
-                                    let _e770 = (2u * _e768);
-                                    atomicStore((&output.member[(4u + _e770)]), (_e758 + ((_e748 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e770 + 5u)]), (_e763 + (_e748 & 31u)));
+                                let _e818 = hits[_e815];
+                                let _e821 = ((_e818 >> bitcast<u32>(10i)) & 3u);
+                                let _e828 = firsts[(2u * _e821)];
+                                let _e833 = firsts[((2u * _e821) + 1u)];
+                                let _e837 = params.member.member_1.member_3;
+                                let _e838 = (_e793 + _e815);
+                                if (_e838 < _e837) {
+                                    let _e840 = (2u * _e838);
+                                    atomicStore((&output.member[(4u + _e840)]), (_e828 + ((_e818 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e840 + 5u)]), (_e833 + (_e818 & 31u)));
                                 }
-                                phi_1185_ = true;
+                                phi_1287_ = true;
                             }
-                            let _e776 = phi_1185_;
-                            phi_1186_ = _e776;
+                            let _e846 = phi_1287_;
+                            phi_1288_ = _e846;
                         } else {
-                            phi_1186_ = false;
+                            phi_1288_ = false;
                         }
-                        let _e778 = phi_1186_;
+                        let _e848 = phi_1288_;
                         continue;
                         continuing {
-                            phi_1116_ = _e737;
-                            break if !(_e778);
+                            phi_1218_ = _e807;
+                            break if !(_e848);
                         }
                     }
                     workgroupBarrier();
-                    let _e849 = local_3;
-                    phi_970_ = _e849;
+                    let _e931 = local_4;
+                    phi_1072_ = _e931;
                 } else {
-                    phi_970_ = type_9();
+                    phi_1072_ = type_9();
                 }
-                let _e781 = phi_970_;
+                let _e851 = phi_1072_;
                 continue;
                 continuing {
-                    phi_966_ = _e632;
-                    phi_969_ = _e781;
-                    break if !(_e638);
+                    phi_1068_ = _e702;
+                    phi_1071_ = _e851;
+                    break if !(_e708);
                 }
             }
         }
         continue;
         continuing {
-            phi_245_ = _e122;
-            break if !(_e128);
+            phi_247_ = _e123;
+            break if !(_e129);
         }
     }
     return;

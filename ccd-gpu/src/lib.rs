@@ -54,6 +54,7 @@ mod shaders;
 mod sort;
 mod staging;
 mod step;
+mod threads;
 
 pub use adapter::{DeviceOptions, Info, Path, described};
 pub use broad_phase::BroadPhase;

@@ -6,9 +6,10 @@ use crate::clock::Instant;
 use crate::device::Device;
 use crate::error::Error;
 use crate::recorder::Timing;
+use crate::step::Goal;
 use crate::step::codimensional::Codimensional;
+use crate::step::cpu_fallback::{self, Host, Summary};
 use crate::step::frame::{Found, Frames};
-use crate::step::{Goal, cpu_fallback};
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
@@ -282,13 +283,14 @@ impl Engine {
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take(&mut self, found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
+    fn take(&mut self, mut found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
         let State { mesh, options, report } = &mut self.state;
         let decider = &Decider::new(options, window);
         let contacts = &mut report.contacts;
-        let mut open = found.open;
+        let mut open = std::mem::take(&mut found.open);
         if options.mode == Mode::Exact {
             // The device rejects; what it does not is decided here.
+            found.summary = Summary::default();
             for contact in contacts.drain(..) {
                 let of_kind = &mut open[(contact.kind == Kind::EdgeEdge) as usize];
                 of_kind.push(Pair { a: contact.a, b: contact.b });
@@ -300,24 +302,19 @@ impl Engine {
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
-        (report.toi, report.undecided) = cpu_fallback::summary(contacts);
-        let settles = report.undecided > 0 && options.min_distance == 0.0;
-        if settles {
-            let n_open = report.undecided as usize;
-            match given {
-                Precision::F32(x) => cpu_fallback::settle(mesh, x, decider, n_open, contacts),
-                Precision::F64(x) => cpu_fallback::settle(mesh, x, decider, n_open, contacts),
+        let (distance, summary) = (options.min_distance, &mut found.summary);
+        match given {
+            Precision::F32(x) => {
+                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
+            }
+            Precision::F64(x) => {
+                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
             }
         }
-        for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&open) {
-            match given {
-                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),
-                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, decider, contacts),
-            }
-        }
-        if settles || self.left_open.total() > 0 {
-            (report.toi, report.undecided) = cpu_fallback::summary(contacts);
-        }
+        let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);
+        let toi = undecided.fold(summary.toi, f64::min);
+        report.toi = toi.is_finite().then_some(toi);
+        report.undecided = summary.undecided.len() as u64;
         if goal.is_earliest() && options.mode == Mode::Conservative {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device =

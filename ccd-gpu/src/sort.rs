@@ -35,11 +35,6 @@ impl Sort {
         })
     }
 
-    /// Pairs that fit.
-    pub fn capacity(&self) -> u32 {
-        self.capacity
-    }
-
     /// Keys and values of one of both halves.
     pub fn half(&self, half: usize) -> [&wgpu::Buffer; 2] {
         [&self.keys[half], &self.values[half]]

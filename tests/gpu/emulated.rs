@@ -35,6 +35,9 @@ const LONG: [&str; 15] = [
     "uniform_boxes",
 ];
 
+/// No device is: twenty seconds of as many rounds as a filter can need.
+const LONGEST: &str = "dense_exclusions";
+
 /// Whether a test leaves out what others show: threads of this machine do the work of a GPU.
 pub fn is_thin(device: &Device) -> bool {
     let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
@@ -58,9 +61,11 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
         return None;
     }
     let of_kernels = || OF_KERNELS.iter().flat_map(|tests| tests.iter());
+    let long = "long on an emulated GPU";
     let why = match (info.path, info.wide) {
+        _ if name == LONGEST => long,
         (Path::Passthrough, true) => return None,
-        (Path::Wgsl, false) if LONG.contains(&name) => "long on an emulated GPU",
+        (Path::Wgsl, false) if LONG.contains(&name) => long,
         (Path::Wgsl, false) => return None,
         _ if name == "queries" || of_kernels().any(|(test, _)| *test == name) => return None,
         _ => "as on the most native device and the most portable",

@@ -44,7 +44,7 @@ fn check_faces_of_one_vertex(device: &Device) {
     x1[3] = [0.0, 0.0, 0.05];
     let options = Options::default().with_min_distance(0.1);
     let mut one = Session::new(device, &mesh, options.clone()).unwrap();
-    let mut group = Group::new(&[device.clone(), device.clone()], &mesh, options).unwrap();
+    let mut group = Group::new(&vec![device.clone(); 2], &mesh, options).unwrap();
     group.set_least_share(1);
     let want = &one.step(&x0, &x1).unwrap().contacts;
     assert_eq!(want.len(), 2);

@@ -235,6 +235,7 @@ fn check_fit(device: &Device) {
         order: bytes(&twin.order),
         edges: bytes(step.mesh.edges()),
         faces: bytes(step.mesh.faces()),
+        bodies: zeros::<u32>(1),
         nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
         leaves: zeros::<Leaf>(twin.leaves.len()),
     };

@@ -9,8 +9,8 @@ use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs
 use ccd::gpu::{BroadPhase, Device};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair, Verdict};
-use ccd_core::backend::broad_phase::block_bvh;
-use ccd_core::backend::layout::{LIST_HEADER, Path};
+use ccd_core::backend::broad_phase::block_bvh::{self, marked, sets, slot};
+use ccd_core::backend::layout::{Frame, LIST_HEADER, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -36,6 +36,26 @@ fn check_node_pairs(device: &Device) {
                 run(device, kernel.clone(), &twin.pass(kind, 2, above.len(), 50_000), groups);
             check_pairs("node pairs", want.clone(), entries(&done.output));
         }
+        // Pairs of nodes below which all stands still are left out.
+        let is_still = |set: usize, i: u32| (i + set as u32) % 3 > 0;
+        let mut nodes = twin.nodes.clone();
+        let tree = &twin.tree;
+        for set in 0..3 {
+            for (i, node) in (0..).zip(&mut nodes[slot(tree, 1, set, 0)..tree.slots[2][0] as usize])
+            {
+                if (tree.slots[1][set] + i) < tree.slots[1][set + 1] {
+                    *node = marked(node, is_still(set, i));
+                }
+            }
+        }
+        let mut p = twin.pass(kind, 2, above.len(), 50_000);
+        p.frame.flags |= Frame::FLAG_STILL;
+        let [a, b] = sets(kind);
+        let moves = |pair: &Pair| !(is_still(a, pair.a) && is_still(b, pair.b));
+        let moving: Vec<Pair> = want.iter().copied().filter(moves).collect();
+        assert!(moving.len() > 10 && moving.len() < want.len());
+        let done = run(device, NodePairs { nodes: bytes(&nodes), ..kernel.clone() }, &p, 3);
+        check_pairs("node pairs that move", moving, entries(&done.output));
         // A list that is too short counts everything and writes nothing beyond its end.
         let short = NodePairs { output: capacity(20), ..kernel };
         let words: Vec<u32> =

@@ -20,6 +20,7 @@ pub const TESTS: crate::Tests = &[
     ("rules", check_rules),
     ("rules_change", check_changes),
     ("worlds", check_worlds),
+    ("dense_exclusions", check_dense_exclusions),
     ("moving_bodies", check_moving_bodies),
 ];
 
@@ -32,6 +33,28 @@ fn check_moving_bodies(device: &Device) {
     let session = || Session::new(device, &mesh, options.clone()).expect("a session");
     moving_bodies::check("f32", (&mut session(), &mut session()), &narrow);
     moving_bodies::check("f64", (&mut session(), &mut session()), &far);
+}
+
+/// All boxes overlap, and each pair is looked for among excluded ones: as many rounds of loops as a
+/// filter can need, of which a software device allows 65,535 a thread.
+fn check_dense_exclusions(device: &Device) {
+    let Step { mesh, mut x0, mut x1 } = triangle_soup(1700, 0.2, 8);
+    // Apart from each other, all on one way that is longer than the scene.
+    x0.iter_mut().enumerate().for_each(|(v, p)| p[0] += 4.0 * (v / 3) as f64);
+    let way = 4.0 * 1700.0;
+    x1.clone_from(&x0);
+    x1.iter_mut().for_each(|p| *p = p.map(|c| c + way));
+    let n_edges = mesh.edges().len() as u32;
+    let apart = |by: u32| (0..n_edges - by).map(move |e| [e, e + by]);
+    let excluded: Vec<[u32; 2]> = (5..12).flat_map(apart).collect();
+    let bodies =
+        Bodies::new(&vec![0; mesh.n_vertices()]).with_excluded_features(Kind::EdgeEdge, &excluded);
+    let options = Options::default().with_bodies(bodies);
+    let want = ccd::step(&mesh, &x0, &x1, &options).unwrap();
+    assert!(want.candidates.ee > 10_000_000, "{:?}", want.candidates);
+    let mut session = Session::new(device, &mesh, options).unwrap();
+    let found = session.step(&x0, &x1).unwrap();
+    assert_eq!((found.candidates, found.n_contacts()), (want.candidates, want.n_contacts()));
 }
 
 /// Every vertex, edge and face by its place, in worlds.

@@ -196,7 +196,7 @@ pub fn check_decorations() {
             "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
-            "Plain" | "ContactSort" | "Worlds" => &[0],
+            "Plain" | "Worlds" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };
         let found = offsets(kernel.name);

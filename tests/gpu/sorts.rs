@@ -1,10 +1,13 @@
 //! The kernels that sort, each by itself and together: keys with values, contacts by their ids.
 
 use crate::support::{bytes, read, run, zeros};
-use ccd::gpu::bind::{ContactKeys, OrderContacts, SortCount, SortScan, SortScatter};
+use ccd::gpu::bind::{
+    CountContacts, OrderContacts, PlaceContacts, SortCount, SortScan, SortScatter,
+};
 use ccd::gpu::{Device, Sorter};
+use ccd_core::backend::kernel::contact_order::{LONGEST, ROWS, row, unordered};
 use ccd_core::backend::kernel::sort;
-use ccd_core::backend::layout::{ContactSort, Dispatch, Frame, Params, Plain, SortPass, Touch};
+use ccd_core::backend::layout::{Dispatch, Frame, Params, Plain, SortPass, Touch};
 use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests = &[
@@ -68,19 +71,33 @@ fn sort_pass(n: u32, args: SortPass) -> Params<SortPass> {
     Params { frame: Frame::default(), dispatch: Dispatch { n, ..Dispatch::default() }, args }
 }
 
-/// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them.
+/// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them. A
+/// bucket that is too long is said to be in no order, and loses nothing.
 fn check_order(device: &Device) {
     let mut random = Random::new(5);
-    let count = [300, 500, 200];
-    for (n, capacity) in [(0, 40), (1, 40), (5000, 6000), (6000, 6000)] {
-        let touches: Vec<Touch> = (0..n)
+    let longest = LONGEST + 1;
+    for (n, capacity, of_one) in [
+        (0, 40, 0),
+        (1, 40, 0),
+        (5000, 6000, 0),
+        (6000, 6000, 0),
+        (6000, 9000, longest),
+        (6000, 9000, longest + 1),
+    ] {
+        let count = [300, 500, 200];
+        let mut touches: Vec<Touch> = (0..n)
             .map(|i| {
-                let kind = random.below(2);
-                let (a, b) =
-                    (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
+                let kind = if i < of_one { 0 } else { random.below(2) };
+                let a = if i < of_one { 7 } else { random.below(count[kind as usize]) };
+                // Each pair once, in no order.
+                let b = i.wrapping_mul(2_654_435_761);
                 Touch { kind, state: i % 2, a, b, toi: [i, !i], approach: i % 3 }
             })
+            .filter(|t| of_one == 0 || t.toi[0] < of_one || (t.kind, t.a) != (0, 7))
             .collect();
+        let n = touches.len() as u32;
+        // Not all of a bucket one behind the other.
+        touches.sort_by_key(|t| t.b.reverse_bits());
         let mut list = bytes(&[n, 0, 0, 0]);
         list.extend(bytes(&touches));
         // What stands behind the last contact is left from another frame.
@@ -90,23 +107,28 @@ fn check_order(device: &Device) {
         let frame = Frame { count, ..Frame::default() };
         let dispatch = Dispatch { n: capacity, capacity_in: capacity, ..Dispatch::default() };
         let groups = capacity.div_ceil(256);
-        let mut order: Vec<u32> = vec![0; capacity as usize];
-        for pass in [0, 1] {
-            let p = Params { frame, dispatch, args: ContactSort { pass } };
-            let (contacts, keys) = (list.clone(), zeros::<u32>(capacity as usize));
-            let kernel = ContactKeys { contacts, keys, order: bytes(&order) };
-            let done = run(device, kernel, &p, groups);
-            let mut sorter = Sorter::new(device, capacity).unwrap();
-            (_, order) = sorter.sort(&read(&done.keys), &read(&done.order)).unwrap();
-        }
         let p = Params { frame, dispatch, args: Plain::default() };
-        let kernel = OrderContacts {
-            contacts: list,
-            order: bytes(&order),
-            ordered: zeros::<Touch>(capacity as usize),
-        };
-        let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
-        assert!(ordered[..n as usize] == want, "{n} contacts");
+        let (contacts, ranks) = (list.clone(), zeros::<u32>(capacity as usize));
+        let table = zeros::<u32>(unordered(&frame) as usize + 1);
+        let counted = run(device, CountContacts { contacts, table, ranks }, &p, groups);
+        let of_scan = Params { frame, dispatch, args: SortPass { shift: 0, n_tiles: row(&frame) } };
+        let SortScan { table } = run(device, SortScan { table: counted.table }, &of_scan, ROWS);
+        let (contacts, ranks) = (list.clone(), counted.ranks);
+        let slots = zeros::<u32>(capacity as usize);
+        let placed = PlaceContacts { contacts, table: table.clone(), ranks, slots };
+        let PlaceContacts { slots, .. } = run(device, placed, &p, groups);
+        let ordered = zeros::<Touch>(capacity as usize);
+        let done = run(device, OrderContacts { contacts: list, slots, ordered, table }, &p, groups);
+        let table: Vec<u32> = read(&done.table);
+        let mut ordered: Vec<Touch> = read(&done.ordered);
+        let is_long = of_one > longest;
+        assert_eq!(table[unordered(&frame) as usize], is_long as u32, "{n}, {of_one} of one");
+        let sorted = &mut ordered[..n as usize];
+        if is_long {
+            assert!(sorted != want);
+            sorted.sort_by_key(|t| (t.kind, t.a, t.b));
+        }
+        assert!(sorted == want, "{n} contacts, {of_one} of one");
         let behind = &ordered[n as usize..];
         assert!(behind.iter().all(|t| *t == Touch::default()), "written behind the last contact");
     }

@@ -39,10 +39,48 @@ impl Scan {
 
     /// Takes the positions of both ends of a step.
     pub fn take_all<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) {
-        for (p, q) in x0.iter().zip(x1) {
-            self.take(*p);
-            self.take(*q);
+        self.take_end(x0);
+        self.take_end(x1);
+    }
+
+    /// Takes positions, four at a time, so that the compiler makes vectors of their coordinates.
+    fn take_end<T: Real>(&mut self, x: &[[T; 3]]) {
+        const LANES: usize = 12;
+        let zero = T::splat(0.0);
+        let mut least = [T::splat(f32::INFINITY); LANES];
+        let mut greatest = [T::splat(f32::NEG_INFINITY); LANES];
+        // Zero until a coordinate is no number or infinite, then NaN.
+        let mut not_finite = [zero; LANES];
+        let mut rounding = [zero; LANES];
+        let (fours, rest) = x.as_chunks::<4>();
+        for four in fours {
+            let four = four.as_flattened();
+            for i in 0..LANES {
+                let c = four[i];
+                least[i] = Num::min(least[i], c);
+                greatest[i] = Num::max(greatest[i], c);
+                not_finite[i] = not_finite[i] + c * zero;
+                if T::UNIT.to_f64() < f32::UNIT as f64 {
+                    let rounded = T::from_f64(c.to_f64() as f32 as f64);
+                    rounding[i] = Num::max(rounding[i], Num::abs(rounded - c));
+                }
+            }
         }
+        let mut taken = Self::NONE;
+        for i in 0..LANES {
+            let [min, max] = [&mut taken.bounds.min[i % 3], &mut taken.bounds.max[i % 3]];
+            *min = Num::min(*min, least[i].to_f64());
+            *max = Num::max(*max, greatest[i].to_f64());
+            taken.exact &= rounding[i] == zero;
+            taken.finite &= not_finite[i] == zero;
+        }
+        for k in 0..3 {
+            // Of no position the one is infinity, the other its negative.
+            taken.finite &= taken.bounds.max[k] <= Error::MAX_COORDINATE;
+            taken.finite &= taken.bounds.min[k] >= -Error::MAX_COORDINATE;
+        }
+        *self = self.merged(&taken);
+        rest.iter().for_each(|p| self.take(*p));
     }
 
     /// Fails with the first coordinate of these positions, all of which were taken, that is not
@@ -224,6 +262,8 @@ pub fn slack_at(greatest: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
+    use alloc::vec::Vec;
 
     /// Corners of a cube of half side `reach` around `centre`, and points near its middle.
     fn check_table(centre: f64, reach: f64) {
@@ -253,6 +293,53 @@ mod tests {
                 (table.error as f64) < 1e-6 * (reach + centre.abs() * 1e-8) * table.scale + 3e-38,
                 "{centre:e} {reach:e}: {table:?}"
             );
+        }
+    }
+
+    #[test]
+    fn many_positions_at_once_are_as_one_by_one() {
+        fn check<T: Real>(x: &[[T; 3]]) -> Scan {
+            let (mut one_by_one, mut at_once) = (Scan::NONE, Scan::NONE);
+            x.iter().for_each(|p| one_by_one.take(*p));
+            at_once.take_all(&x[..x.len() / 2], &x[x.len() / 2..]);
+            assert_eq!(one_by_one.finite, at_once.finite, "{x:?}");
+            // Errors name the coordinate; nothing else is read of what is not finite.
+            assert!(!at_once.finite || one_by_one == at_once, "{x:?}");
+            at_once
+        }
+        let mut random = Random::new(7);
+        for n in 0..40 {
+            let narrow: Vec<[f32; 3]> = (0..n).map(|_| random.point().map(|c| c as f32)).collect();
+            let wide: Vec<[f64; 3]> = narrow.iter().map(|p| p.map(f64::from)).collect();
+            assert!(check(&narrow).exact && check(&wide).exact);
+            for at in 0..n {
+                for (special, is_fine) in [
+                    (f64::NAN, false),
+                    (f64::INFINITY, false),
+                    (f64::NEG_INFINITY, false),
+                    (1.1e100, false),
+                    (-1e100, true),
+                    (0.1, true),
+                    (1e-310, true),
+                    (1e39, true),
+                ] {
+                    let mut wide = wide.clone();
+                    wide[at][n % 3] = special;
+                    let scan = check(&wide);
+                    assert!(
+                        scan.finite == is_fine && !(is_fine && scan.exact),
+                        "{special} at {at} of {n}"
+                    );
+                    let mut narrow = narrow.clone();
+                    narrow[at][n % 3] = special as f32;
+                    let scan = check(&narrow);
+                    assert_eq!(
+                        scan.finite,
+                        (special as f32).is_finite(),
+                        "{special} at {at} of {n}"
+                    );
+                }
+            }
         }
     }
 

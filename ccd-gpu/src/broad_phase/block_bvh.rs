@@ -27,9 +27,29 @@ pub const DISPATCH_LIMIT: u32 = 1 << 20;
 /// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
-/// Pairs that a workgroup takes at most: each takes a thread up to a hundred rounds of its loops,
-/// see [`Device::groups`].
+/// Pairs of nodes that a workgroup takes at most: each takes a thread up to a hundred rounds of its
+/// loops, see [`Device::groups`].
 const PAIRS_A_GROUP: u32 = 512;
+
+/// Pairs of blocks that a workgroup takes at most. Four at a time take a thread up to 2,100 rounds:
+/// if all boxes overlap it has 32 candidates of them, each of which is looked for among excluded
+/// features in up to 32 rounds, in eight passes of four shares with rounds of their own.
+const BLOCK_PAIRS_A_GROUP: u32 = 96;
+
+/// What leaves are of.
+#[derive(Clone, Copy)]
+pub struct Features<'a> {
+    pub edges: &'a wgpu::Buffer,
+    pub faces: &'a wgpu::Buffer,
+    pub bodies: &'a wgpu::Buffer,
+}
+
+impl<'a> Features<'a> {
+    /// Of boxes alone: no topology and no bodies, so that any buffer does for them.
+    pub fn none(any: &'a wgpu::Buffer) -> Self {
+        Self { edges: any, faces: any, bodies: any }
+    }
+}
 
 /// A pass over a list of pairs of nodes.
 #[derive(Clone, Copy, Debug)]
@@ -208,14 +228,13 @@ impl Tree {
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
-        edges: &wgpu::Buffer,
-        faces: &wgpu::Buffer,
+        Features { edges, faces, bodies }: Features,
     ) {
         let Self { boxes, nodes, leaves, .. } = self;
         let [_, order] = self.sorted();
         let mut p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
         recorder.each(
-            &FitLeaves { boxes, order, edges, faces, nodes, leaves },
+            &FitLeaves { boxes, order, edges, faces, bodies, nodes, leaves },
             &p,
             self.levels.padded(0),
         );
@@ -280,8 +299,11 @@ impl Tree {
         mut run: impl FnMut(&Params<Blocks>),
     ) {
         let Pass { kind, level, step } = pass;
-        let limit = if level == 1 { BLOCK_LIMIT } else { DISPATCH_LIMIT };
-        let limit = limit.min(self.groups * PAIRS_A_GROUP);
+        let limit = if level == 1 {
+            BLOCK_LIMIT.min(self.groups * BLOCK_PAIRS_A_GROUP)
+        } else {
+            DISPATCH_LIMIT.min(self.groups * PAIRS_A_GROUP)
+        };
         let args = Blocks { kind, level, step, limit, ..self.record() };
         let (capacity_in, capacity_out) = (input.capacity(), output.capacity());
         for part in 0..capacity_in.div_ceil(step).div_ceil(limit) {

@@ -1,6 +1,6 @@
 //! Blocks as a source that lists pairs: sort, fit, descent, and the boxes of each pair of blocks.
 
-use super::block_bvh::{Pass, Tree};
+use super::block_bvh::{Features, Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
 use crate::bind::ListCandidates;
@@ -26,7 +26,7 @@ impl PairSource for Tree {
             self.sort(recorder, frame, search.n_bounding);
         }
         recorder.stage("build");
-        self.fit(recorder, frame, none, none);
+        self.fit(recorder, frame, Features::none(none));
         recorder.stage("block pairs");
         self.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");

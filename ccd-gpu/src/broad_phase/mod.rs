@@ -5,6 +5,7 @@ pub mod block_bvh;
 mod block_descent;
 mod block_levels;
 mod block_pairs;
+mod box_check;
 mod builder;
 mod descended;
 mod front;
@@ -19,7 +20,6 @@ mod scheduler;
 mod stages;
 mod sweep_by_end_points;
 mod tree;
-mod upload;
 pub mod worker_counts;
 pub mod worlds;
 
@@ -28,6 +28,7 @@ use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
+use crate::staging;
 use ccd_core::Aabb;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -205,7 +206,7 @@ impl BroadPhase {
 
     fn send(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<(), Error> {
         for boxes in sets {
-            upload::check(boxes)?;
+            box_check::check(boxes)?;
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
@@ -228,7 +229,8 @@ impl BroadPhase {
         };
         let mut at = 0;
         for boxes in sets {
-            upload::send(device, buffers.source.boxes(), at, boxes)?;
+            let to = (buffers.source.boxes(), at);
+            staging::write_once(device, "boxes", to, boxes.len(), |i| boxes[i])?;
             at += size_of_val(boxes) as u64;
         }
         self.is_sent = true;

@@ -6,7 +6,7 @@
 //! of a device is slow, so that `simultaneous` is a CPU's.
 
 use super::binary_tree::BinaryTree;
-use super::block_bvh::Tree;
+use super::block_bvh::{Features, Tree};
 use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
@@ -139,8 +139,6 @@ impl PairSource for TreeSource {
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
         let Self { blocks, trees, .. } = self;
-        // Boxes alone: no topology, so that any buffer does for edges and faces.
-        let none = blocks.bounds();
         let frame = &Frame { flags: 0, ..*search.frame };
         if !search.keeps_order {
             recorder.stage("codes");
@@ -149,7 +147,7 @@ impl PairSource for TreeSource {
             trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
         }
         recorder.stage("build");
-        blocks.fit(recorder, frame, none, none);
+        blocks.fit(recorder, frame, Features::none(blocks.bounds()));
         recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         if let Some(oriented) = &self.oriented {

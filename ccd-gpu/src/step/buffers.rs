@@ -21,7 +21,7 @@ const TOUCH_WORDS: u32 = (size_of::<Touch>() / 4) as u32;
 /// Everything on the device.
 pub struct Buffers {
     pub source: Source,
-    count: [u32; 3],
+    pub count: [u32; 3],
     /// Most workgroups of a kernel that loops over a list.
     pub groups: u32,
     pub positions: Positions,
@@ -201,10 +201,8 @@ impl Buffers {
 fn bodies_of(device: &Device, rules: Option<&Rules>) -> Result<(wgpu::Buffer, u32), Error> {
     let (words, table) = rules.map_or((&[][..], &[][..]), |rules| (rules.words(), rules.table()));
     let buffer = device.sent("bodies", &[words, table].concat())?;
-    let flags = match rules {
-        None => 0,
-        Some(rules) if rules.has_table() => Frame::FLAG_BODIES | Frame::FLAG_RULES,
-        Some(_) => Frame::FLAG_BODIES,
-    };
-    Ok((buffer, flags))
+    let flag = |is: fn(&Rules) -> bool, flag| if rules.is_some_and(is) { flag } else { 0 };
+    let of_table = flag(Rules::has_table, Frame::FLAG_RULES);
+    let still = flag(|rules| !rules.still().is_empty(), Frame::FLAG_STILL);
+    Ok((buffer, flag(|_| true, Frame::FLAG_BODIES) | of_table | still))
 }

@@ -2,145 +2,144 @@
 //! counted, with the earliest time of all; what the device left open is decided; and contacts get
 //! their canonical order, where they do not have it.
 
+use crate::threads;
 use ccd_core::Real;
 use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 
-/// Pairs that a thread takes at least: what a device leaves open are mostly ties, of which one
-/// takes as long as to start a thread.
-const MIN_SHARE: usize = 16;
-/// Contacts that `f64` left open, of the same; some take tens of microseconds.
-const MIN_OPEN: usize = 8;
+/// Pairs that are worth another thread: what a device leaves open are mostly ties, which take some
+/// ten microseconds each.
+const TIES: usize = 4;
+/// Contacts of a device's list, of the same.
+const TOUCHES: usize = 8192;
 
-/// Contacts that a thread takes at least as a device wrote them.
-const MIN_TOUCHES: usize = 25_000;
+/// What contacts say together.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// The earliest time of those that are certain; infinity of none.
+    pub toi: f64,
+    /// Places of those that are undecided.
+    pub undecided: Vec<u32>,
+}
 
-/// Decides pairs on all cores and appends those that touch or stay undecided.
-pub fn decide<T: Real>(
-    mesh: &Mesh,
-    kind: Kind,
-    pairs: &[Pair],
-    x: [&[[T; 3]]; 2],
-    decider: &Decider,
-    out: &mut Vec<Contact>,
-) {
-    let one = |&pair: &Pair| decider.contact(mesh, kind, pair, x);
-    let share = pairs.len().div_ceil(cores()).max(MIN_SHARE);
-    // Also where there is one thread, which can start no other: in a browser.
-    if pairs.len() <= share {
-        out.extend(pairs.iter().filter_map(one));
-        return;
+impl Default for Summary {
+    fn default() -> Self {
+        Self { toi: f64::INFINITY, undecided: Vec::new() }
     }
-    std::thread::scope(|scope| {
-        let threads: Vec<_> = pairs
-            .chunks(share)
-            .map(|part| scope.spawn(move || part.iter().filter_map(one).collect::<Vec<_>>()))
-            .collect();
-        for thread in threads {
-            match thread.join() {
-                Ok(found) => out.extend(found),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-    });
 }
 
-/// Decides again, in place, the `n_open` contacts that a device left undecided, at least one, and
-/// drops what is no contact.
-pub fn settle<T: Real>(
-    mesh: &Mesh,
-    x: [&[[T; 3]]; 2],
-    decider: &Decider,
-    n_open: usize,
-    contacts: &mut Vec<Contact>,
-) {
-    // NaN: none; no contact has such a time.
-    let settle = |part: &mut [Contact]| {
-        for contact in part.iter_mut().filter(|contact| contact.state == State::Undecided) {
-            let pair = Pair { a: contact.a, b: contact.b };
-            match decider.contact(mesh, contact.kind, pair, x) {
-                Some(decided) => *contact = decided,
-                None => contact.toi = f64::NAN,
+impl Summary {
+    /// Adds contacts, of which the first has this place.
+    fn add(&mut self, first: usize, contacts: &[Contact]) {
+        for (contact, at) in contacts.iter().zip(first..) {
+            match contact.state {
+                State::Undecided => self.undecided.push(at as u32),
+                _ => self.toi = self.toi.min(contact.toi),
             }
         }
-    };
-    let share = contacts.len().div_ceil(n_open.div_ceil(MIN_OPEN).min(cores()));
-    std::thread::scope(|scope| {
-        let mut parts = contacts.chunks_mut(share);
-        let own = parts.next();
-        for part in parts {
-            scope.spawn(move || settle(part));
-        }
-        own.map(settle)
-    });
-    contacts.retain(|contact| !contact.toi.is_nan());
-}
-
-fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, |n| n.get())
+    }
 }
 
 /// The contacts of a list as a device wrote them, without its header, in the memory of others: what
-/// stands there is overwritten, by several threads, and nothing is written twice.
-pub fn take_touches(bytes: &[u8], spare: &mut Vec<Contact>) -> Vec<Contact> {
+/// stands there is overwritten, and nothing is written twice.
+pub fn take_touches(bytes: &[u8], spare: &mut Vec<Contact>) -> (Vec<Contact>, Summary) {
     const NONE: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
     let mut out = std::mem::take(spare);
     out.resize(bytes.len() / size_of::<Touch>(), NONE);
-    let take = |(out, bytes): (&mut [Contact], &[u8])| {
-        for (contact, touch) in out.iter_mut().zip(bytes.chunks_exact(size_of::<Touch>())) {
+    let mut summaries = vec![Summary::default(); out.len().div_ceil(TOUCHES)];
+    let parts = out.chunks_mut(TOUCHES).zip(bytes.chunks(TOUCHES * size_of::<Touch>()));
+    threads::copy(parts.zip(&mut summaries).enumerate(), |(part, ((out, bytes), summary))| {
+        // Several minima, because each of a chain of them waits for the one before.
+        let (mut least, mut any_open) = ([f64::INFINITY; 4], false);
+        let touches = bytes.chunks_exact(size_of::<Touch>());
+        for (i, (contact, touch)) in out.iter_mut().zip(touches).enumerate() {
             *contact = Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch));
+            let (is_open, least) = (contact.state == State::Undecided, &mut least[i % 4]);
+            *least = if !is_open && contact.toi < *least { contact.toi } else { *least };
+            any_open |= is_open;
         }
-    };
-    let share = out.len().div_ceil(cores()).max(MIN_TOUCHES);
-    std::thread::scope(|scope| {
-        let mut parts = out.chunks_mut(share).zip(bytes.chunks(share * size_of::<Touch>()));
-        let own = parts.next();
-        for part in parts {
-            scope.spawn(move || take(part));
+        if any_open {
+            summary.add(part * TOUCHES, out);
         }
-        own.map(take)
+        summary.toi = least.into_iter().fold(summary.toi, f64::min);
     });
-    out
+    let all = summaries.into_iter().reduce(|mut all, mut part| {
+        all.toi = all.toi.min(part.toi);
+        all.undecided.append(&mut part.undecided);
+        all
+    });
+    (out, all.unwrap_or_default())
 }
 
-/// Contacts that a thread looks through in the time that it takes to start it.
-const MANY: usize = 100_000;
+/// Contacts with what they say together.
+pub type Listed<'a> = (&'a mut Vec<Contact>, &'a mut Summary);
 
-/// The earliest time of all contacts, and how many are undecided.
-pub fn summary(contacts: &[Contact]) -> (Option<f64>, u64) {
-    let share = contacts.len().div_ceil(cores()).max(MANY);
-    let found = std::thread::scope(|scope| {
-        let mut parts = contacts.chunks(share);
-        let own = parts.next();
-        let others: Vec<_> = parts.map(|part| scope.spawn(move || summary_of(part))).collect();
-        let joined = |other: std::thread::ScopedJoinHandle<_>| {
-            other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        own.map(summary_of).into_iter().chain(others.into_iter().map(joined)).reduce(
-            |(toi, undecided): (f64, u64), other: (f64, u64)| {
-                (toi.min(other.0), undecided + other.1)
-            },
-        )
-    });
-    (found.map(|found| found.0), found.map_or(0, |found| found.1))
+/// What decides pairs on the host.
+pub struct Host<'a, T> {
+    pub mesh: &'a Mesh,
+    /// Positions as they were given.
+    pub x: [&'a [[T; 3]]; 2],
+    pub decider: &'a Decider,
 }
 
-/// The same of some. In one pass, and by several minima at once, because each of a chain of minima
-/// waits for the one before.
-fn summary_of(contacts: &[Contact]) -> (f64, u64) {
-    let (mut least, mut undecided) = ([f64::INFINITY; 8], 0);
-    for some in contacts.chunks(least.len()) {
-        for (least, contact) in least.iter_mut().zip(some) {
-            *least = least.min(contact.toi);
-            undecided += (contact.state == State::Undecided) as u64;
+impl<T: Real> Host<'_, T> {
+    /// Decides what a device left open: contacts that it wrote as undecided, unless there is a
+    /// minimum distance, and pairs of both kinds.
+    pub fn finish(&self, min_distance: f64, open: &[Vec<Pair>; 2], (contacts, summary): Listed) {
+        if min_distance == 0.0 {
+            self.settle((contacts, summary));
+        }
+        for (kind, pairs) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(open) {
+            self.decide(kind, pairs, (contacts, summary));
         }
     }
-    (least.into_iter().fold(f64::INFINITY, f64::min), undecided)
+
+    fn contact(&self, kind: Kind, pair: Pair) -> Option<Contact> {
+        self.decider.contact(self.mesh, kind, pair, self.x)
+    }
+
+    /// Decides again, in place, the contacts that a device left undecided, and drops those that are
+    /// none.
+    fn settle(&self, (contacts, summary): Listed) {
+        let open = std::mem::take(&mut summary.undecided);
+        let mut settled = vec![None; open.len()];
+        let parts = open.chunks(TIES).zip(settled.chunks_mut(TIES));
+        threads::each(parts, |(open, settled)| {
+            for (&at, settled) in open.iter().zip(settled) {
+                let Contact { kind, a, b, .. } = contacts[at as usize];
+                *settled = self.contact(kind, Pair { a, b });
+            }
+        });
+        // In order, so that what is kept moves to a place that is free already.
+        let (mut kept, mut next) = (0, 0);
+        for (at, settled) in open.into_iter().map(|at| at as usize).zip(settled) {
+            contacts.copy_within(next..at, kept);
+            (kept, next) = (kept + at - next, at + 1);
+            if let Some(contact) = settled {
+                summary.add(kept, &[contact]);
+                contacts[kept] = contact;
+                kept += 1;
+            }
+        }
+        contacts.copy_within(next.., kept);
+        contacts.truncate(kept + contacts.len() - next);
+    }
+
+    /// Decides pairs and appends those that touch or stay undecided.
+    fn decide(&self, kind: Kind, pairs: &[Pair], (contacts, summary): Listed) {
+        let before = contacts.len();
+        let mut parts = vec![Vec::new(); pairs.len().div_ceil(TIES)];
+        threads::each(pairs.chunks(TIES).zip(&mut parts), |(pairs, found)| {
+            found.extend(pairs.iter().filter_map(|&pair| self.contact(kind, pair)));
+        });
+        parts.iter().for_each(|found| contacts.extend_from_slice(found));
+        summary.add(before, &contacts[before..]);
+    }
 }
 
-/// Puts contacts in their canonical order.
+/// Puts contacts in their canonical order; it takes less if most are.
 pub fn sort(contacts: &mut [Contact]) {
-    contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+    contacts.sort_by_key(|c| (c.kind, c.a, c.b));
 }

@@ -3,6 +3,7 @@
 
 use super::buffers::Buffers;
 use super::contact_geometry::Geometry;
+use super::cpu_fallback::Summary;
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::TrianglePairs;
 use super::{Goal, WHOLE};
@@ -70,6 +71,8 @@ pub struct Found {
     /// If pairs of triangles were looked for.
     pub triangles: Option<TriangleCounts>,
     pub open: [Vec<Pair>; 2],
+    /// Of the contacts that the device listed.
+    pub summary: Summary,
     /// Whether contacts are in their order already.
     pub in_order: bool,
 }

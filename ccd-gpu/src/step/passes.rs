@@ -6,6 +6,7 @@ use super::{Goal, SAMPLE};
 use crate::bind::{
     Decide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
+use crate::broad_phase::block_bvh::Features;
 use crate::growable_list::{HEADER_BYTES, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::swept_box;
@@ -27,6 +28,8 @@ impl Buffers {
             recorder.copy(&self.never, 0, earliest, 0, 4);
         }
         self.source.clear(recorder, self.keeps_order);
+        let contact_order = self.order.as_ref().filter(|_| self.to_order > 0);
+        contact_order.inspect(|order| order.clear(recorder, frame));
         recorder.stage("boxes");
         let mut paths = &self.positions.paths;
         self.sweep(recorder, frame, paths, self.positions.boxes);
@@ -39,7 +42,7 @@ impl Buffers {
         if !self.keeps_order {
             self.source.order(recorder, frame);
         }
-        self.source.fit(recorder, frame, &self.edges, &self.faces);
+        self.source.fit(recorder, frame, self.features());
         match goal {
             Goal::Candidates => {
                 self.source.find(recorder, frame, self.keeps_order);
@@ -51,7 +54,7 @@ impl Buffers {
             Goal::Contacts => {
                 let keep = Frame { flags: frame.flags | Frame::FLAG_KEEP, ..*frame };
                 self.contacts(recorder, &keep, paths, 1, wide);
-                if let Some(order) = self.order.as_ref().filter(|_| self.to_order > 0) {
+                if let Some(order) = contact_order {
                     recorder.stage("order contacts");
                     order.run(recorder, &keep, &self.contacts, self.to_order);
                 }
@@ -92,7 +95,7 @@ impl Buffers {
         }
         self.clear(recorder, Goal::Earliest, wide);
         let cut = self.shorten(recorder, frame);
-        self.source.fit(recorder, &cut, &self.edges, &self.faces);
+        self.source.fit(recorder, &cut, self.features());
         self.contacts(recorder, &cut, &self.shortened, 1, wide);
     }
 
@@ -170,6 +173,10 @@ impl Buffers {
                 recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
             }
         }
+    }
+
+    fn features(&self) -> Features<'_> {
+        Features { edges: &self.edges, faces: &self.faces, bodies: &self.bodies }
     }
 
     /// Faces, or edges, as pairs of a kind have them.

@@ -2,7 +2,7 @@
 //! any other source, which lists pairs first, of features or of triangles.
 
 use super::triangle_pairs::TrianglePairs;
-use crate::broad_phase::block_bvh::Tree;
+use crate::broad_phase::block_bvh::{Features, Tree};
 use crate::broad_phase::method;
 use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::worlds::Worlds;
@@ -187,16 +187,10 @@ impl Source {
     }
 
     /// What is built over boxes.
-    pub fn fit(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        edges: &wgpu::Buffer,
-        faces: &wgpu::Buffer,
-    ) {
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, features: Features) {
         if let Self::Blocks(tree) = self {
             recorder.stage("build");
-            tree.fit(recorder, frame, edges, faces);
+            tree.fit(recorder, frame, features);
         }
     }
 

@@ -15,6 +15,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List, parts};
 use crate::readback::word;
 use crate::recorder::Recorder;
+use crate::threads;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Dispatch, Expansion, Frame, Pair, Params, Plain, Triangle};
 use ccd_core::backend::rules::Rules;
@@ -29,7 +30,6 @@ use ccd_core::model::pipeline::TriangleOptions;
 use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
 use std::ops::Range;
-use std::thread;
 use wgpu::BufferUsages as U;
 
 /// Bytes of all counts.
@@ -172,16 +172,7 @@ impl TrianglePairs {
     pub fn certify(&mut self, device: &Device, mesh: &Mesh, given: Given) -> Result<(), Error> {
         let Some(regions) = &mut self.regions else { return Ok(()) };
         regions.certify(mesh, given, |roots, certify| {
-            let threads = thread::available_parallelism().map_or(1, |n| n.get());
-            let share = roots.len().div_ceil(threads).max(1);
-            thread::scope(|scope| {
-                let mut parts = roots.chunks_mut(share);
-                let own = parts.next();
-                for part in parts {
-                    scope.spawn(move || part.iter_mut().for_each(certify));
-                }
-                own.into_iter().flatten().for_each(certify);
-            });
+            threads::each(roots.iter_mut(), certify);
         });
         let words = bytemuck::cast_slice(regions.of_face());
         device.write("free regions", &self.inputs.of_triangle, 0, words)

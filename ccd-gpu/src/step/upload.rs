@@ -3,7 +3,8 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::staging::{self, Staging};
+use crate::staging::Staging;
+use crate::threads;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
@@ -40,14 +41,12 @@ pub struct Positions {
     /// Of every [`CHUNK`] vertices.
     scans: Vec<Scan>,
     staging: Staging,
-    host_paths: Vec<Path>,
-    host_wide: Vec<[f64; 3]>,
-    host_keys: Vec<[[u32; 2]; 6]>,
-    host_boxes: Vec<Aabb>,
 }
 
 /// Vertices that are scanned together.
 const CHUNK: usize = 2048;
+/// Chunks that are worth another thread.
+const SHARE: usize = 4;
 /// From this many runs on, one copy of all paths takes less than one of each.
 const MANY_RUNS: usize = 64;
 
@@ -88,10 +87,6 @@ impl Positions {
             call: None,
             scans: Vec::new(),
             staging: Staging::default(),
-            host_paths: Vec::new(),
-            host_wide: Vec::new(),
-            host_keys: Vec::new(),
-            host_boxes: Vec::new(),
         })
     }
 
@@ -116,7 +111,10 @@ impl Positions {
         let replaced = match given {
             Precision::F32([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
             Precision::F64([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
-        }?;
+        };
+        // Also what was written before something failed: what is written next comes behind it.
+        self.staging.submit(device)?;
+        let replaced = replaced?;
         self.call = moved.map(|moved| moved.call);
         Ok(replaced)
     }
@@ -178,32 +176,26 @@ impl Positions {
             for run in runs {
                 let (first, n) = (run.start as usize, run.len());
                 let at = (first * size_of::<Path>()) as u64;
-                let (to, scratch) = ((&self.paths, at), &mut self.host_paths);
-                self.staging.write(device, "paths", to, n, scratch, |i| path(first + i))?;
+                self.staging.write(device, "paths", (&self.paths, at), n, |i| path(first + i))?;
             }
         } else {
-            let (to, scratch) = ((&self.paths, 0), &mut self.host_paths);
-            self.staging.write(device, "paths", to, x0.len(), scratch, path)?;
+            self.staging.write(device, "paths", (&self.paths, 0), x0.len(), path)?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
         }
         let margin: T = margin(min_distance);
-        self.host_keys.clear();
-        self.host_boxes.clear();
-        for (p, q) in x0.iter().zip(x1) {
-            let exact = swept_box::swept(*p, *q).inflated(margin);
-            self.host_keys.push(placement::keys(&Aabb {
-                min: exact.min.map(T::to_f64),
-                max: exact.max.map(T::to_f64),
-            }));
-            self.host_boxes.push(exact.round_out());
-        }
-        let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
-        let what = "keys of exact boxes";
-        let replaced = reserve(device, what, &mut self.keys, keys.len() as u64)? | replaced;
-        device.write(what, &self.keys, 0, keys)?;
-        device.write("boxes", boxes, 0, bytemuck::cast_slice(&self.host_boxes))?;
+        let exact = |v: usize| swept_box::swept(x0[v], x1[v]).inflated(margin);
+        let key = |v: usize| {
+            let exact = exact(v);
+            let [min, max] = [exact.min, exact.max].map(|corner| corner.map(T::to_f64));
+            placement::keys(&Aabb { min, max })
+        };
+        let (n, what) = (x0.len(), "keys of exact boxes");
+        let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
+        let replaced = reserve(device, what, &mut self.keys, bytes)? | replaced;
+        self.staging.write(device, what, (&self.keys, 0), n, key)?;
+        self.staging.write(device, "boxes", (boxes, 0), n, |v| exact(v).round_out())?;
         Ok(replaced)
     }
 
@@ -217,8 +209,7 @@ impl Positions {
         let bytes = (x[0].len() * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
         for (x, at) in x.into_iter().zip([0, bytes]) {
-            let (to, scratch) = ((&self.wide, at), &mut self.host_wide);
-            self.staging.write(device, what, to, x.len(), scratch, |v| x[v].map(T::to_f64))?;
+            self.staging.write(device, what, (&self.wide, at), x.len(), |v| x[v].map(T::to_f64))?;
         }
         Ok(replaced)
     }
@@ -259,24 +250,14 @@ impl Positions {
     }
 }
 
-/// Scans chunks of vertices, of which the first has this number, on several threads.
+/// Scans chunks of vertices, of which the first has this number.
 fn scan_chunks<T: Coordinate>(first: usize, scans: &mut [Scan], [x0, x1]: [&[[T; 3]]; 2]) {
-    let scan = |first: usize, scans: &mut [Scan]| {
-        for (scan, i) in scans.iter_mut().zip(first..) {
+    threads::copy(scans.chunks_mut(SHARE).enumerate(), |(part, scans)| {
+        for (scan, i) in scans.iter_mut().zip(first + part * SHARE..) {
             let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
             *scan = Scan::NONE;
             scan.take_all(&x0[chunk.clone()], &x1[chunk]);
         }
-    };
-    let bytes = scans.len() * CHUNK * size_of::<[[T; 3]; 2]>();
-    let share = scans.len().div_ceil(staging::threads(bytes as u64)).max(1);
-    std::thread::scope(|scope| {
-        let mut parts = scans.chunks_mut(share).enumerate();
-        let own = parts.next();
-        for (i, part) in parts {
-            scope.spawn(move || scan(first + i * share, part));
-        }
-        own.map(|(_, part)| scan(first, part))
     });
 }
 

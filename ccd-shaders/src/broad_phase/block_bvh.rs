@@ -4,21 +4,23 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, leaf_words};
 use crate::workgroup::{barrier, get, set};
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::block_bvh::{set_of, slot};
+use ccd_core::backend::broad_phase::block_bvh::{marked, set_of, slot, united};
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{Frame, Leaf};
 use spirv_std::glam::UVec4;
 
-/// Unites the boxes of 32 threads each; thread 0 of each 32 gets the result.
+/// Unites the boxes of 32 threads each, which are marked if `marks`; thread 0 of each 32 gets the
+/// result.
 #[inline(always)]
-fn unite(lane: u32, aabb: Aabb, shared: &mut [Aabb; 256]) -> Aabb {
+fn unite(lane: u32, aabb: Aabb, marks: bool, shared: &mut [Aabb; 256]) -> Aabb {
     let mut merged = aabb;
     set(shared, lane, merged);
     let mut half = 16;
     for _ in 0..5 {
         barrier();
         if lane % 32 < half {
-            merged = merged.union(&get(shared, lane + half));
+            let other = get(shared, lane + half);
+            merged = if marks { united(&merged, &other) } else { merged.union(&other) };
             set(shared, lane, merged);
         }
         half /= 2;
@@ -30,7 +32,8 @@ kernel! {
     /// Leaves in sorted order, and the nodes above them. Thread `i` owns leaf `i` of all sets; the
     /// first thread of 32 their node.
     fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], order: [u32],
-        edges: [[u32; 2]], faces: [[u32; 3]], mut nodes: [BoxWords], mut leaves: [UVec4]) {
+        edges: [[u32; 2]], faces: [[u32; 3]], bodies: [u32], mut nodes: [BoxWords],
+        mut leaves: [UVec4]) {
         let i = t.group * 256 + t.lane;
         let set = set_of(&params.args.slots[0], i);
         let k = i - params.args.slots[0][set];
@@ -52,7 +55,13 @@ kernel! {
                 }
             }
         }
-        let node = unite(t.lane, aabb, shared);
+        let marks = params.frame.has(Frame::FLAG_STILL);
+        let mut of_node = aabb;
+        if marks {
+            // A feature is of the body of its first vertex.
+            of_node = marked(&aabb, at(bodies, leaf.vertices[0] as usize) & 1 == 1);
+        }
+        let node = unite(t.lane, of_node, marks, shared);
         if active {
             put(nodes, i as usize, BoxWords::of(&aabb));
             put(leaves, i as usize, leaf_words(&leaf));
@@ -75,7 +84,7 @@ kernel! {
         if active {
             aabb = box_at(nodes, i as usize);
         }
-        let node = unite(t.lane, aabb, shared);
+        let node = unite(t.lane, aabb, params.frame.has(Frame::FLAG_STILL), shared);
         if active && t.lane % 32 == 0 {
             let to = slot(&params.args, params.args.level + 1, set, (i - first[set]) / 32);
             put(nodes, to, BoxWords::of(&node));

@@ -14,10 +14,10 @@ use crate::workgroup::{
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
-    POOL, TEAMS, THREADS, WIDTH, pack, sets, slot, unpack,
+    POOL, TEAMS, THREADS, WIDTH, is_still, pack, sets, slot, unpack,
 };
 use ccd_core::backend::broad_phase::worlds::{meet, range};
-use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Pair, Params};
+use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Frame, Pair, Params};
 
 /// Words of `counters`: columns of each team, hits, hits that a first and a second filter leave,
 /// hits that are kept, where they go in the list, candidates.
@@ -146,6 +146,13 @@ impl<const N: usize> Teams<'_, N> {
         // Behind the last stands what did before.
         if n < WIDTH {
             columns &= (1 << n) - 1;
+        }
+        if !leaves && self.params.frame.has(Frame::FLAG_STILL) && is_still(&row) {
+            for c in 0..n {
+                if is_still(&get(self.columns, first + c)) {
+                    columns &= !(1 << c);
+                }
+            }
         }
         if same || N > 1 {
             for c in 0..n {

@@ -1,36 +1,55 @@
-//! Contacts into their canonical order; the sorts between are those of `sort.rs`.
+//! Contacts into their canonical order; see `ccd_core::backend::kernel::contact_order`.
 
 use crate::entry::kernel;
-use crate::workgroup::length;
-use ccd_core::backend::kernel::contact_order;
+use crate::sort::scan;
+use crate::workgroup::{add, barrier, get, length, or, set};
+use ccd_core::backend::kernel::contact_order::{ROWS, bucket, place, row, unordered};
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{LIST_HEADER, TOUCH_WORDS};
 
 kernel! {
-    /// Thread `i` writes the key of the contact that is `i`-th so far; in the first of two sorts
-    /// that is the one of number `i`.
-    contact_keys[256](t; params: ContactSort;; contacts: [u32], mut keys: [u32], mut order: [u32]) {
+    /// Thread `i` counts contact `i` in its bucket; those that were counted before it are its rank.
+    count_contacts[256](t; params: Plain;; contacts: [u32], mut table: [u32], mut ranks: [u32]) {
         let i = t.i;
-        if i < params.dispatch.n {
-            let mut contact = i;
-            if params.args.pass == 0 {
-                put(order, i as usize, i);
-            } else {
-                contact = at(order, i as usize);
-            }
-            put(keys, i as usize, contact_order::key(contact, contacts, params));
+        if i < params.dispatch.n.min(length(contacts, params.dispatch.capacity_in)) {
+            let bucket = bucket(i, contacts, &params.frame);
+            put(ranks, i as usize, add(table, bucket as usize, 1));
         }
     }
 }
 
 kernel! {
-    /// Thread `i` copies the contact that is `i`-th in order; `ordered` has no header.
-    order_contacts[256](t; params: Plain;; contacts: [u32], order: [u32], mut ordered: [u32]) {
+    /// Thread `i` puts contact `i` behind the buckets before its own, and those of less rank.
+    place_contacts[256](t; params: Plain; sums: [u32; 512], starts: [u32; 256]; contacts: [u32],
+        table: [u32], ranks: [u32], mut slots: [u32]) {
+        let row = row(&params.frame);
+        let sum = at(table, (ROWS * row + t.lane) as usize);
+        let up_to = scan(t.lane, 8, 256, sum, sums);
+        set(starts, t.lane, up_to - sum);
+        barrier();
         let i = t.i;
         if i < params.dispatch.n.min(length(contacts, params.dispatch.capacity_in)) {
-            let from = LIST_HEADER + TOUCH_WORDS * at(order, i as usize) as usize;
+            let bucket = bucket(i, contacts, &params.frame);
+            let start = get(starts, bucket / row) + at(table, bucket as usize);
+            put(slots, (start + at(ranks, i as usize)) as usize, i);
+        }
+    }
+}
+
+kernel! {
+    /// Thread `i` copies the contact in slot `i` to its place; `ordered` has no header.
+    order_contacts[256](t; params: Plain;; contacts: [u32], slots: [u32], mut ordered: [u32],
+        mut table: [u32]) {
+        let i = t.i;
+        let n = params.dispatch.n.min(length(contacts, params.dispatch.capacity_in));
+        if i < n {
+            let (to, is_in_order) = place(i, n, slots, contacts, &params.frame);
+            if !is_in_order {
+                or(table, unordered(&params.frame) as usize, 1);
+            }
+            let from = LIST_HEADER + TOUCH_WORDS * at(slots, i as usize) as usize;
             for k in 0..TOUCH_WORDS {
-                put(ordered, TOUCH_WORDS * i as usize + k, at(contacts, from + k));
+                put(ordered, TOUCH_WORDS * to as usize + k, at(contacts, from + k));
             }
         }
     }

@@ -11,6 +11,7 @@ use crate::kernel::memory::Stored;
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Blocks, MAX_LEVELS};
 use crate::math::aabb::Aabb;
+use crate::math::real::Real;
 
 /// Children of a node.
 pub const WIDTH: u32 = 32;
@@ -35,6 +36,39 @@ pub fn sets(kind: u32) -> [usize; 2] {
 #[inline(always)]
 pub fn slot(tree: &Blocks, level: u32, set: usize, i: u32) -> usize {
     (tree.slots[level as usize][set] + i) as usize
+}
+
+/// A box, not of leaves but of nodes above them, that says whether all below it stands still: by
+/// the lowest bit of a bound, which is raised by one step where that is not it.
+///
+/// Where it does, pairs with others that do are no candidates ([`bodies_meet`]). A device that
+/// flushes such a bound takes it as one of what moves.
+///
+/// [`bodies_meet`]: super::candidate::bodies_meet
+#[inline(always)]
+pub fn marked(b: &Aabb<f32>, still: bool) -> Aabb<f32> {
+    let mut out = *b;
+    if b.min[0] <= b.max[0] && has_mark(b) != still {
+        out.max[0] = Real::next_up(b.max[0]);
+    }
+    out
+}
+
+/// Whether a marked box says so; one of nothing does.
+#[inline(always)]
+pub fn is_still(b: &Aabb<f32>) -> bool {
+    has_mark(b) || !(b.min[0] <= b.max[0])
+}
+
+/// Of two marked boxes: still if both are.
+#[inline(always)]
+pub fn united(a: &Aabb<f32>, b: &Aabb<f32>) -> Aabb<f32> {
+    marked(&a.union(b), is_still(a) && is_still(b))
+}
+
+#[inline(always)]
+fn has_mark(b: &Aabb<f32>) -> bool {
+    b.max[0].to_bits() & 1 == 1
 }
 
 /// The set of node `i` of a level, from the first nodes of its sets.
@@ -128,6 +162,27 @@ const KEPT: u32 = 1 << 31;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn boxes_say_whether_all_below_stands_still() {
+        let of = |x: f32| Aabb { min: [-4e30; 3], max: [x, 1.0, 2.0] };
+        for x in [-3e30, -1.5, -1e-45, -0.0, 0.0, 1e-45, 1.5, 2.9e38] {
+            for (a, b) in [(false, false), (false, true), (true, false), (true, true)] {
+                let one = marked(&of(x), a);
+                assert!(is_still(&one) == a && marked(&one, a) == one, "{x:e}");
+                assert!(one.max[0] >= x && one.max[0] <= x.next_up(), "{x:e}");
+                for y in [x, x.next_down(), -2e30] {
+                    let both = united(&one, &marked(&of(y), b));
+                    assert!(is_still(&both) == (a && b) && both.max[0] >= x.max(y));
+                    assert!(both.max[0] <= x.max(y).next_up().next_up(), "{x:e} {y:e}");
+                }
+                // Nothing changes no mark.
+                assert_eq!(united(&one, &Aabb::EMPTY), one);
+                assert_eq!(united(&Aabb::EMPTY, &one), one);
+            }
+        }
+        assert_eq!(marked(&Aabb::EMPTY, true), Aabb::EMPTY);
+    }
 
     #[test]
     fn hits_pack() {

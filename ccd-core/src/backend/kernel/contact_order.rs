@@ -1,22 +1,76 @@
-//! Map: the keys by which contacts are sorted into their canonical order, in two sorts: by `b`,
-//! then, stable, by kind and `a`.
+//! Cooperative: contacts into their canonical order by counting. A bucket is a kind and `a`; most
+//! have few contacts, which rank each other by `b`.
+//!
+//! `count_contacts` counts each bucket, which gives a contact its rank there in no order,
+//! `sort_scan` turns counts into places, `place_contacts` puts the buckets one behind the other,
+//! `order_contacts` ranks what is in each. Counts are [`ROWS`] rows, as `sort_scan` reads them.
 
+use super::sort::DIGITS;
 use crate::kernel::memory::at;
-use crate::layout::{ContactSort, LIST_HEADER, Params, TOUCH_WORDS};
+use crate::layout::{Frame, LIST_HEADER, TOUCH_WORDS};
 
-/// The key of contact `i` of a list in one of two sorts. Past the end of the list: the greatest, so
-/// such entries stay last.
-///
-/// Vertices come before edges, so kind and `a` are one number below the number of both.
+/// Rows of the table of counts. Behind them are their sums, and [`unordered`].
+pub const ROWS: u32 = DIGITS;
+
+/// Others of its bucket that a contact looks at; in a bucket with more of them, contacts stay in no
+/// order.
+pub const LONGEST: u32 = 4096;
+
+/// Counts of a row.
 #[inline(always)]
-pub fn key(i: u32, contacts: &[u32], params: &Params<ContactSort>) -> u32 {
-    if i >= at(contacts, 0).min(params.dispatch.capacity_in) {
-        return u32::MAX;
-    }
+pub fn row(frame: &Frame) -> u32 {
+    (frame.count[0] + frame.count[1]).div_ceil(ROWS)
+}
+
+/// The word of the table that says whether some bucket is in no order.
+#[inline(always)]
+pub fn unordered(frame: &Frame) -> u32 {
+    ROWS * row(frame) + ROWS
+}
+
+/// The bucket of contact `i` of a list. Vertices come before edges.
+#[inline(always)]
+pub fn bucket(i: u32, contacts: &[u32], frame: &Frame) -> u32 {
     let first = LIST_HEADER + TOUCH_WORDS * i as usize;
-    if params.args.pass == 0 {
-        at(contacts, first + 3)
-    } else {
-        at(contacts, first) * params.frame.count[0] + at(contacts, first + 2)
+    at(contacts, first) * frame.count[0] + at(contacts, first + 2)
+}
+
+/// The place of the contact in slot `slot` of `n`, and whether its bucket is in order. Otherwise
+/// all of its bucket keep their slots.
+#[inline(always)]
+pub fn place(slot: u32, n: u32, slots: &[u32], contacts: &[u32], frame: &Frame) -> (u32, bool) {
+    let contact = at(slots, slot as usize);
+    let (own, own_b) = (bucket(contact, contacts, frame), b(contact, contacts));
+    let (mut first, mut less) = (slot, 0);
+    // One more than may be looked at, so that all of a bucket see that it is too long.
+    for _ in 0..LONGEST + 1 {
+        if first == 0 {
+            break;
+        }
+        let other = at(slots, (first - 1) as usize);
+        if bucket(other, contacts, frame) != own {
+            break;
+        }
+        first -= 1;
+        less += (b(other, contacts) <= own_b) as u32;
     }
+    let mut last = slot;
+    for _ in 0..LONGEST + 1 {
+        if last + 1 >= n {
+            break;
+        }
+        let other = at(slots, (last + 1) as usize);
+        if bucket(other, contacts, frame) != own {
+            break;
+        }
+        last += 1;
+        less += (b(other, contacts) < own_b) as u32;
+    }
+    if last - first > LONGEST { (slot, false) } else { (first + less, true) }
+}
+
+/// The face or the greater edge of contact `i`.
+#[inline(always)]
+fn b(i: u32, contacts: &[u32]) -> u32 {
+    at(contacts, LIST_HEADER + TOUCH_WORDS * i as usize + 3)
 }

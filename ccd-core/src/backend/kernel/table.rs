@@ -43,7 +43,8 @@ macro_rules! kernels {
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Leaves in order and the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
-                { boxes: Read, order: Read, edges: Read, faces: Read, nodes: Write, leaves: Write }
+                { boxes: Read, order: Read, edges: Read, faces: Read, bodies: Read,
+                  nodes: Write, leaves: Write }
             /// Nodes of the next level.
             FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
                 { nodes: Write }
@@ -113,12 +114,15 @@ macro_rules! kernels {
             DecideWide = decide_wide(64 threads, 3 barriers, f64, Params<Decision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
-            /// Keys of contacts, and their numbers in the first of two sorts.
-            ContactKeys = contact_keys(256 threads, 0 barriers, f32, Params<ContactSort>)
-                { contacts: Read, keys: Write, order: Write }
+            /// Contacts of each kind and `a`, and the rank of each among them.
+            CountContacts = count_contacts(256 threads, 0 barriers, f32, Params<Plain>)
+                { contacts: Read, table: Write, ranks: Write }
+            /// Contacts by kind and `a`.
+            PlaceContacts = place_contacts(256 threads, 3 barriers, f32, Params<Plain>)
+                { contacts: Read, table: Read, ranks: Read, slots: Write }
             /// Contacts in order.
             OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
-                { contacts: Read, order: Read, ordered: Write }
+                { contacts: Read, slots: Read, ordered: Write, table: Write }
             /// Point, normal and weights of contacts, in `f32`.
             ContactGeometry = contact_geometry(64 threads, 0 barriers, f32, Params<Placing>)
                 { paths: Read, edges: Read, faces: Read, contacts: Read, geometry: Write }

@@ -6,8 +6,8 @@ mod params;
 
 pub use decision::{Decision, IntegerDecision};
 pub use params::{
-    BlockDescent, Blocks, Building, ContactSort, Dispatch, Expansion, Frame, Intervals,
-    NodeDescent, Params, Placing, Plain, Queries, SortPass, Stealing, Worlds,
+    BlockDescent, Blocks, Building, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
+    Placing, Plain, Queries, SortPass, Stealing, Worlds,
 };
 
 use crate::math::aabb::Aabb;

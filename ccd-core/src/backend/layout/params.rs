@@ -97,6 +97,9 @@ impl Frame {
     pub const FLAG_LEAVES: u32 = 64;
     /// The first or the last time is no `f32`.
     pub const FLAG_WINDOW_ROUNDED: u32 = 128;
+    /// Some bodies stand still: nodes of blocks say whether all below them does, see
+    /// [`marked`](crate::broad_phase::block_bvh::marked).
+    pub const FLAG_STILL: u32 = 256;
 
     /// With what its kernels look for besides the distance.
     pub fn searching(mut self, search: &Search<f64>) -> Self {
@@ -354,21 +357,12 @@ pub struct Worlds {
     pub bits: u32,
 }
 
-/// Parameters of the keys of contacts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct ContactSort {
-    /// Which of two sorts: 0 by `b`, 1 by kind and `a`.
-    pub pass: u32,
-}
-
 const _: () = assert!(size_of::<Frame>() == 132);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 12);
 const _: () = assert!(size_of::<NodeDescent>() == 76 && size_of::<Building>() == 20);
 const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
-const _: () = assert!(size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Worlds>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

@@ -11,7 +11,7 @@ use crate::step::contact_order::{self, ContactOrder};
 use crate::step::kept_order::KeptOrder;
 use crate::step::lists::Lists;
 use crate::step::triangle_pairs::COUNT_BYTES;
-use ccd_core::backend::layout::Touch;
+use ccd_core::backend::layout::{Frame, Touch};
 use ccd_core::model::options::Options;
 
 /// A frame as it was submitted.
@@ -32,6 +32,8 @@ pub struct Parts {
     pub sample: Part,
     pub lists: Lists<Part>,
     pub contacts: Part,
+    /// Whether some of them are in no order.
+    pub order: Part,
     pub counters: Vec<Part>,
     pub counts: Part,
 }
@@ -42,18 +44,20 @@ impl Frames {
     fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
         let Self { buffers, bench, expected, .. } = self;
         let n = if goal == Goal::Contacts {
-            (*expected + *expected / 4 + 256).min(buffers.contacts.capacity())
+            (*expected + *expected / 8 + 256).min(buffers.contacts.capacity())
         } else {
             0
         };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
-        if buffers.order.as_ref().map_or(0, ContactOrder::capacity) < buffers.to_order {
+        let frame = Frame { count: buffers.count, ..Frame::default() };
+        let fits = |order: &ContactOrder| order.fits(&frame, buffers.to_order);
+        if buffers.to_order > 0 && !buffers.order.as_ref().is_some_and(fits) {
             device.give_back(buffers.order.take().map_or(0, |old| old.bytes));
             bench.forget();
             // As for lists: some more, or else just enough; where there is no memory even for that,
             // the host sorts.
-            let with_some_more = ContactOrder::new(device, n + n / 4);
-            match with_some_more.or_else(|_| ContactOrder::new(device, n)) {
+            let with_some_more = ContactOrder::new(device, &frame, n + n / 4);
+            match with_some_more.or_else(|_| ContactOrder::new(device, &frame, n)) {
                 Ok(order) => buffers.order = Some(order),
                 Err(e) if e.is_of_memory() => buffers.to_order = 0,
                 Err(e) => return Err(e),
@@ -86,6 +90,7 @@ impl Frames {
         let counters = buffers.source.finder().counters();
         let of_counters: Vec<_> =
             counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
+        let of_order = plan.part(asked(buffers.to_order > 0, 4));
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let stages = submit(device, bench, |recorder| {
@@ -105,7 +110,9 @@ impl Frames {
             }
             match &buffers.order {
                 Some(order) if buffers.to_order > 0 => {
-                    recorder.read(&reading, of_contacts, &order.ordered, 0)
+                    let at = ContactOrder::incomplete_at(&frame);
+                    recorder.read(&reading, of_order, &order.table, at);
+                    recorder.read(&reading, of_contacts, &order.ordered, 0);
                 }
                 _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
@@ -115,6 +122,7 @@ impl Frames {
             sample: of_sample,
             lists: of_lists,
             contacts: of_contacts,
+            order: of_order,
             counters: of_counters,
             counts: of_counts,
         };

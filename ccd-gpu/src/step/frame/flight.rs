@@ -9,8 +9,9 @@ use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_p
 use crate::readback::{Mapping, Part, Plan, word};
 use crate::recorder::submit;
 use crate::step::buffers::Buffers;
+use crate::step::cpu_fallback::{self, Summary};
 use crate::step::triangle_pairs::read_counts;
-use crate::step::{Goal, SAMPLE, cpu_fallback};
+use crate::step::{Goal, SAMPLE};
 use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
@@ -112,7 +113,7 @@ impl Frames {
                     }
                 }
                 Stage::Rest(mut found, rest) => {
-                    found.open = rest.take(contacts, &mut self.spare)?;
+                    found.open = rest.take(contacts, &mut found.summary, &mut self.spare)?;
                     found
                 }
             };
@@ -164,7 +165,8 @@ impl Frames {
             })?;
             let n = headers.contacts.wanted.min(guess) as usize;
             let touches = &parts.contacts.of(bytes)[..n * size_of::<Touch>()];
-            *contacts = cpu_fallback::take_touches(touches, spare);
+            (*contacts, found.summary) = cpu_fallback::take_touches(touches, spare);
+            found.in_order = parts.order.bytes > 0 && word(parts.order.of(bytes), 0) == 0;
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
             let words = |part: &Part| bytemuck::pod_collect_to_vec(part.of(bytes));
@@ -212,7 +214,7 @@ impl Frames {
         if goal == Goal::Contacts {
             self.expected = n_contacts;
         }
-        found.in_order = !beyond && buffers.to_order > 0;
+        found.in_order &= !beyond;
         if beyond || n_open != [0, 0] {
             let n_contacts = if beyond { n_contacts } else { 0 };
             let rest = self.begin_rest(device, n_contacts, n_open, std::mem::take(contacts))?;
@@ -251,6 +253,7 @@ impl Rest {
     fn take(
         self,
         contacts: &mut Vec<Contact>,
+        summary: &mut Summary,
         spare: &mut Vec<Contact>,
     ) -> Result<[Vec<Pair>; 2], Error> {
         let Self { listed, mapping, n_contacts, contacts: of_contacts, open } = self;
@@ -258,7 +261,7 @@ impl Rest {
         mapping.read(|bytes| {
             if n_contacts > 0 {
                 let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
-                *contacts = cpu_fallback::take_touches(touches, spare);
+                (*contacts, *summary) = cpu_fallback::take_touches(touches, spare);
             }
             open.map(|part| read_pairs(part.of(bytes)))
         })

@@ -1,0 +1,83 @@
+//! The host's part of a step by several threads, which are kept: to start one takes longer than many
+//! a stage does.
+//!
+//! They are this crate's own, so that no step waits for what a program does in rayon's pool.
+//! Twin: the file of this name of ccd-cpu, whose work is all of a step.
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::iter::repeat_n;
+use std::sync::{Mutex, OnceLock};
+
+/// Threads that copy: more wait for memory.
+const MOST: usize = 8;
+
+/// How many threads there are for a step, the calling one too.
+pub fn available() -> usize {
+    pool().map_or(1, |pool| pool.current_num_threads() + 1)
+}
+
+/// Calls `work`, which mostly copies, with each part, on this thread and others. A part is worth
+/// the time to wake a thread: some tens of microseconds.
+pub fn copy<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl Fn(P) + Sync) {
+    on_threads(MOST.min(available()), parts, work);
+}
+
+/// The same with work that mostly computes.
+pub fn each<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl Fn(P) + Sync) {
+    on_threads(available(), parts, work);
+}
+
+fn on_threads<P: Send>(
+    n: usize,
+    parts: impl ExactSizeIterator<Item = P> + Send,
+    work: impl Fn(P) + Sync,
+) {
+    let others = n.min(parts.len()).saturating_sub(1);
+    let parts = Mutex::new(parts);
+    let next = || parts.lock().unwrap_or_else(|e| e.into_inner()).next();
+    let work = || {
+        while let Some(part) = next() {
+            work(part);
+        }
+    };
+    match pool().filter(|_| others > 0) {
+        Some(pool) => pool.in_place_scope(|scope| {
+            repeat_n(&work, others).for_each(|work| scope.spawn(|_| work()));
+            work();
+        }),
+        None => work(),
+    }
+}
+
+/// The other threads, if there are any.
+fn pool() -> Option<&'static ThreadPool> {
+    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
+    let start = || {
+        let others = std::thread::available_parallelism().map_or(1, |n| n.get()) - 1;
+        let threads = ThreadPoolBuilder::new().num_threads(others);
+        let named = threads.thread_name(|i| format!("ccd-gpu {i}"));
+        // Without them this thread does everything.
+        (others > 0).then(|| named.build().ok()).flatten()
+    };
+    POOL.get_or_init(start).as_ref()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_part_is_worked_on_once() {
+        for n in [0, 1, 2, 3, 1000] {
+            let mut counts = vec![0; n];
+            each(counts.iter_mut(), |count| *count += 1);
+            assert!(counts.iter().all(|&count| count == 1), "{n}");
+        }
+    }
+
+    #[test]
+    fn a_panic_comes_back() {
+        let panics = || each(0..100usize, |i| assert!(i != 77));
+        assert!(std::panic::catch_unwind(panics).is_err());
+    }
+}
