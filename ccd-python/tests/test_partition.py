@@ -49,9 +49,34 @@ def test_contacts_are_those_of_one_process(n_parts, seed):
     assert len(set(want["kind"])) == (4 if seed == 3 else 2)
 
 
+@pytest.mark.parametrize("n_parts", [1, 2, 3, 5, 7])
+@pytest.mark.parametrize("seed", range(4))
+def test_degenerate_faces_lose_nothing(n_parts, seed):
+    d = [0.0, 0.1][seed % 2]
+    mesh, x0, x1 = crowd(40, seed, rods=20, particles=30, degenerate=15)
+    want = check(mesh, x0, x1, n_parts, Options(min_distance=d))
+    flat = (mesh.faces == np.roll(mesh.faces, 1, axis=1)).any(axis=1)
+    assert flat.sum() == 30 and len(set(want["kind"])) == (4 if d else 2)
+
+
+@pytest.mark.parametrize(
+    "faces, edges", [([[0, 1, 2], [2, 2, 1], [5, 6, 7]], [[3, 4]]), ([[0, 1, 2], [3, 3, 1]], [])]
+)
+def test_a_side_with_equal_corners_is_no_edge(faces, edges):
+    """Neither the one that is sorted behind it, a rod, nor one behind the last."""
+    mesh = Mesh(faces, edges or None)
+    x = np.random.default_rng(0).random((mesh.n_vertices, 3))
+    for n_parts in (1, 2, 3):
+        parts = split(mesh, x, n_parts)
+        assert sum(map(len, parts)) == len(faces) + len(edges)
+        assert {v for part in parts for v in part.vertices} == set(range(mesh.n_vertices))
+        check(mesh, x, x, n_parts)
+
+
 @pytest.mark.parametrize("n_parts", [2, 5])
-def test_candidates_are_those_of_one_process(n_parts):
-    mesh, x0, x1 = crowd(60, 9, rods=20, particles=40)
+@pytest.mark.parametrize("degenerate", [0, 20])
+def test_candidates_are_those_of_one_process(n_parts, degenerate):
+    mesh, x0, x1 = crowd(60, 9, rods=20, particles=40, degenerate=degenerate)
     locals_ = locals_of(mesh, x0, x1, n_parts)
     listed = [Session(of.mesh).candidates(of.x0, of.x1) for of in locals_]
     order = lambda pairs: pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
@@ -120,8 +145,9 @@ def test_parts_may_be_empty():
     check(Mesh([]), np.zeros((0, 3)), np.zeros((0, 3)), 3)
 
 
-def test_every_feature_has_one_owner():
-    mesh, x0, x1 = crowd(50, 3, rods=10, particles=10)
+@pytest.mark.parametrize("degenerate", [0, 20])
+def test_every_feature_has_one_owner(degenerate):
+    mesh, x0, x1 = crowd(50, 3, rods=10, particles=10, degenerate=degenerate)
     parts = split(mesh, x0, 5)
     assert sorted(np.concatenate([part.vertices for part in parts]).tolist()) != list(
         range(mesh.n_vertices)

@@ -48,7 +48,8 @@ class Local:
         self.edges: _Ids = np.zeros(len(known), np.uint32)
         edge_owner = np.zeros(len(known), np.uint32)
         for side, (a, b) in enumerate(SIDES):
-            has = corners == 3 if side else corners >= 2
+            # A side with equal corners is no edge.
+            has = (corners == 3 if side else corners >= 2) & (at[:, a] != at[:, b])
             row = np.searchsorted(known, edge_keys(at[has][:, [a, b]]))
             self.edges[row] = records["edges"][has, side]
             edge_owner[row] = records["edge_owners"][has, side]

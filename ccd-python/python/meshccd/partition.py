@@ -215,10 +215,13 @@ def _records(mesh: Mesh) -> _Records:
     """All elements of a mesh, without owners and positions."""
     faces, edges, particles = mesh.faces, mesh.edges, mesh.isolated_vertices
     known = edge_keys(edges)
-    sides = np.searchsorted(known, np.stack([edge_keys(faces[:, side]) for side in SIDES], axis=1))
-    is_rod = np.ones(len(edges), bool)
+    ends = faces[:, np.array(SIDES)]
+    sides = np.searchsorted(known, edge_keys(ends)).reshape(-1, 3)
+    # A side with equal corners is no edge; `is_rod` has one more, for that id.
+    sides[ends[:, :, 0] == ends[:, :, 1]] = len(edges)
+    is_rod = np.ones(len(edges) + 1, bool)
     is_rod[sides.ravel()] = False
-    rods = np.flatnonzero(is_rod)
+    rods = np.flatnonzero(is_rod[:-1])
     n, m = len(faces), len(faces) + len(rods)
     records = np.zeros(m + len(particles), ELEMENT)
     records["corners"][:n], records["corners"][n:m], records["corners"][m:] = 3, 2, 1
