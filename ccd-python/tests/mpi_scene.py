@@ -66,7 +66,7 @@ def check_refusals(mesh, x0, x1):
 
 
 if sys.argv[1:] == ["crowd"]:
-    mesh, x0, x1 = crowd(60, 3, rods=20, particles=30)
+    mesh, x0, x1 = crowd(60, 3, rods=20, particles=30, degenerate=15)
     bodies = Bodies.of_components(mesh, self_contact=False)
     check(mesh, x0, x1, Options(min_distance=0.1, threads=1, bodies=bodies))
     check_refusals(mesh, x0, x1)

@@ -28,8 +28,17 @@ def in_parts(mesh, x0, x1, n_parts, options=Options(), drop=lambda to, sent: sen
     return found
 
 
+def earliest_in_parts(mesh, x0, x1, n_parts, options):
+    times = []
+    for local in locals_of(mesh, x0, x1, n_parts, options.min_distance):
+        times.append(local.earliest_toi(Session(local.mesh, local.options(options))))
+    return min((toi for toi in times if toi is not None), default=None)
+
+
 def check(mesh, x0, x1, n_parts, options=Options()):
-    want = Session(mesh, options).step(x0, x1).contacts
+    report = Session(mesh, options).step(x0, x1)
+    want = report.contacts
+    assert earliest_in_parts(mesh, x0, x1, n_parts, options) == report.earliest_toi
     found = in_parts(mesh, x0, x1, n_parts, options)
     assert sum(map(len, found)) == len(want), "a contact is lost, or found twice"
     assert np.array_equal(merge(found), want)
@@ -71,6 +80,22 @@ def test_a_side_with_equal_corners_is_no_edge(faces, edges):
         assert sum(map(len, parts)) == len(faces) + len(edges)
         assert {v for part in parts for v in part.vertices} == set(range(mesh.n_vertices))
         check(mesh, x, x, n_parts)
+
+
+def test_a_vertex_of_a_degenerate_face_is_no_particle():
+    """A rod swings around its end 1, over the other end of its neighbour, 0. The part 1 has of that
+    neighbour the face [0, 0, 0] alone."""
+    mesh = Mesh([[0, 0, 0]], [[0, 1], [1, 2]])
+    x0, x1 = (np.array([[1, 0, 0], [0, 0, 0], [3, y, 0.0]]) for y in (1, -1))
+    options = Options(min_distance=0.01)
+    assert Session(mesh, options).earliest_toi(x0, x1) is None
+    assert len(check(mesh, x0, x1, 2, options)) == 0
+    low, high = locals_of(mesh, x0, x1, 2, 0.01)
+    session = Session(high.mesh, options)
+    assert high.mesh.isolated_vertices.tolist() == [0]
+    assert 0.4 < session.earliest_toi(high.x0, high.x1) < 0.5, "the test shows nothing"
+    assert high.earliest_toi(session) is None
+    assert low.earliest_toi(Session(low.mesh, options)) is None
 
 
 @pytest.mark.parametrize("n_parts", [2, 5])

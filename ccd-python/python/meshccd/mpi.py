@@ -110,7 +110,7 @@ class Scene:
     def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
         """The earliest time of impact of the whole scene, on every rank; None if all is free."""
         local = self._exchange(x0, x1)
-        toi = self._together(lambda: self._on(local).earliest_toi(local.x0, local.x1))
+        toi = self._together(lambda: local.earliest_toi(self._on(local)))
         from mpi4py import MPI
 
         least: float = self._comm.allreduce(np.inf if toi is None else toi, MPI.MIN)

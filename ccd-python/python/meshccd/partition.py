@@ -19,8 +19,12 @@ q = p, then p has both. Otherwise B goes to p: features in contact are at most `
 apart at one time, so in each axis the gap of their swept boxes is at most d; boxes of elements
 hold those of their features, are grown by more than d / 2 each and rounded outward, and the
 comparison is closed, so B overlaps the box of A and the boxes of p around it. *Nothing else:* whole
-elements are sent, with all their vertices and edges, so each pair of a local mesh is one of the
-whole mesh: what is a rod or a particle here is one there.
+elements are sent, with all their vertices and edges. So a rod of a local mesh is one of the whole
+mesh, and a vertex with an edge has one there. But p may take a vertex v for a particle of which it
+has a face [v, v, v] alone, while elements with its edges are elsewhere. None of these is in a
+higher part, since all elements with v overlap where that face does, and would have come with it. So
+one is in a lower part, which owns v, and p keeps no pair of v as a particle. `local.earliest_toi`
+leaves these pairs out, too.
 
 Why it has the same time and state. A verdict depends on the positions of the pair alone and on the
 order of its features and of their vertices. Local numbers of vertices, edges and faces ascend as
