@@ -10,7 +10,8 @@ made of its elements and of a halo, and then
 2. `part.outgoing(..)`: a part sends to each lower one the elements that overlap its boxes.
 3. `part.local(..)`: a mesh of what a part has and what it received, for a `Session`.
 4. `local.contacts(report)`: what this part owns, by the numbers of the whole mesh. A pair is owned
-   by the lower of the owners of its two features. `merge` joins the arrays of all parts.
+   by the lower of the owners of its two features. `merge` joins the arrays of all parts. The least
+   `local.earliest_toi(session)` is the earliest time of the whole.
 
 Why every pair of the whole mesh is found once, and no other. Let the features a and b be a pair
 with owners p <= q. *Not twice:* parts keep a pair only if they are p, and a report lists it once.
