@@ -12,9 +12,10 @@ N_STEPS = 10
 OPTIONS = Options(min_distance=0.02, threads=1)
 
 
-def crowd(n, seed, rods=0, particles=0):
+def crowd(n, seed, rods=0, particles=0, degenerate=0):
     """Pairs of triangles with a common edge, rods and particles in a crowd, all moving; numbers of
-    vertices are in no order."""
+    vertices are in no order. Besides, so many degenerate faces [v, v, w] of a pair or a rod, and as
+    many [v, v, v] of any vertex."""
     random = np.random.default_rng(seed)
     faces = np.arange(4 * n).reshape(n, 4)[:, [0, 1, 2, 2, 1, 3]].reshape(-1, 3)
     edges = 4 * n + np.arange(2 * rods).reshape(rods, 2)
@@ -24,6 +25,13 @@ def crowd(n, seed, rods=0, particles=0):
     x0 = random.random((of.max() + 1, 3))[of] + 0.4 * random.random((n_vertices, 3))
     x1 = x0 + 0.4 * random.random((of.max() + 1, 3))[of] + 0.05 * random.random((n_vertices, 3))
     numbers = random.permutation(n_vertices)
+    if degenerate:
+        v = random.integers(4 * n + 2 * rods, size=degenerate)
+        # Also the two corners of a pair that no side joins.
+        w = v ^ np.where(v < 4 * n, random.integers(1, 4, size=degenerate), 1)
+        sides = [np.roll(of, i) for i, of in enumerate(np.stack([v, v, w], axis=1))]
+        points = np.repeat(random.integers(n_vertices, size=(degenerate, 1)), 3, axis=1)
+        faces = np.concatenate([sides, points, faces])
     y0, y1 = np.empty_like(x0), np.empty_like(x1)
     y0[numbers], y1[numbers] = x0, x1
     return Mesh(numbers[faces], numbers[edges], n_vertices=n_vertices), y0, y1

@@ -3,6 +3,7 @@
     mpirun -n 4 python mpi_scene.py cloth-ball
 """
 
+import copy
 import hashlib
 import sys
 
@@ -42,23 +43,37 @@ def check(mesh, x0, x1, options):
     assert free in (0.0, 1.0) and len(set(WORLD.allgather(free))) == 1
 
 
+class Unpicklable(Exception):
+    def __reduce__(self):
+        raise TypeError("this error cannot be pickled")
+
+
+def fails(*_):
+    raise Unpicklable("out of bounds")
+
+
 def check_refusals(mesh, x0, x1):
-    """What the last rank refuses is an error of all."""
+    """What the last rank refuses is an error of all, whatever it is."""
     scene = Scene.of_mesh(mesh, x0)
-    mine = scene.vertices
-    bad = x1[mine].copy()
+    mine, parts = scene.vertices, split(mesh, x0, WORLD.size)
+    good, words, whole, broken = x1[mine], x1[mine], x0, Scene(scene.part)
+    bad = good.copy()
     if WORLD.rank == WORLD.size - 1:
-        bad[0, 0] = np.nan
-    parts = split(mesh, x0, WORLD.size)
-    for call, words in (
-        (lambda: scene.step(x0[mine], bad), "must be finite"),
-        (lambda: Scene(parts[-1]), "is not that of rank 0"),
+        bad[0, 0], words, whole = np.nan, [{}] * len(mine), x0[1:]
+        broken.part = copy.copy(scene.part)
+        broken.part.outgoing = fails
+    for call, kind, want in (
+        (lambda: scene.step(x0[mine], bad), ValueError, "must be finite"),
+        (lambda: Scene(parts[-1]), ValueError, "is not that of rank 0"),
+        (lambda: Scene.of_mesh(mesh, whole), ValueError, "x has the shape"),
+        (lambda: scene.step(x0[mine], words), TypeError, "'dict'"),
+        (lambda: broken.step(x0[mine], good), Unpicklable, "out of bounds"),
     ):
         try:
             call()
-        except ValueError as why:
+        except (kind, RuntimeError) as why:
             said = WORLD.allgather(str(why))
-            assert any(words in text for text in said), said
+            assert any(want in text for text in said), said
         else:
             raise AssertionError(f"rank {WORLD.rank} goes on")
     # The communicator still works.
@@ -66,7 +81,7 @@ def check_refusals(mesh, x0, x1):
 
 
 if sys.argv[1:] == ["crowd"]:
-    mesh, x0, x1 = crowd(60, 3, rods=20, particles=30)
+    mesh, x0, x1 = crowd(60, 3, rods=20, particles=30, degenerate=15)
     bodies = Bodies.of_components(mesh, self_contact=False)
     check(mesh, x0, x1, Options(min_distance=0.1, threads=1, bodies=bodies))
     check_refusals(mesh, x0, x1)

@@ -1,5 +1,6 @@
 """Many frames by processes of this machine against one: reports, digests, files; what fails."""
 
+import errno
 import multiprocessing
 import os
 import signal
@@ -157,10 +158,17 @@ def test_two_runs_do_not_write_one_shard(tmp_path):
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_second_run_that_was_not_seen_may_not_differ(tmp_path, monkeypatch):
-    """Without locks, as on some file systems: the same contacts are accepted, others are not."""
+def no_links(*_):
+    raise PermissionError(errno.EPERM, "there are no hard links")
+
+
+@pytest.mark.parametrize("link", [os.link, no_links])
+def test_a_second_run_that_was_not_seen_may_not_differ(tmp_path, monkeypatch, link):
+    """Without locks, as on some file systems, and without links: the same contacts are accepted,
+    others are not."""
     mesh, frames = animation()
     how = {"options": OPTIONS, "n_workers": 1}
+    monkeypatch.setattr("os.link", link)
     map_frames(frames, mesh, tmp_path, **how)
     before = bytes_of(tmp_path)
     monkeypatch.setattr("meshccd._shards.check", lambda *_: False)

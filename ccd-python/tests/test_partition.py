@@ -28,8 +28,17 @@ def in_parts(mesh, x0, x1, n_parts, options=Options(), drop=lambda to, sent: sen
     return found
 
 
+def earliest_in_parts(mesh, x0, x1, n_parts, options):
+    times = []
+    for local in locals_of(mesh, x0, x1, n_parts, options.min_distance):
+        times.append(local.earliest_toi(Session(local.mesh, local.options(options))))
+    return min((toi for toi in times if toi is not None), default=None)
+
+
 def check(mesh, x0, x1, n_parts, options=Options()):
-    want = Session(mesh, options).step(x0, x1).contacts
+    report = Session(mesh, options).step(x0, x1)
+    want = report.contacts
+    assert earliest_in_parts(mesh, x0, x1, n_parts, options) == report.earliest_toi
     found = in_parts(mesh, x0, x1, n_parts, options)
     assert sum(map(len, found)) == len(want), "a contact is lost, or found twice"
     assert np.array_equal(merge(found), want)
@@ -49,9 +58,50 @@ def test_contacts_are_those_of_one_process(n_parts, seed):
     assert len(set(want["kind"])) == (4 if seed == 3 else 2)
 
 
+@pytest.mark.parametrize("n_parts", [1, 2, 3, 5, 7])
+@pytest.mark.parametrize("seed", range(4))
+def test_degenerate_faces_lose_nothing(n_parts, seed):
+    d = [0.0, 0.1][seed % 2]
+    mesh, x0, x1 = crowd(40, seed, rods=20, particles=30, degenerate=15)
+    want = check(mesh, x0, x1, n_parts, Options(min_distance=d))
+    flat = (mesh.faces == np.roll(mesh.faces, 1, axis=1)).any(axis=1)
+    assert flat.sum() == 30 and len(set(want["kind"])) == (4 if d else 2)
+
+
+@pytest.mark.parametrize(
+    "faces, edges", [([[0, 1, 2], [2, 2, 1], [5, 6, 7]], [[3, 4]]), ([[0, 1, 2], [3, 3, 1]], [])]
+)
+def test_a_side_with_equal_corners_is_no_edge(faces, edges):
+    """Neither the one that is sorted behind it, a rod, nor one behind the last."""
+    mesh = Mesh(faces, edges or None)
+    x = np.random.default_rng(0).random((mesh.n_vertices, 3))
+    for n_parts in (1, 2, 3):
+        parts = split(mesh, x, n_parts)
+        assert sum(map(len, parts)) == len(faces) + len(edges)
+        assert {v for part in parts for v in part.vertices} == set(range(mesh.n_vertices))
+        check(mesh, x, x, n_parts)
+
+
+def test_a_vertex_of_a_degenerate_face_is_no_particle():
+    """A rod swings around its end 1, over the other end of its neighbour, 0. The part 1 has of that
+    neighbour the face [0, 0, 0] alone."""
+    mesh = Mesh([[0, 0, 0]], [[0, 1], [1, 2]])
+    x0, x1 = (np.array([[1, 0, 0], [0, 0, 0], [3, y, 0.0]]) for y in (1, -1))
+    options = Options(min_distance=0.01)
+    assert Session(mesh, options).earliest_toi(x0, x1) is None
+    assert len(check(mesh, x0, x1, 2, options)) == 0
+    low, high = locals_of(mesh, x0, x1, 2, 0.01)
+    session = Session(high.mesh, options)
+    assert high.mesh.isolated_vertices.tolist() == [0]
+    assert 0.4 < session.earliest_toi(high.x0, high.x1) < 0.5, "the test shows nothing"
+    assert high.earliest_toi(session) is None
+    assert low.earliest_toi(Session(low.mesh, options)) is None
+
+
 @pytest.mark.parametrize("n_parts", [2, 5])
-def test_candidates_are_those_of_one_process(n_parts):
-    mesh, x0, x1 = crowd(60, 9, rods=20, particles=40)
+@pytest.mark.parametrize("degenerate", [0, 20])
+def test_candidates_are_those_of_one_process(n_parts, degenerate):
+    mesh, x0, x1 = crowd(60, 9, rods=20, particles=40, degenerate=degenerate)
     locals_ = locals_of(mesh, x0, x1, n_parts)
     listed = [Session(of.mesh).candidates(of.x0, of.x1) for of in locals_]
     order = lambda pairs: pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
@@ -120,8 +170,9 @@ def test_parts_may_be_empty():
     check(Mesh([]), np.zeros((0, 3)), np.zeros((0, 3)), 3)
 
 
-def test_every_feature_has_one_owner():
-    mesh, x0, x1 = crowd(50, 3, rods=10, particles=10)
+@pytest.mark.parametrize("degenerate", [0, 20])
+def test_every_feature_has_one_owner(degenerate):
+    mesh, x0, x1 = crowd(50, 3, rods=10, particles=10, degenerate=degenerate)
     parts = split(mesh, x0, 5)
     assert sorted(np.concatenate([part.vertices for part in parts]).tolist()) != list(
         range(mesh.n_vertices)

@@ -7,7 +7,7 @@ import sys
 import pytest
 from crowds import OPTIONS, Deadly, animation, check, write_frames
 
-from meshccd import Session, read_mesh
+from meshccd import Options, Session, read_mesh
 from meshccd._distributed_main import main, part_of
 from meshccd._workers import assigned_gpu
 from meshccd.distributed import RunError, digest, map_frames
@@ -106,6 +106,51 @@ def test_jobs_of_submitit(tmp_path):
     check(found, Session(mesh, OPTIONS).step_many(frames))
     with pytest.raises(ValueError, match="n_workers says how many jobs"):
         map_frames(frames, mesh, tmp_path / "out", **how)
+
+
+class Killed:
+    """An executor whose jobs are killed, some after they have written a shard."""
+
+    job_id = 7
+
+    def __init__(self, wrote):
+        self.wrote = wrote
+
+    def map_array(self, share, jobs, tasks, devices):
+        for job, of in zip(jobs, tasks):
+            share(job, of[: self.wrote], None)
+        return [self] * len(tasks)
+
+    def result(self):
+        raise RuntimeError("out of memory")
+
+
+def test_a_shard_of_a_killed_job_is_looked_at(tmp_path):
+    mesh, frames = animation()
+    died = r"the worker died before it was written.* \(job 7: out of memory\)"
+    how = {"options": OPTIONS, "steps_per_shard": 2, "n_workers": 2}
+    with pytest.raises(RunError, match=died) as why:
+        map_frames(frames, mesh, tmp_path / "out", runner=Killed(wrote=1), **how)
+    # Of two and three shards the first ones are written.
+    assert [of[:2] for of in why.value.failures] == [(2, 4), (6, 8), (8, 10)]
+    map_frames(frames, mesh, tmp_path / "out", **how)
+    found = map_frames(frames, mesh, tmp_path / "out", runner=Killed(wrote=0), **how)
+    check(found, Session(mesh, OPTIONS).step_many(frames))
+    other, bad = {**how, "options": Options(min_distance=0.03)}, frames.copy()
+    bad[4] = 0
+    for x, call, words, n in (
+        (frames, other, "other options: min_distance 0.02, not 0.03", 5),
+        (bad, how, "with other frames", 2),
+        (frames[:, :-1], how, r"frame 0 has positions of the shape \(129, 3\)", 5),
+    ):
+        with pytest.raises(RunError, match=words) as why:
+            map_frames(x, mesh, tmp_path / "out", runner=Killed(wrote=0), **call)
+        assert len(why.value.failures) == n
+    path = tmp_path / "out" / "steps-0000004-0000006.npz"
+    path.write_bytes(path.read_bytes()[:-100])
+    with pytest.raises(RunError, match="is damaged, remove it") as why:
+        map_frames(frames, mesh, tmp_path / "out", runner=Killed(wrote=0), **how)
+    assert [of[:2] for of in why.value.failures] == [(4, 6)]
 
 
 @pytest.mark.filterwarnings("default")

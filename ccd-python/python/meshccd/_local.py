@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._native import Bodies, Mesh, Options, Report
+from ._native import Bodies, Mesh, Options, Report, Session
 
 _Ids = NDArray[np.uint32]
 
@@ -48,7 +48,8 @@ class Local:
         self.edges: _Ids = np.zeros(len(known), np.uint32)
         edge_owner = np.zeros(len(known), np.uint32)
         for side, (a, b) in enumerate(SIDES):
-            has = corners == 3 if side else corners >= 2
+            # A side with equal corners is no edge.
+            has = (corners == 3 if side else corners >= 2) & (at[:, a] != at[:, b])
             row = np.searchsorted(known, edge_keys(at[has][:, [a, b]]))
             self.edges[row] = records["edges"][has, side]
             edge_owner[row] = records["edge_owners"][has, side]
@@ -56,6 +57,8 @@ class Local:
         edge, vertex = (self.edges, edge_owner), (self.vertices, vertex_owner)
         # In the order of Kind: ids and owners of both features.
         self._features = ((vertex, face), (edge, edge), (vertex, edge), (vertex, vertex))
+        # A particle here that may be none in the whole mesh: see `partition`.
+        self._doubtful = bool((vertex_owner[self.mesh.isolated_vertices] < index).any())
 
     def options(self, options: Options) -> Options:
         """Options for the vertices of `mesh`: bodies and excluded features of the whole mesh, by
@@ -96,6 +99,15 @@ class Local:
         (a, owner_a), (b, owner_b) = self._features[kind]
         rows = rows[np.minimum(owner_a[rows[:, 0]], owner_b[rows[:, 1]]) == self.index]
         return np.stack([a[rows[:, 0]], b[rows[:, 1]]], axis=1)
+
+    def earliest_toi(self, session: Session) -> float | None:
+        """The earliest time of impact by a session of `mesh`; None if all is free. Of all parts
+        the least is that of the whole mesh; that of the session itself may be of a pair which the
+        whole mesh has not, where a part has a face [v, v, v]."""
+        if not self._doubtful:
+            return session.earliest_toi(self.x0, self.x1)
+        toi = self.contacts(session.step(self.x0, self.x1))["toi"]
+        return float(toi.min()) if len(toi) else None
 
     def contacts(self, report: Report) -> NDArray[np.void]:
         """The contacts of a step of `mesh` that this part owns, as `Report.contacts`: sorted, with

@@ -81,12 +81,16 @@ def _publish(own: Path, path: Path) -> None:
     """Gives a file its name, unless there is one of that name with other bytes."""
     try:
         os.link(own, path)
+        return
     except FileExistsError:
-        if path.read_bytes() != own.read_bytes():
-            raise ShardError(f"{path}: another run has written other contacts meanwhile") from None
+        pass
     except OSError:
-        # A file system without links.
-        os.replace(own, path)
+        # A file system without links: a file that comes between these two lines is lost.
+        if not path.exists():
+            os.replace(own, path)
+            return
+    if path.read_bytes() != own.read_bytes():
+        raise ShardError(f"{path}: another run has written other contacts meanwhile")
 
 
 def check(job: Job, begin: int, end: int, frames: str) -> bool:

@@ -21,6 +21,8 @@ DIED = (
     "the worker died before it was written: killed, perhaps for memory. What is written stays; run "
     "again for the rest"
 )
+# What costs a shard, and no other one.
+REFUSED = (ValueError, RuntimeError, MemoryError, OSError)
 
 
 @dataclass(frozen=True)
@@ -54,12 +56,12 @@ class Worker:
         """A shard, if it is not there; an error is a part of the outcome."""
         try:
             return Outcome(task.begin, task.end, written=self._write(task))
-        except (ValueError, RuntimeError, MemoryError, OSError) as why:
-            return Outcome(task.begin, task.end, error=str(why) or type(why).__name__)
+        except REFUSED as why:
+            return _failed(task, why)
 
     def _write(self, task: Task) -> bool:
         job, begin, end = self._job, task.begin, task.end
-        frames = digest_of_frames(task.frames, begin, end + 1, job.mesh)
+        frames = _frames(job, task)
         if _shards.check(job, begin, end, frames):
             return False
         with _shards.alone(job.path(begin, end)):
@@ -193,10 +195,27 @@ def jobs(
         except Exception as why:  # What a job of Slurm may end with is open.
             words = (str(why).strip().splitlines() or [type(why).__name__])[0]
             for task in share:
-                if job.path(task.begin, task.end).exists():
-                    yield Outcome(task.begin, task.end, written=True)
-                else:
-                    yield Outcome(task.begin, task.end, error=f"{DIED} (job {of.job_id}: {words})")
+                yield _left(job, task, f"{DIED} (job {of.job_id}: {words})")
+
+
+def _left(job: Job, task: Task, died: str) -> Outcome:
+    """What a worker that died has left of a shard: one of this run counts as written."""
+    begin, end = task.begin, task.end
+    try:
+        # Frames are read only for a shard that is there.
+        if job.path(begin, end).exists() and _shards.check(job, begin, end, _frames(job, task)):
+            return Outcome(begin, end, written=True)
+    except REFUSED as why:
+        return _failed(task, why)
+    return Outcome(begin, end, error=died)
+
+
+def _frames(job: Job, task: Task) -> str:
+    return digest_of_frames(task.frames, task.begin, task.end + 1, job.mesh)
+
+
+def _failed(task: Task, why: Exception) -> Outcome:
+    return Outcome(task.begin, task.end, error=str(why) or type(why).__name__)
 
 
 def _share(job: Job, tasks: Sequence[Task], device: str | None) -> list[Outcome]:

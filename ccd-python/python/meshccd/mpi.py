@@ -7,8 +7,9 @@ one `allgather` of boxes, one `Alltoallv` of elements, and one reduction of the 
     mpirun -n 4 python scene.py    # scene.py: see docs/cluster.md
 
 It needs the package mpi4py, and an MPI. All calls but `vertices` and `part` are collective: every
-rank makes them, in one order. What one rank refuses is an error of every rank, so none waits for
-ever. Ranks of one host share its cores: give a session `Options(threads=n)`.
+rank makes them, in one order. An error of one rank is one of every rank, so none waits for ever: a
+ValueError if it is one, else a RuntimeError, with the number of that rank. Ranks of one host share
+its cores: give a session `Options(threads=n)`.
 """
 
 from __future__ import annotations
@@ -66,7 +67,7 @@ class Scene:
         self._options = Options() if options is None else options
         self._device = device
         self._session: Session | None = None
-        self._together(self._check)
+        _together(self._comm, self._check)
 
     @classmethod
     def of_mesh(
@@ -81,7 +82,7 @@ class Scene:
         """A scene of a mesh that every rank has read; x as for `partition.split`. Where one rank
         alone has it, it calls `split` and scatters the parts."""
         comm = _world() if comm is None else comm
-        part = split(mesh, x, comm.size)[comm.rank]
+        part = _together(comm, lambda: split(mesh, x, comm.size)[comm.rank])
         return cls(part, options, comm=comm, device=device)
 
     @property
@@ -105,12 +106,14 @@ class Scene:
             If one rank refuses its positions or options, on every rank.
         """
         local = self._exchange(x0, x1)
-        return self._together(lambda: local.contacts(self._on(local).step(local.x0, local.x1)))
+        return _together(
+            self._comm, lambda: local.contacts(self._on(local).step(local.x0, local.x1))
+        )
 
     def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
         """The earliest time of impact of the whole scene, on every rank; None if all is free."""
         local = self._exchange(x0, x1)
-        toi = self._together(lambda: self._on(local).earliest_toi(local.x0, local.x1))
+        toi = _together(self._comm, lambda: local.earliest_toi(self._on(local)))
         from mpi4py import MPI
 
         least: float = self._comm.allreduce(np.inf if toi is None else toi, MPI.MIN)
@@ -135,22 +138,24 @@ class Scene:
         """The mesh of this rank and its halo."""
         from mpi4py import MPI
 
-        part, d = self.part, self._options.min_distance
-        boxes = self._comm.allgather(self._together(lambda: part.boxes(x0, x1, d)))
-        outgoing = part.outgoing(x0, x1, boxes, d)
+        comm, part, options = self._comm, self.part, self._options
+        boxes = comm.allgather(_together(comm, lambda: part.boxes(x0, x1, options.min_distance)))
+        outgoing = _together(comm, lambda: part.outgoing(x0, x1, boxes, options.min_distance))
         n_sent = np.array([len(of) for of in outgoing])
-        n_received = np.array(self._comm.alltoall(n_sent.tolist()))
-        sent, received = np.concatenate(outgoing), np.empty(n_received.sum(), ELEMENT)
+        n_received = np.array(comm.alltoall(n_sent.tolist()))
+        sent, received = _together(
+            comm, lambda: (np.concatenate(outgoing), np.empty(n_received.sum(), ELEMENT))
+        )
         # An element is one item, so that counts stay below 2^31.
         item = MPI.BYTE.Create_contiguous(ELEMENT.itemsize).Commit()
         try:
-            self._comm.Alltoallv(
+            comm.Alltoallv(
                 [sent, (n_sent, _starts(n_sent)), item],
                 [received, (n_received, _starts(n_received)), item],
             )
         finally:
             item.Free()
-        return self._together(lambda: part.local(x0, x1, [received]))
+        return _together(comm, lambda: part.local(x0, x1, [received]))
 
     def _on(self, local: Local) -> Session:
         options = local.options(self._options)
@@ -160,20 +165,23 @@ class Scene:
             self._session.set_mesh(local.mesh, options.bodies)
         return self._session
 
-    def _together(self, call: Callable[[], _T]) -> _T:
-        """The result of a call, once it has succeeded on every rank."""
-        try:
-            result, why = call(), None
-        except (ValueError, RuntimeError, MemoryError) as error:
-            result, why = None, error
-        failed = [(rank, of) for rank, of in enumerate(self._comm.allgather(why)) if of is not None]
-        if why is not None:
-            raise why
-        if failed:
-            rank, of = failed[0]
-            kind = ValueError if isinstance(of, ValueError) else RuntimeError
-            raise kind(f"rank {rank}: {of}")
-        return result  # type: ignore[return-value]
+
+def _together(comm: MPI.Intracomm, call: Callable[[], _T]) -> _T:
+    """The result of a call, once it has succeeded on every rank. An error between two collective
+    calls that does not pass through here leaves the other ranks waiting."""
+    try:
+        result, why = call(), None
+    except Exception as error:
+        result, why = None, error
+    # The words alone: not every error can be pickled.
+    said = None if why is None else (isinstance(why, ValueError), str(why) or type(why).__name__)
+    failed = [(rank, of) for rank, of in enumerate(comm.allgather(said)) if of is not None]
+    if why is not None:
+        raise why
+    if failed:
+        rank, (is_value, words) = failed[0]
+        raise (ValueError if is_value else RuntimeError)(f"rank {rank}: {words}")
+    return result  # type: ignore[return-value]
 
 
 def _world() -> MPI.Intracomm:

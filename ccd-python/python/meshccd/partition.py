@@ -10,7 +10,8 @@ made of its elements and of a halo, and then
 2. `part.outgoing(..)`: a part sends to each lower one the elements that overlap its boxes.
 3. `part.local(..)`: a mesh of what a part has and what it received, for a `Session`.
 4. `local.contacts(report)`: what this part owns, by the numbers of the whole mesh. A pair is owned
-   by the lower of the owners of its two features. `merge` joins the arrays of all parts.
+   by the lower of the owners of its two features. `merge` joins the arrays of all parts. The least
+   `local.earliest_toi(session)` is the earliest time of the whole.
 
 Why every pair of the whole mesh is found once, and no other. Let the features a and b be a pair
 with owners p <= q. *Not twice:* parts keep a pair only if they are p, and a report lists it once.
@@ -19,8 +20,12 @@ q = p, then p has both. Otherwise B goes to p: features in contact are at most `
 apart at one time, so in each axis the gap of their swept boxes is at most d; boxes of elements
 hold those of their features, are grown by more than d / 2 each and rounded outward, and the
 comparison is closed, so B overlaps the box of A and the boxes of p around it. *Nothing else:* whole
-elements are sent, with all their vertices and edges, so each pair of a local mesh is one of the
-whole mesh: what is a rod or a particle here is one there.
+elements are sent, with all their vertices and edges. So a rod of a local mesh is one of the whole
+mesh, and a vertex with an edge has one there. But p may take a vertex v for a particle of which it
+has a face [v, v, v] alone, while elements with its edges are elsewhere. None of these is in a
+higher part, since all elements with v overlap where that face does, and would have come with it. So
+one is in a lower part, which owns v, and p keeps no pair of v as a particle. `local.earliest_toi`
+leaves these pairs out, too.
 
 Why it has the same time and state. A verdict depends on the positions of the pair alone and on the
 order of its features and of their vertices. Local numbers of vertices, edges and faces ascend as
@@ -215,10 +220,13 @@ def _records(mesh: Mesh) -> _Records:
     """All elements of a mesh, without owners and positions."""
     faces, edges, particles = mesh.faces, mesh.edges, mesh.isolated_vertices
     known = edge_keys(edges)
-    sides = np.searchsorted(known, np.stack([edge_keys(faces[:, side]) for side in SIDES], axis=1))
-    is_rod = np.ones(len(edges), bool)
+    ends = faces[:, np.array(SIDES)]
+    sides = np.searchsorted(known, edge_keys(ends)).reshape(-1, 3)
+    # A side with equal corners is no edge; `is_rod` has one more, for that id.
+    sides[ends[:, :, 0] == ends[:, :, 1]] = len(edges)
+    is_rod = np.ones(len(edges) + 1, bool)
     is_rod[sides.ravel()] = False
-    rods = np.flatnonzero(is_rod)
+    rods = np.flatnonzero(is_rod[:-1])
     n, m = len(faces), len(faces) + len(rods)
     records = np.zeros(m + len(particles), ELEMENT)
     records["corners"][:n], records["corners"][n:m], records["corners"][m:] = 3, 2, 1
