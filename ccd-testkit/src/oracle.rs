@@ -39,11 +39,11 @@ pub fn edge_edge(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4]) -> Answer {
     decide(d(2, 0), d(1, 0), d(2, 3), false)
 }
 
-/// Coordinates at both ends.
-type Whole = [[[BigInt; 3]; 4]; 2];
+/// Coordinates of points at both ends.
+type Whole<const K: usize> = [[[BigInt; 3]; K]; 2];
 
 /// Coordinates as multiples of a power of two.
-fn whole(t: [&[[f64; 3]; 4]; 2]) -> Whole {
+pub(crate) fn whole<const K: usize>(t: [&[[f64; 3]; K]; 2]) -> Whole<K> {
     let decoded = t.map(|t| {
         t.map(|p| {
             p.map(|x| {
@@ -62,7 +62,7 @@ fn whole(t: [&[[f64; 3]; 4]; 2]) -> Whole {
 }
 
 /// Point `i` minus point `j`, each coordinate a linear polynomial of time.
-fn difference([t0, t1]: &Whole, i: usize, j: usize) -> [Poly; 3] {
+fn difference([t0, t1]: &Whole<4>, i: usize, j: usize) -> [Poly; 3] {
     std::array::from_fn(|k| {
         let start = &t0[i][k] - &t0[j][k];
         let end = &t1[i][k] - &t1[j][k];
