@@ -1,5 +1,6 @@
-//! The exact answer of a query in rational arithmetic: nothing is rounded, nothing is shared with
-//! the code under test.
+//! The exact answer of a query in integers: nothing is rounded, nothing is shared with the code
+//! under test. Coordinates are multiples of a power of two, and ends of intervals of a power of
+//! 1/7; signs alone matter, so both are left out and nothing is divided.
 //!
 //! Roots of the coplanarity cubic are isolated by sign variations of exact Bernstein coefficients;
 //! at each, the containment conditions are decided by the signs of exact polynomials over the
@@ -7,8 +8,9 @@
 //! (contact exactly on a boundary, coplanar motion, double roots) are reported as degenerate: the
 //! published ground truth covers those.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{FromPrimitive, One, Signed, Zero};
+use num_traits::{Float, One, Signed, ToPrimitive, Zero};
 
 /// Exact answer of a query.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,35 +23,55 @@ pub enum Answer {
     Degenerate,
 }
 
-type Poly = Vec<BigRational>;
+type Poly = Vec<BigInt>;
 
 /// Vertex-face: `v f0 f1 f2`.
 pub fn vertex_face(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4]) -> Answer {
-    let d = |i: usize, j: usize| difference(t0, t1, i, j);
+    let t = whole([t0, t1]);
+    let d = |i: usize, j: usize| difference(&t, i, j);
     decide(d(0, 1), d(2, 1), d(3, 1), true)
 }
 
 /// Edge-edge: `ea0 ea1 eb0 eb1`.
 pub fn edge_edge(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4]) -> Answer {
-    let d = |i: usize, j: usize| difference(t0, t1, i, j);
+    let t = whole([t0, t1]);
+    let d = |i: usize, j: usize| difference(&t, i, j);
     decide(d(2, 0), d(1, 0), d(2, 3), false)
 }
 
-fn exact(x: f64) -> BigRational {
-    BigRational::from_f64(x).expect("a finite coordinate")
+/// Coordinates of points at both ends.
+type Whole<const K: usize> = [[[BigInt; 3]; K]; 2];
+
+/// Coordinates as multiples of a power of two.
+pub(crate) fn whole<const K: usize>(t: [&[[f64; 3]; K]; 2]) -> Whole<K> {
+    let decoded = t.map(|t| {
+        t.map(|p| {
+            p.map(|x| {
+                assert!(x.is_finite(), "a finite coordinate");
+                x.integer_decode()
+            })
+        })
+    });
+    let all = decoded.iter().flatten().flatten();
+    let unit = all.filter(|(m, ..)| *m != 0).map(|&(_, e, _)| e).min().unwrap_or(0);
+    let number = |(m, e, sign): (u64, i16, i8)| match m {
+        0 => BigInt::zero(),
+        m => (BigInt::from(m) << (e - unit)) * sign,
+    };
+    decoded.map(|t| t.map(|p| p.map(number)))
 }
 
 /// Point `i` minus point `j`, each coordinate a linear polynomial of time.
-fn difference(t0: &[[f64; 3]; 4], t1: &[[f64; 3]; 4], i: usize, j: usize) -> [Poly; 3] {
+fn difference([t0, t1]: &Whole<4>, i: usize, j: usize) -> [Poly; 3] {
     std::array::from_fn(|k| {
-        let start = exact(t0[i][k]) - exact(t0[j][k]);
-        let end = exact(t1[i][k]) - exact(t1[j][k]);
+        let start = &t0[i][k] - &t0[j][k];
+        let end = &t1[i][k] - &t1[j][k];
         vec![start.clone(), end - start]
     })
 }
 
 fn add(p: &Poly, q: &Poly) -> Poly {
-    let at = |p: &Poly, i: usize| p.get(i).cloned().unwrap_or_else(BigRational::zero);
+    let at = |p: &Poly, i: usize| p.get(i).cloned().unwrap_or_else(BigInt::zero);
     (0..p.len().max(q.len())).map(|i| at(p, i) + at(q, i)).collect()
 }
 
@@ -58,7 +80,7 @@ fn negate(p: &Poly) -> Poly {
 }
 
 fn multiply(p: &Poly, q: &Poly) -> Poly {
-    let mut out = vec![BigRational::zero(); p.len() + q.len() - 1];
+    let mut out = vec![BigInt::zero(); p.len() + q.len() - 1];
     for (i, a) in p.iter().enumerate() {
         for (j, b) in q.iter().enumerate() {
             out[i + j] += a * b;
@@ -72,33 +94,56 @@ fn cross2(p: &[Poly; 3], q: &[Poly; 3], k: usize) -> Poly {
     add(&multiply(&p[i], &q[j]), &negate(&multiply(&p[j], &q[i])))
 }
 
-/// Coefficients in the Bernstein basis of `[lo, hi]`.
-fn bernstein(p: &Poly, lo: &BigRational, hi: &BigRational) -> Poly {
+/// An interval of time, `[lo / unit, hi / unit]`.
+struct Interval {
+    lo: BigInt,
+    hi: BigInt,
+    unit: BigInt,
+}
+
+impl Interval {
+    /// Both parts, divided at 3/7 of it. Not at the middle: roots at simple fractions of two would
+    /// fall on the ends of intervals.
+    fn divided(self) -> [Self; 2] {
+        let Self { lo, hi, unit } = self;
+        let middle: BigInt = &lo * 4 + &hi * 3;
+        let unit: BigInt = unit * 7;
+        [
+            Self { lo: lo * 7, hi: middle.clone(), unit: unit.clone() },
+            Self { lo: middle, hi: hi * 7, unit },
+        ]
+    }
+}
+
+/// Coefficients in the Bernstein basis of an interval, up to a factor that is positive.
+fn bernstein(p: &Poly, Interval { lo, hi, unit }: &Interval) -> Poly {
     let n = p.len() - 1;
     let width = hi - lo;
-    // p(lo + width x) by Horner's scheme.
-    let mut shifted: Poly = vec![BigRational::zero(); n + 1];
+    // unit^n p((lo + width x) / unit) by Horner's scheme.
+    let mut shifted: Poly = vec![BigInt::zero(); n + 1];
+    let mut power = BigInt::one();
     for c in p.iter().rev() {
         for i in (0..=n).rev() {
-            let carry = if i > 0 { &shifted[i - 1] * &width } else { BigRational::zero() };
+            let carry = if i > 0 { &shifted[i - 1] * &width } else { BigInt::zero() };
             shifted[i] = &shifted[i] * lo + carry;
         }
-        shifted[0] += c;
+        shifted[0] += c * &power;
+        power *= unit;
     }
-    let choose = |n: usize, k: usize| {
-        (0..k).fold(BigRational::one(), |c, i| c * exact((n - i) as f64) / exact((i + 1) as f64))
-    };
+    let choose = |n: usize, k: usize| (0..k).fold(1, |c, i| c * (n - i) / (i + 1));
+    let all: usize = (0..=n).map(|j| choose(n, j)).product();
     (0..=n)
         .map(|i| {
-            (0..=i)
-                .fold(BigRational::zero(), |sum, j| sum + choose(i, j) / choose(n, j) * &shifted[j])
+            let weighted = |j: usize| &shifted[j] * (choose(i, j) * (all / choose(n, j)));
+            (0..=i).fold(BigInt::zero(), |sum, j| sum + weighted(j))
         })
         .collect()
 }
 
-/// The sign that a polynomial has everywhere on `[lo, hi]`, if its Bernstein coefficients show one.
-fn sign(p: &Poly, lo: &BigRational, hi: &BigRational) -> Option<bool> {
-    let c = bernstein(p, lo, hi);
+/// The sign that a polynomial has everywhere on an interval, if its Bernstein coefficients show
+/// one.
+fn sign(p: &Poly, interval: &Interval) -> Option<bool> {
+    let c = bernstein(p, interval);
     if c.iter().all(|c| c.is_positive()) {
         Some(true)
     } else if c.iter().all(|c| c.is_negative()) {
@@ -115,7 +160,7 @@ const NARROW_DEPTH: u32 = 75;
 
 fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
     let n: [Poly; 3] = std::array::from_fn(|k| cross2(&b, &c, k));
-    let f = (0..3).fold(vec![BigRational::zero()], |sum, k| add(&sum, &multiply(&a[k], &n[k])));
+    let f = (0..3).fold(vec![BigInt::zero()], |sum, k| add(&sum, &multiply(&a[k], &n[k])));
     let conditions: [(Poly, Vec<Poly>); 3] = std::array::from_fn(|k| {
         let (d, s, r) = (n[k].clone(), cross2(&a, &c, k), cross2(&b, &a, k));
         let minus = |p: &Poly, q: &Poly| add(p, &negate(q));
@@ -126,11 +171,10 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
         };
         (d, [vec![s, r], more].concat())
     });
-    let mut stack = vec![(BigRational::zero(), BigRational::one(), 0u32)];
-    // Not at the middle: roots at simple fractions of two would fall on the ends of intervals.
-    let part = exact(3.0) / exact(7.0);
-    while let Some((lo, hi, depth)) = stack.pop() {
-        let coefficients = bernstein(&f, &lo, &hi);
+    let all = Interval { lo: BigInt::zero(), hi: BigInt::one(), unit: BigInt::one() };
+    let mut stack = vec![(all, 0u32)];
+    while let Some((interval, depth)) = stack.pop() {
+        let coefficients = bernstein(&f, &interval);
         let nonzero: Vec<bool> =
             coefficients.iter().filter(|c| !c.is_zero()).map(|c| c.is_positive()).collect();
         let variations = nonzero.windows(2).filter(|w| w[0] != w[1]).count();
@@ -142,33 +186,29 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
             return Answer::Degenerate;
         }
         if variations == 1 && !first.is_zero() && !last.is_zero() {
-            match contained(&conditions, &lo, &hi) {
+            match contained(&conditions, &interval) {
                 Some(false) => continue,
                 Some(true) if depth >= NARROW_DEPTH => {
-                    use num_traits::ToPrimitive;
-                    let f = |x: &BigRational| x.to_f64().expect("a time");
-                    return Answer::Contact(f(&lo), f(&hi));
+                    let Interval { lo, hi, unit } = interval;
+                    let time =
+                        |x: BigInt| BigRational::new(x, unit.clone()).to_f64().expect("a time");
+                    return Answer::Contact(time(lo), time(hi));
                 }
                 _ => {}
             }
         }
-        let middle = &lo + (&hi - &lo) * &part;
-        stack.push((middle.clone(), hi, depth + 1));
-        stack.push((lo, middle, depth + 1));
+        let [first, second] = interval.divided();
+        stack.extend([(second, depth + 1), (first, depth + 1)]);
     }
     Answer::Free
 }
 
-/// Whether the features meet at coplanar times within `[lo, hi]`: the first projection with a
+/// Whether the features meet at coplanar times within an interval: the first projection with a
 /// determinant of one sign decides.
-fn contained(
-    conditions: &[(Poly, Vec<Poly>); 3],
-    lo: &BigRational,
-    hi: &BigRational,
-) -> Option<bool> {
+fn contained(conditions: &[(Poly, Vec<Poly>); 3], interval: &Interval) -> Option<bool> {
     for (determinant, rest) in conditions {
-        let Some(positive) = sign(determinant, lo, hi) else { continue };
-        let signs: Vec<Option<bool>> = rest.iter().map(|p| sign(p, lo, hi)).collect();
+        let Some(positive) = sign(determinant, interval) else { continue };
+        let signs: Vec<Option<bool>> = rest.iter().map(|p| sign(p, interval)).collect();
         if signs.contains(&Some(!positive)) {
             return Some(false);
         }

@@ -1,6 +1,6 @@
 //! An oracle for exact decisions that shares nothing with them: polynomials in powers of time with
-//! rational coefficients, zeros counted by Sturm chains, signs at zeros by Tarski queries
-//! [Basu 2006].
+//! whole coefficients (coordinates are multiples of a power of two), zeros counted by Sturm
+//! chains, signs at zeros by Tarski queries [Basu 2006].
 //!
 //! Features first touch at the beginning or at a zero of one of the polynomials that describe them
 //! (coplanar; vertices collinear with edges; ends at one place): all of these times are tried.
@@ -8,6 +8,7 @@
 mod meeting;
 mod zeros;
 
+use crate::oracle::whole;
 pub use meeting::meet;
 use num_bigint::BigInt;
 use num_traits::{FromPrimitive, Signed, ToPrimitive};
@@ -150,9 +151,10 @@ fn exact(x: f64) -> Q {
 }
 
 fn points<const K: usize>(t0: &[[f64; 3]; K], t1: &[[f64; 3]; K]) -> [Vector; K] {
+    let [x0, x1] = whole([t0, t1]);
     std::array::from_fn(|i| {
         std::array::from_fn(|k| {
-            let (a, b) = (exact(t0[i][k]), exact(t1[i][k]));
+            let (a, b) = (&x0[i][k], &x1[i][k]);
             Poly::new(vec![a.clone(), b - a])
         })
     })

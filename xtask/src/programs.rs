@@ -1,8 +1,9 @@
 //! Other programs that are run. What a machine may lack: a check that needs it is skipped there,
 //! loudly and with the reason, never silently.
 
+use std::io::{self, Read};
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, ExitStatus};
 use std::sync::Mutex;
 use std::time::Instant;
 
@@ -15,15 +16,57 @@ pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
 }
 
 pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
-    let shown = words.join(" ");
-    println!("$ {shown}");
+    println!("$ {}", words.join(" "));
     let begun = Instant::now();
-    let status = Command::new(words[0])
-        .args(&words[1..])
-        .envs(env.iter().copied())
-        .current_dir(root)
-        .status();
-    let seconds = begun.elapsed().as_secs_f64();
+    timed(words, begun, prepared(root, words, env).status())
+}
+
+/// A command with its environment.
+type Words<'a> = (Vec<&'a str>, Vec<(&'a str, &'a str)>);
+
+/// Runs a command, and meanwhile others, one after another, up to one that fails. What the others
+/// print is shown afterwards.
+pub fn command_beside(root: &Path, words: &[&str], others: &[Words]) -> Result<(), String> {
+    let beside = || {
+        let mut printed = String::new();
+        let done = others.iter().try_for_each(|(words, env)| {
+            printed += &format!("$ {}\n", words.join(" "));
+            let begun = Instant::now();
+            let status = status_and_output(prepared(root, words, env), &mut printed);
+            timed(words, begun, status)
+        });
+        (printed, done)
+    };
+    let (own, (printed, others)) = std::thread::scope(|scope| {
+        let others = scope.spawn(beside);
+        let own = command(root, words);
+        (own, others.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+    });
+    print!("{printed}");
+    own.and(others)
+}
+
+fn prepared(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Command {
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]).envs(env.iter().copied()).current_dir(root);
+    command
+}
+
+/// Runs a command and appends what it prints.
+fn status_and_output(mut command: Command, printed: &mut String) -> io::Result<ExitStatus> {
+    let (mut reader, writer) = io::pipe()?;
+    let mut child = command.stdout(writer.try_clone()?).stderr(writer).spawn()?;
+    // Its ends of the pipe, without which reading ends when the child's are closed.
+    drop(command);
+    let mut bytes = Vec::new();
+    reader.read_to_end(&mut bytes)?;
+    *printed += &String::from_utf8_lossy(&bytes);
+    child.wait()
+}
+
+/// Notes how long a command took that ends now; an error if it failed.
+fn timed(words: &[&str], begun: Instant, status: io::Result<ExitStatus>) -> Result<(), String> {
+    let (shown, seconds) = (words.join(" "), begun.elapsed().as_secs_f64());
     TIMES.lock().map_err(|e| e.to_string())?.push((shown.clone(), seconds));
     match status {
         Ok(s) if s.success() => Ok(()),
@@ -71,6 +114,23 @@ pub fn output(command: &mut Command) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commands_beside_another_fail_like_it() {
+        let run = |own: &str, other: &str| {
+            let others = [(vec!["cargo", other], Vec::new())];
+            command_beside(Path::new("."), &["cargo", own], &others)
+        };
+        assert_eq!(run("--version", "--version"), Ok(()));
+        for (own, other) in [("no-such-command", "--version"), ("--version", "no-such-command")] {
+            let failed = run(own, other).unwrap_err();
+            assert!(failed.starts_with("`cargo no-such-command` failed"), "{failed}");
+        }
+        let mut printed = String::new();
+        let command = prepared(Path::new("."), &["cargo", "no-such-command"], &[]);
+        assert!(!status_and_output(command, &mut printed).unwrap().success());
+        assert!(printed.contains("no-such-command"), "{printed}");
+    }
 
     #[test]
     fn what_is_missing_is_named() {

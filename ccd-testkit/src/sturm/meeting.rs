@@ -2,7 +2,9 @@
 
 use super::zeros::{Place, Poly, Q, places};
 use super::{Vector, cross, dot, exact, minus, points};
-use num_traits::{Signed, Zero};
+use crate::oracle::whole;
+use num_bigint::BigInt;
+use num_traits::Signed;
 
 /// Units in the last place by which a weight may be off.
 const WEIGHT: f64 = 0.51;
@@ -80,8 +82,7 @@ impl Meeting {
     fn check(&self, place: &Place, weights: &[f64], normal: [f64; 3]) -> Result<(), String> {
         for (i, (&w, value)) in weights.iter().zip(&self.weights).enumerate() {
             let slack = exact(w.next_up() - w) * exact(WEIGHT);
-            let beside =
-                |slack: Q| place.sign(&value.plus(&self.one.scaled(&(exact(w) + slack)), -1));
+            let beside = |slack: Q| place.sign(&value.minus_times(&(exact(w) + slack), &self.one));
             let is_right = if w == 0.0 {
                 place.sign(value) == 0
             } else {
@@ -95,8 +96,9 @@ impl Meeting {
         let before = self.cubic.at(place.before());
         let before = before.is_positive() as i32 - before.is_negative() as i32;
         let zero = Poly::new(Vec::new());
-        let along =
-            (0..3).fold(zero, |sum, k| sum.plus(&self.normal[k].scaled(&exact(normal[k])), 1));
+        let [[given], _] = whole([&[normal]; 2]);
+        let times = |k: usize| self.normal[k].times(&Poly::new(vec![given[k].clone()]));
+        let along = (0..3).fold(zero, |sum, k| sum.plus(&times(k), 1));
         if place.sign(&along) != before * self.towards {
             return Err(format!("the side of {normal:?}"));
         }
@@ -105,7 +107,7 @@ impl Meeting {
         for k in 0..3 {
             let beside = |slack: f64| {
                 let ratio = exact(normal[k]) / exact(normal[m]) + exact(slack);
-                sign * place.sign(&self.normal[k].plus(&self.normal[m].scaled(&ratio), -1))
+                sign * place.sign(&self.normal[k].minus_times(&ratio, &self.normal[m]))
             };
             if beside(-DIRECTION) < 0 || beside(DIRECTION) > 0 {
                 return Err(format!("the direction of {normal:?}"));
@@ -116,12 +118,9 @@ impl Meeting {
 }
 
 impl Poly {
-    /// All coefficients times a number.
-    fn scaled(&self, by: &Q) -> Self {
-        if by.is_zero() {
-            Self::new(Vec::new())
-        } else {
-            Self(self.0.iter().map(|c| c * by).collect())
-        }
+    /// This less a number times another, all times the number's denominator, which is positive.
+    fn minus_times(&self, by: &Q, other: &Self) -> Self {
+        let times = |n: &BigInt| Self::new(vec![n.clone()]);
+        self.times(&times(by.denom())).plus(&other.times(&times(by.numer())), -1)
     }
 }

@@ -1,4 +1,4 @@
-//! Zeros of polynomials with rational coefficients: Sturm chains, and signs of others there.
+//! Zeros of polynomials with whole coefficients: Sturm chains, and signs of others there.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -8,12 +8,13 @@ use std::cmp::Ordering;
 
 pub type Q = BigRational;
 
-/// A polynomial, the constant first; no last coefficient is 0.
+/// A polynomial, the constant first; no last coefficient is 0. Whole numbers are much faster than
+/// fractions, which are reduced one bit at a time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Poly(pub Vec<Q>);
+pub struct Poly(pub Vec<BigInt>);
 
 impl Poly {
-    pub fn new(mut c: Vec<Q>) -> Self {
+    pub fn new(mut c: Vec<BigInt>) -> Self {
         while c.last().is_some_and(Zero::is_zero) {
             c.pop();
         }
@@ -25,14 +26,13 @@ impl Poly {
     }
 
     pub fn plus(&self, other: &Self, factor: i32) -> Self {
-        let at = |p: &Self, i: usize| p.0.get(i).cloned().unwrap_or_else(Q::zero);
-        let factor = Q::from_i32(factor).expect("a number");
+        let at = |p: &Self, i: usize| p.0.get(i).cloned().unwrap_or_else(BigInt::zero);
         let n = self.0.len().max(other.0.len());
-        Self::new((0..n).map(|i| at(self, i) + &factor * at(other, i)).collect())
+        Self::new((0..n).map(|i| at(self, i) + at(other, i) * factor).collect())
     }
 
     pub fn times(&self, other: &Self) -> Self {
-        let mut c = vec![Q::zero(); (self.0.len() + other.0.len()).saturating_sub(1)];
+        let mut c = vec![BigInt::zero(); (self.0.len() + other.0.len()).saturating_sub(1)];
         for (i, a) in self.0.iter().enumerate() {
             for (j, b) in other.0.iter().enumerate() {
                 c[i + j] += a * b;
@@ -43,51 +43,69 @@ impl Poly {
 
     fn derivative(&self) -> Self {
         let c = self.0.iter().enumerate().skip(1);
-        Self::new(c.map(|(i, c)| c * Q::from_usize(i).expect("a number")).collect())
+        Self::new(c.map(|(i, c)| c * i).collect())
     }
 
-    pub fn at(&self, t: &Q) -> Q {
-        self.0.iter().rev().fold(Q::zero(), |sum, c| sum * t + c)
-    }
-
-    /// Quotient and remainder.
-    fn divided(&self, by: &Self) -> (Self, Self) {
-        let (mut rest, lead) = (self.0.clone(), by.0.last().expect("not 0"));
-        let mut quotient = vec![Q::zero(); self.0.len().saturating_sub(by.0.len()) + 1];
-        while rest.len() >= by.0.len() {
-            let factor = rest.last().expect("long enough") / lead;
-            let shift = rest.len() - by.0.len();
-            for (i, c) in by.0.iter().enumerate() {
-                rest[i + shift] -= &factor * c;
-            }
-            quotient[shift] = factor;
-            rest.pop();
+    /// The value at `n / d` times `d` to the degree, whose sign is that of the value.
+    pub fn at(&self, t: &Q) -> BigInt {
+        let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
+        for c in self.0.iter().rev() {
+            sum = sum * t.numer() + c * &power;
+            power *= t.denom();
         }
-        (Self::new(quotient), Self::new(rest))
+        sum
+    }
+
+    /// Divided by what its coefficients have in common.
+    fn primitive(mut self) -> Self {
+        let common = self.0.iter().fold(BigInt::zero(), |common, c| common.gcd(c));
+        if common > BigInt::one() {
+            self.0.iter_mut().for_each(|c| *c /= &common);
+        }
+        self
+    }
+
+    /// Quotient and remainder, both times a positive number of no interest.
+    fn divided(&self, by: &Self) -> [Self; 2] {
+        let (by, lead) = by.0.split_at(by.0.len() - 1);
+        let (size, is_negative) = (lead[0].abs(), lead[0].is_negative());
+        let (mut rest, mut quotient) = (self.0.clone(), vec![BigInt::zero(); self.0.len()]);
+        while rest.len() > by.len() {
+            let top = rest.pop().expect("long enough");
+            let top = if is_negative { -top } else { top };
+            let shift = rest.len() - by.len();
+            rest.iter_mut().chain(&mut quotient).for_each(|c| *c *= &size);
+            for (i, c) in by.iter().enumerate() {
+                rest[i + shift] -= &top * c;
+            }
+            quotient[shift] = top;
+        }
+        [quotient, rest].map(|p| Self::new(p).primitive())
     }
 
     /// Without multiple zeros.
     fn simple(&self) -> Self {
         let (mut a, mut b) = (self.clone(), self.derivative());
         while !b.is_zero() {
-            let rest = a.divided(&b).1;
+            let [_, rest] = a.divided(&b);
             (a, b) = (b, rest);
         }
-        self.divided(&a).0
+        let [simple, _] = self.divided(&a);
+        simple
     }
 
     /// The sum of the signs of `of` at the zeros between two places that are none: Tarski's query.
     pub fn query(&self, of: &Self, from: &Q, to: &Q) -> i32 {
-        let product = self.derivative().times(of);
-        let mut chain = vec![whole(self), whole(&product)];
-        while chain.last().is_some_and(|p| !p.is_empty()) {
-            let rest = negative_remainder(&chain[chain.len() - 2], &chain[chain.len() - 1]);
-            chain.push(rest);
+        let product = self.derivative().times(of).primitive();
+        let mut chain = vec![self.clone(), product];
+        while chain.last().is_some_and(|p| !p.is_zero()) {
+            let [_, rest] = chain[chain.len() - 2].divided(&chain[chain.len() - 1]);
+            chain.push(Self(rest.0.into_iter().map(|c| -c).collect()));
         }
         let variations = |t: &Q| {
             let signs: Vec<bool> = chain
                 .iter()
-                .map(|p| value(p, t))
+                .map(|p| p.at(t))
                 .filter(|v| !v.is_zero())
                 .map(|v| v.is_positive())
                 .collect();
@@ -95,52 +113,6 @@ impl Poly {
         };
         variations(from) - variations(to)
     }
-}
-
-/// A polynomial with whole coefficients that have nothing in common, times a positive number of no
-/// interest: much faster than fractions.
-type Whole = Vec<BigInt>;
-
-fn whole(p: &Poly) -> Whole {
-    let unit = p.0.iter().fold(BigInt::one(), |unit, c| unit.lcm(c.denom()));
-    primitive(p.0.iter().map(|c| c.numer() * (&unit / c.denom())).collect())
-}
-
-fn primitive(mut p: Whole) -> Whole {
-    let common = p.iter().fold(BigInt::zero(), |common, c| common.gcd(c));
-    if common > BigInt::one() {
-        p.iter_mut().for_each(|c| *c /= &common);
-    }
-    p
-}
-
-fn negative_remainder(a: &Whole, by: &Whole) -> Whole {
-    let mut rest = a.clone();
-    let lead = by.last().expect("not 0");
-    let (size, is_negative) = (lead.abs(), lead.is_negative());
-    while rest.len() >= by.len() {
-        let top = rest.pop().expect("long enough");
-        let top = if is_negative { -top } else { top };
-        let shift = rest.len() + 1 - by.len();
-        rest.iter_mut().for_each(|c| *c *= &size);
-        for (i, c) in by[..by.len() - 1].iter().enumerate() {
-            rest[i + shift] -= &top * c;
-        }
-    }
-    while rest.last().is_some_and(Zero::is_zero) {
-        rest.pop();
-    }
-    primitive(rest.into_iter().map(|c| -c).collect())
-}
-
-/// The value at `n / d` times `d` to the degree.
-fn value(p: &Whole, t: &Q) -> BigInt {
-    let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
-    for c in p.iter().rev() {
-        sum = sum * t.numer() + c * &power;
-        power *= t.denom();
-    }
-    sum
 }
 
 /// A zero of the first without multiple zeros, the only one between two places that are none.
@@ -197,7 +169,7 @@ impl Place {
 }
 
 fn constant(x: i32) -> Poly {
-    Poly::new(vec![Q::from_i32(x).expect("a number")])
+    Poly::new(vec![BigInt::from(x)])
 }
 
 /// The zeros in `[from, to]`.
@@ -235,7 +207,8 @@ fn closed(p: &Poly, from: &Q, to: &Q) -> i32 {
     let mut q = p.clone();
     for (t, is) in [(from, ends[0]), (to, ends[1])] {
         if is > 0 {
-            q = q.divided(&Poly::new(vec![-t.clone(), Q::one()])).0;
+            let zero = Poly::new(vec![-t.numer(), t.denom().clone()]);
+            [q, _] = q.divided(&zero);
         }
     }
     ends[0] + ends[1] + if q.0.len() < 2 { 0 } else { q.query(&constant(1), from, to) }
