@@ -59,12 +59,12 @@ struct type_19 {
 
 @group(0) @binding(2) 
 var<storage> order: type_11;
-@group(0) @binding(3) 
-var<storage, read_write> ordered: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_19;
 @group(0) @binding(1) 
 var<storage> joins: type_11;
+@group(0) @binding(3) 
+var<storage, read_write> ordered: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> branches: type_16;
 

@@ -35,81 +35,83 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
-    member: u32,
-}
-
-struct type_15 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_14,
-}
-
 struct type_16 {
-    member: type_15,
+    member: array<vec4<u32>>,
 }
 
 struct type_17 {
     member: u32,
-    member_1: bool,
+}
+
+struct type_18 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_17,
+}
+
+struct type_19 {
+    member: type_18,
 }
 
 struct type_20 {
+    member: u32,
+    member_1: bool,
+}
+
+struct type_23 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_16;
+var<storage> params: type_19;
 @group(0) @binding(1) 
 var<storage> contacts: type_11;
 @group(0) @binding(2) 
 var<storage> slots: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> ordered: type_11;
+var<storage, read_write> ordered: type_16;
 @group(0) @binding(4) 
-var<storage, read_write> table: type_20;
+var<storage, read_write> table: type_23;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_92_: u32;
-    var phi_97_: u32;
-    var phi_155_: type_9;
-    var phi_158_: u32;
-    var phi_160_: u32;
-    var phi_156_: type_9;
-    var phi_183_: type_9;
-    var phi_253_: u32;
-    var phi_254_: u32;
-    var phi_255_: bool;
-    var phi_256_: u32;
-    var phi_257_: u32;
-    var phi_258_: bool;
-    var phi_159_: u32;
-    var phi_161_: u32;
-    var phi_259_: bool;
-    var phi_266_: type_9;
-    var phi_269_: u32;
-    var phi_271_: u32;
-    var phi_267_: type_9;
-    var phi_294_: type_9;
-    var phi_365_: u32;
-    var phi_366_: u32;
-    var phi_367_: bool;
-    var phi_368_: u32;
-    var phi_369_: u32;
-    var phi_370_: bool;
-    var phi_270_: u32;
-    var phi_272_: u32;
-    var phi_371_: bool;
     var local: u32;
+    var phi_107_: u32;
+    var phi_112_: u32;
+    var phi_170_: type_9;
+    var phi_173_: u32;
+    var phi_175_: u32;
+    var phi_171_: type_9;
+    var phi_198_: type_9;
+    var phi_268_: u32;
+    var phi_269_: u32;
+    var phi_270_: bool;
+    var phi_271_: u32;
+    var phi_272_: u32;
+    var phi_273_: bool;
+    var phi_174_: u32;
+    var phi_176_: u32;
+    var phi_274_: bool;
+    var phi_281_: type_9;
+    var phi_284_: u32;
+    var phi_286_: u32;
+    var phi_282_: type_9;
+    var phi_309_: type_9;
+    var phi_380_: u32;
+    var phi_381_: u32;
+    var phi_382_: bool;
+    var phi_383_: u32;
+    var phi_384_: u32;
+    var phi_385_: bool;
+    var phi_285_: u32;
+    var phi_287_: u32;
+    var phi_386_: bool;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_384_: type_17;
-    var phi_411_: u32;
-    var phi_431_: type_9;
-    var phi_432_: type_9;
-    var phi_455_: type_9;
     var local_4: u32;
+    var phi_399_: type_20;
+    var phi_426_: u32;
+    var local_5: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -117,219 +119,212 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e22 = id_2;
-    let _e23 = n_2;
-    let _e24 = lane_2;
-    let _e36 = ((((_e22.y * _e23.x) + _e22.x) * 256u) + _e24);
-    let _e39 = params.member.member_1.member;
-    let _e42 = params.member.member_1.member_2;
-    let _e44 = contacts.member[0u];
-    if (_e42 < _e44) {
-        phi_92_ = _e42;
+    let _e28 = id_2;
+    let _e29 = n_2;
+    let _e30 = lane_2;
+    let _e42 = ((((_e28.y * _e29.x) + _e28.x) * 256u) + _e30);
+    let _e45 = params.member.member_1.member;
+    let _e48 = params.member.member_1.member_2;
+    let _e50 = contacts.member[0u];
+    if (_e48 < _e50) {
+        phi_107_ = _e48;
     } else {
-        phi_92_ = _e44;
+        phi_107_ = _e50;
     }
-    let _e47 = phi_92_;
-    if (_e47 < _e39) {
-        phi_97_ = _e47;
+    let _e53 = phi_107_;
+    if (_e53 < _e45) {
+        phi_112_ = _e53;
     } else {
-        phi_97_ = _e39;
+        phi_112_ = _e45;
     }
-    let _e50 = phi_97_;
-    if (_e36 < _e50) {
-        let _e54 = slots.member[_e36];
-        let _e55 = (7u * _e54);
-        let _e58 = contacts.member[(4u + _e55)];
-        let _e61 = params.member.member.member[0u];
-        let _e65 = contacts.member[(_e55 + 6u)];
-        let _e66 = ((_e58 * _e61) + _e65);
-        let _e70 = contacts.member[((7u * _e54) + 7u)];
-        phi_155_ = type_9(0u, 4097u);
-        phi_158_ = 0u;
-        phi_160_ = _e36;
+    let _e56 = phi_112_;
+    if (_e42 < _e56) {
+        let _e60 = slots.member[_e42];
+        let _e61 = (7u * _e60);
+        let _e64 = contacts.member[(4u + _e61)];
+        let _e67 = params.member.member.member[0u];
+        let _e71 = contacts.member[(_e61 + 6u)];
+        let _e72 = ((_e64 * _e67) + _e71);
+        let _e76 = contacts.member[((7u * _e60) + 7u)];
+        phi_170_ = type_9(0u, 4097u);
+        phi_173_ = 0u;
+        phi_175_ = _e42;
         loop {
-            let _e72 = phi_155_;
-            let _e74 = phi_158_;
-            let _e76 = phi_160_;
-            local_4 = _e74;
-            local_1 = _e76;
-            local_2 = _e76;
-            if (_e72.member < _e72.member_1) {
-                phi_156_ = type_9((_e72.member + 1u), _e72.member_1);
-                phi_183_ = type_9(1u, _e72.member);
+            let _e78 = phi_170_;
+            let _e80 = phi_173_;
+            let _e82 = phi_175_;
+            local_5 = _e80;
+            local_2 = _e82;
+            local_3 = _e82;
+            if (_e78.member < _e78.member_1) {
+                phi_171_ = type_9((_e78.member + 1u), _e78.member_1);
+                phi_198_ = type_9(1u, _e78.member);
             } else {
-                phi_156_ = _e72;
-                phi_183_ = type_9(0u, type_9().member_1);
+                phi_171_ = _e78;
+                phi_198_ = type_9(0u, type_9().member_1);
             }
-            let _e88 = phi_156_;
-            let _e90 = phi_183_;
-            if (bitcast<i32>(_e90.member) != 0i) {
-                if (_e76 == 0u) {
-                    phi_256_ = u32();
-                    phi_257_ = u32();
-                    phi_258_ = false;
+            let _e94 = phi_171_;
+            let _e96 = phi_198_;
+            if (bitcast<i32>(_e96.member) != 0i) {
+                if (_e82 == 0u) {
+                    phi_271_ = u32();
+                    phi_272_ = u32();
+                    phi_273_ = false;
                 } else {
-                    let _e97 = slots.member[(_e76 - 1u)];
-                    let _e98 = (7u * _e97);
-                    let _e101 = contacts.member[(4u + _e98)];
-                    let _e104 = params.member.member.member[0u];
-                    let _e108 = contacts.member[(_e98 + 6u)];
-                    if (((_e101 * _e104) + _e108) != _e66) {
-                        phi_253_ = u32();
-                        phi_254_ = u32();
-                        phi_255_ = false;
+                    let _e103 = slots.member[(_e82 - 1u)];
+                    let _e104 = (7u * _e103);
+                    let _e107 = contacts.member[(4u + _e104)];
+                    let _e110 = params.member.member.member[0u];
+                    let _e114 = contacts.member[(_e104 + 6u)];
+                    if (((_e107 * _e110) + _e114) != _e72) {
+                        phi_268_ = u32();
+                        phi_269_ = u32();
+                        phi_270_ = false;
                     } else {
-                        let _e115 = contacts.member[((7u * _e97) + 7u)];
-                        phi_253_ = (_e74 + select(0u, 1u, (_e115 <= _e70)));
-                        phi_254_ = (_e76 - 1u);
-                        phi_255_ = true;
+                        let _e121 = contacts.member[((7u * _e103) + 7u)];
+                        phi_268_ = (_e80 + select(0u, 1u, (_e121 <= _e76)));
+                        phi_269_ = (_e82 - 1u);
+                        phi_270_ = true;
                     }
-                    let _e120 = phi_253_;
-                    let _e122 = phi_254_;
-                    let _e124 = phi_255_;
-                    phi_256_ = _e120;
-                    phi_257_ = _e122;
-                    phi_258_ = _e124;
+                    let _e126 = phi_268_;
+                    let _e128 = phi_269_;
+                    let _e130 = phi_270_;
+                    phi_271_ = _e126;
+                    phi_272_ = _e128;
+                    phi_273_ = _e130;
                 }
-                let _e126 = phi_256_;
-                let _e128 = phi_257_;
-                let _e130 = phi_258_;
-                phi_159_ = _e126;
-                phi_161_ = _e128;
-                phi_259_ = _e130;
+                let _e132 = phi_271_;
+                let _e134 = phi_272_;
+                let _e136 = phi_273_;
+                phi_174_ = _e132;
+                phi_176_ = _e134;
+                phi_274_ = _e136;
             } else {
-                phi_159_ = u32();
-                phi_161_ = u32();
-                phi_259_ = false;
+                phi_174_ = u32();
+                phi_176_ = u32();
+                phi_274_ = false;
             }
-            let _e132 = phi_159_;
-            let _e134 = phi_161_;
-            let _e136 = phi_259_;
+            let _e138 = phi_174_;
+            let _e140 = phi_176_;
+            let _e142 = phi_274_;
             continue;
             continuing {
-                phi_155_ = _e88;
-                phi_158_ = _e132;
-                phi_160_ = _e134;
-                break if !(_e136);
+                phi_170_ = _e94;
+                phi_173_ = _e138;
+                phi_175_ = _e140;
+                break if !(_e142);
             }
         }
-        phi_266_ = type_9(0u, 4097u);
-        phi_269_ = _e36;
-        let _e292 = local_4;
-        phi_271_ = _e292;
+        phi_281_ = type_9(0u, 4097u);
+        phi_284_ = _e42;
+        let _e310 = local_5;
+        phi_286_ = _e310;
         loop {
-            let _e139 = phi_266_;
-            let _e141 = phi_269_;
-            let _e143 = phi_271_;
-            local = _e141;
-            local_3 = _e143;
-            if (_e139.member < _e139.member_1) {
-                phi_267_ = type_9((_e139.member + 1u), _e139.member_1);
-                phi_294_ = type_9(1u, _e139.member);
+            let _e145 = phi_281_;
+            let _e147 = phi_284_;
+            let _e149 = phi_286_;
+            local_1 = _e147;
+            local_4 = _e149;
+            if (_e145.member < _e145.member_1) {
+                phi_282_ = type_9((_e145.member + 1u), _e145.member_1);
+                phi_309_ = type_9(1u, _e145.member);
             } else {
-                phi_267_ = _e139;
-                phi_294_ = type_9(0u, type_9().member_1);
+                phi_282_ = _e145;
+                phi_309_ = type_9(0u, type_9().member_1);
             }
-            let _e155 = phi_267_;
-            let _e157 = phi_294_;
-            if (bitcast<i32>(_e157.member) != 0i) {
-                if ((_e141 + 1u) >= _e50) {
-                    phi_368_ = u32();
-                    phi_369_ = u32();
-                    phi_370_ = false;
+            let _e161 = phi_282_;
+            let _e163 = phi_309_;
+            if (bitcast<i32>(_e163.member) != 0i) {
+                if ((_e147 + 1u) >= _e56) {
+                    phi_383_ = u32();
+                    phi_384_ = u32();
+                    phi_385_ = false;
                 } else {
-                    let _e165 = slots.member[(_e141 + 1u)];
-                    let _e166 = (7u * _e165);
-                    let _e169 = contacts.member[(4u + _e166)];
-                    let _e172 = params.member.member.member[0u];
-                    let _e176 = contacts.member[(_e166 + 6u)];
-                    if (((_e169 * _e172) + _e176) != _e66) {
-                        phi_365_ = u32();
-                        phi_366_ = u32();
-                        phi_367_ = false;
+                    let _e171 = slots.member[(_e147 + 1u)];
+                    let _e172 = (7u * _e171);
+                    let _e175 = contacts.member[(4u + _e172)];
+                    let _e178 = params.member.member.member[0u];
+                    let _e182 = contacts.member[(_e172 + 6u)];
+                    if (((_e175 * _e178) + _e182) != _e72) {
+                        phi_380_ = u32();
+                        phi_381_ = u32();
+                        phi_382_ = false;
                     } else {
-                        let _e183 = contacts.member[((7u * _e165) + 7u)];
-                        phi_365_ = (_e141 + 1u);
-                        phi_366_ = (_e143 + select(0u, 1u, (_e183 < _e70)));
-                        phi_367_ = true;
+                        let _e189 = contacts.member[((7u * _e171) + 7u)];
+                        phi_380_ = (_e147 + 1u);
+                        phi_381_ = (_e149 + select(0u, 1u, (_e189 < _e76)));
+                        phi_382_ = true;
                     }
-                    let _e188 = phi_365_;
-                    let _e190 = phi_366_;
-                    let _e192 = phi_367_;
-                    phi_368_ = _e188;
-                    phi_369_ = _e190;
-                    phi_370_ = _e192;
+                    let _e194 = phi_380_;
+                    let _e196 = phi_381_;
+                    let _e198 = phi_382_;
+                    phi_383_ = _e194;
+                    phi_384_ = _e196;
+                    phi_385_ = _e198;
                 }
-                let _e194 = phi_368_;
-                let _e196 = phi_369_;
-                let _e198 = phi_370_;
-                phi_270_ = _e194;
-                phi_272_ = _e196;
-                phi_371_ = _e198;
+                let _e200 = phi_383_;
+                let _e202 = phi_384_;
+                let _e204 = phi_385_;
+                phi_285_ = _e200;
+                phi_287_ = _e202;
+                phi_386_ = _e204;
             } else {
-                phi_270_ = u32();
-                phi_272_ = u32();
-                phi_371_ = false;
+                phi_285_ = u32();
+                phi_287_ = u32();
+                phi_386_ = false;
             }
-            let _e200 = phi_270_;
-            let _e202 = phi_272_;
-            let _e204 = phi_371_;
+            let _e206 = phi_285_;
+            let _e208 = phi_287_;
+            let _e210 = phi_386_;
             continue;
             continuing {
-                phi_266_ = _e155;
-                phi_269_ = _e200;
-                phi_271_ = _e202;
-                break if !(_e204);
+                phi_281_ = _e161;
+                phi_284_ = _e206;
+                phi_286_ = _e208;
+                break if !(_e210);
             }
         }
-        let _e207 = local;
-        let _e209 = local_1;
-        if ((_e207 - _e209) > 4096u) {
-            phi_384_ = type_17(_e36, false);
+        let _e213 = local_1;
+        let _e215 = local_2;
+        if ((_e213 - _e215) > 4096u) {
+            phi_399_ = type_20(_e42, false);
         } else {
-            let _e213 = local_2;
-            let _e215 = local_3;
-            phi_384_ = type_17((_e213 + _e215), true);
+            let _e219 = local_3;
+            let _e221 = local_4;
+            phi_399_ = type_20((_e219 + _e221), true);
         }
-        let _e220 = phi_384_;
-        if _e220.member_1 {
+        let _e226 = phi_399_;
+        if _e226.member_1 {
         } else {
-            let _e226 = params.member.member.member[0u];
-            let _e229 = params.member.member.member[1u];
-            let _e230 = (_e226 + _e229);
-            let _e231 = (_e230 / 256u);
-            if ((_e230 % 256u) > 0u) {
-                phi_411_ = (_e231 + 1u);
+            let _e232 = params.member.member.member[0u];
+            let _e235 = params.member.member.member[1u];
+            let _e236 = (_e232 + _e235);
+            let _e237 = (_e236 / 256u);
+            if ((_e236 % 256u) > 0u) {
+                phi_426_ = (_e237 + 1u);
             } else {
-                phi_411_ = _e231;
+                phi_426_ = _e237;
             }
-            let _e236 = phi_411_;
-            let _e240 = atomicOr((&table.member[((256u * _e236) + 256u)]), 1u);
+            let _e242 = phi_426_;
+            let _e246 = atomicOr((&table.member[((256u * _e242) + 256u)]), 1u);
         }
-        let _e242 = slots.member[_e36];
-        phi_431_ = type_9(0u, 7u);
-        loop {
-            let _e246 = phi_431_;
-            if (_e246.member < _e246.member_1) {
-                phi_432_ = type_9((_e246.member + 1u), _e246.member_1);
-                phi_455_ = type_9(1u, _e246.member);
-            } else {
-                phi_432_ = _e246;
-                phi_455_ = type_9(0u, type_9().member_1);
-            }
-            let _e258 = phi_432_;
-            let _e260 = phi_455_;
-            let _e264 = (bitcast<i32>(_e260.member) != 0i);
-            if _e264 {
-                let _e269 = contacts.member[((4u + (7u * _e242)) + _e260.member_1)];
-                ordered.member[((7u * _e220.member) + _e260.member_1)] = _e269;
-            }
-            continue;
-            continuing {
-                phi_431_ = _e258;
-                break if !(_e264);
-            }
-        }
+        let _e248 = slots.member[_e42];
+        local = (4u + (7u * _e248));
+        let _e251 = local;
+        let _e253 = contacts.member[_e251];
+        let _e254 = local;
+        let _e257 = contacts.member[(_e254 + 1u)];
+        let _e258 = local;
+        let _e261 = contacts.member[(_e258 + 2u)];
+        let _e262 = local;
+        let _e265 = contacts.member[(_e262 + 3u)];
+        let _e266 = local;
+        let _e269 = contacts.member[(_e266 + 4u)];
+        let _e270 = local;
+        let _e273 = contacts.member[(_e270 + 5u)];
+        let _e274 = local;
+        let _e277 = contacts.member[(_e274 + 6u)];
+        ordered.member[_e226.member] = vec4<u32>((_e261 | (_e253 << bitcast<u32>(31i))), (_e265 | (_e257 << bitcast<u32>(31i))), _e269, ((_e273 & 1073741823u) | (_e277 << bitcast<u32>(30i))));
     }
     return;
 }

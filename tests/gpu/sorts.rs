@@ -7,7 +7,7 @@ use ccd::gpu::bind::{
 use ccd::gpu::{Device, Sorter};
 use ccd_core::backend::kernel::contact_order::{LONGEST, ROWS, row, unordered};
 use ccd_core::backend::kernel::sort;
-use ccd_core::backend::layout::{Dispatch, Frame, Params, Plain, SortPass, Touch};
+use ccd_core::backend::layout::{Dispatch, Frame, PackedTouch, Params, Plain, SortPass, Touch};
 use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests = &[
@@ -90,8 +90,8 @@ fn check_order(device: &Device) {
                 let kind = if i < of_one { 0 } else { random.below(2) };
                 let a = if i < of_one { 7 } else { random.below(count[kind as usize]) };
                 // Each pair once, in no order.
-                let b = i.wrapping_mul(2_654_435_761);
-                Touch { kind, state: i % 2, a, b, toi: [i, !i], approach: i % 3 }
+                let b = i.wrapping_mul(2_654_435_761) >> 1;
+                Touch { kind, state: i % 2, a, b, toi: [i, 0x3ff0_0000 - i], approach: i % 3 }
             })
             .filter(|t| of_one == 0 || t.toi[0] < of_one || (t.kind, t.a) != (0, 7))
             .collect();
@@ -117,10 +117,11 @@ fn check_order(device: &Device) {
         let slots = zeros::<u32>(capacity as usize);
         let placed = PlaceContacts { contacts, table: table.clone(), ranks, slots };
         let PlaceContacts { slots, .. } = run(device, placed, &p, groups);
-        let ordered = zeros::<Touch>(capacity as usize);
+        let ordered = zeros::<PackedTouch>(capacity as usize);
         let done = run(device, OrderContacts { contacts: list, slots, ordered, table }, &p, groups);
         let table: Vec<u32> = read(&done.table);
-        let mut ordered: Vec<Touch> = read(&done.ordered);
+        let packed: Vec<PackedTouch> = read(&done.ordered);
+        let mut ordered: Vec<Touch> = packed.iter().map(PackedTouch::touch).collect();
         let is_long = of_one > longest;
         assert_eq!(table[unordered(&frame) as usize], is_long as u32, "{n}, {of_one} of one");
         let sorted = &mut ordered[..n as usize];

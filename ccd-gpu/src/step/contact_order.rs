@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::contact_order::{ROWS, row, unordered};
-use ccd_core::backend::layout::{Dispatch, Frame, Params, Plain, SortPass, Touch};
+use ccd_core::backend::layout::{Dispatch, Frame, PackedTouch, Params, Plain, SortPass};
 use wgpu::BufferUsages as U;
 
 /// From this many contacts on, sorting them on the device takes less time than on a thread of the
@@ -21,7 +21,7 @@ pub struct ContactOrder {
     pub table: wgpu::Buffer,
     ranks: wgpu::Buffer,
     slots: wgpu::Buffer,
-    /// Contacts in order, without a header.
+    /// Contacts in order, packed, without a header.
     pub ordered: wgpu::Buffer,
     capacity: u32,
     /// Bytes of these buffers, if there is a limit of memory.
@@ -39,7 +39,7 @@ impl ContactOrder {
                 words("counts of contacts", unordered(frame) as u64 + 1, read)?,
                 words("ranks of contacts", n, U::empty())?,
                 words("slots of contacts", n, U::empty())?,
-                words("ordered contacts", n * size_of::<Touch>() as u64 / 4, U::COPY_SRC)?,
+                words("ordered contacts", n * size_of::<PackedTouch>() as u64 / 4, U::COPY_SRC)?,
             ))
         };
         let ((table, ranks, slots, ordered), bytes) = device.counting(make)?;

@@ -3,8 +3,9 @@
 //! their canonical order, where they do not have it.
 
 use crate::threads;
+use bytemuck::Pod;
 use ccd_core::Real;
-use ccd_core::backend::layout::{Pair, Touch};
+use ccd_core::backend::layout::Pair;
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
@@ -42,20 +43,27 @@ impl Summary {
     }
 }
 
-/// The contacts of a list as a device wrote them, without its header, in the memory of others: what
+/// The first `n` contacts as a device wrote them, without a header, in the memory of others: what
 /// stands there is overwritten, and nothing is written twice.
-pub fn take_touches(bytes: &[u8], spare: &mut Vec<Contact>) -> (Vec<Contact>, Summary) {
+pub fn take_touches<R: Pod>(
+    bytes: &[u8],
+    n: usize,
+    spare: &mut Vec<Contact>,
+) -> (Vec<Contact>, Summary)
+where
+    Contact: for<'a> From<&'a R>,
+{
     const NONE: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
     let mut out = std::mem::take(spare);
-    out.resize(bytes.len() / size_of::<Touch>(), NONE);
+    out.resize(n, NONE);
     let mut summaries = vec![Summary::default(); out.len().div_ceil(TOUCHES)];
-    let parts = out.chunks_mut(TOUCHES).zip(bytes.chunks(TOUCHES * size_of::<Touch>()));
+    let parts = out.chunks_mut(TOUCHES).zip(bytes.chunks(TOUCHES * size_of::<R>()));
     threads::copy(parts.zip(&mut summaries).enumerate(), |(part, ((out, bytes), summary))| {
         // Several minima, because each of a chain of them waits for the one before.
         let (mut least, mut any_open) = ([f64::INFINITY; 4], false);
-        let touches = bytes.chunks_exact(size_of::<Touch>());
+        let touches = bytes.chunks_exact(size_of::<R>());
         for (i, (contact, touch)) in out.iter_mut().zip(touches).enumerate() {
-            *contact = Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch));
+            *contact = Contact::from(&bytemuck::pod_read_unaligned::<R>(touch));
             let (is_open, least) = (contact.state == State::Undecided, &mut least[i % 4]);
             *least = if !is_open && contact.toi < *least { contact.toi } else { *least };
             any_open |= is_open;

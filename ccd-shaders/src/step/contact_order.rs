@@ -5,7 +5,8 @@ use crate::sort::scan;
 use crate::workgroup::{add, barrier, get, length, or, set};
 use ccd_core::backend::kernel::contact_order::{ROWS, bucket, place, row, unordered};
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::{LIST_HEADER, TOUCH_WORDS};
+use ccd_core::backend::layout::{LIST_HEADER, PackedTouch, TOUCH_WORDS};
+use spirv_std::glam::UVec4;
 
 kernel! {
     /// Thread `i` counts contact `i` in its bucket; those that were counted before it are its rank.
@@ -37,8 +38,8 @@ kernel! {
 }
 
 kernel! {
-    /// Thread `i` copies the contact in slot `i` to its place; `ordered` has no header.
-    order_contacts[256](t; params: Plain;; contacts: [u32], slots: [u32], mut ordered: [u32],
+    /// Thread `i` packs the contact in slot `i` into its place; `ordered` has no header.
+    order_contacts[256](t; params: Plain;; contacts: [u32], slots: [u32], mut ordered: [UVec4],
         mut table: [u32]) {
         let i = t.i;
         let n = params.dispatch.n.min(length(contacts, params.dispatch.capacity_in));
@@ -48,9 +49,10 @@ kernel! {
                 or(table, unordered(&params.frame) as usize, 1);
             }
             let from = LIST_HEADER + TOUCH_WORDS * at(slots, i as usize) as usize;
-            for k in 0..TOUCH_WORDS {
-                put(ordered, TOUCH_WORDS * to as usize + k, at(contacts, from + k));
-            }
+            let word = |k: usize| at(contacts, from + k);
+            let touch = [word(0), word(1), word(2), word(3), word(4), word(5), word(6)];
+            let [a, b, low, high] = PackedTouch::new(touch).words;
+            put(ordered, to as usize, UVec4::new(a, b, low, high));
         }
     }
 }

@@ -295,6 +295,49 @@ pub struct Touch {
     pub approach: u32,
 }
 
+/// A [`Touch`] in sixteen bytes, as a device hands it back in order: ids are below 2^31, and a time
+/// from 0 to 1 leaves the two highest bits of its `f64` free.
+///
+/// | field | bytes | highest bits |
+/// |---|---|---|
+/// | `a` | 0..4 | kind |
+/// | `b` | 4..8 | state |
+/// | `toi` | 8..16 | approach, two |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PackedTouch {
+    /// The words.
+    pub words: [u32; 4],
+}
+
+/// What a time from 0 to 1 has of the upper word of its `f64`.
+const TIME: u32 = u32::MAX >> 2;
+
+impl PackedTouch {
+    /// Of the contact of these words.
+    #[inline(always)]
+    pub fn new([kind, state, a, b, low, high, approach]: [u32; TOUCH_WORDS]) -> Self {
+        // Of a time of -0 it takes the sign.
+        let high = high & TIME | approach << 30;
+        Self { words: [a | kind << 31, b | state << 31, low, high] }
+    }
+
+    /// The contact.
+    #[inline(always)]
+    pub fn touch(&self) -> Touch {
+        const ID: u32 = u32::MAX >> 1;
+        let [a, b, low, high] = self.words;
+        Touch {
+            kind: a >> 31,
+            state: b >> 31,
+            a: a & ID,
+            b: b & ID,
+            toi: [low, high & TIME],
+            approach: high >> 30,
+        }
+    }
+}
+
 /// How a contact of a device's list meets at its time of impact, as
 /// [`ContactGeometry`](crate::narrow_phase::contact_geometry::ContactGeometry) says; all in `f32`.
 ///

@@ -11,7 +11,7 @@ use crate::step::contact_order::{self, ContactOrder};
 use crate::step::kept_order::KeptOrder;
 use crate::step::lists::Lists;
 use crate::step::triangle_pairs::COUNT_BYTES;
-use ccd_core::backend::layout::{Frame, Touch};
+use ccd_core::backend::layout::{Frame, PackedTouch, Touch};
 use ccd_core::model::options::Options;
 
 /// A frame as it was submitted.
@@ -32,7 +32,7 @@ pub struct Parts {
     pub sample: Part,
     pub lists: Lists<Part>,
     pub contacts: Part,
-    /// Whether some of them are in no order.
+    /// If they are in order, and so packed: whether some of them are not.
     pub order: Part,
     pub counters: Vec<Part>,
     pub counts: Part,
@@ -86,11 +86,13 @@ impl Frames {
         let of_earliest = [(); 2].map(|()| plan.part(asked(goal.is_earliest(), 4)));
         let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
         let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
-        let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
+        let is_ordered = buffers.to_order > 0;
+        let of_one = if is_ordered { size_of::<PackedTouch>() } else { size_of::<Touch>() };
+        let of_contacts = plan.part(guess as u64 * of_one as u64);
         let counters = buffers.source.finder().counters();
         let of_counters: Vec<_> =
             counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
-        let of_order = plan.part(asked(buffers.to_order > 0, 4));
+        let of_order = plan.part(asked(is_ordered, 4));
         let of_counts = plan.part(buffers.source.triangles().map_or(0, |_| COUNT_BYTES));
         let reading = readback.prepare(device, plan)?;
         let stages = submit(device, bench, |recorder| {
@@ -109,7 +111,7 @@ impl Frames {
                 recorder.read(&reading, of_counts, triangles.counts(), 0);
             }
             match &buffers.order {
-                Some(order) if buffers.to_order > 0 => {
+                Some(order) if is_ordered => {
                     let at = ContactOrder::incomplete_at(&frame);
                     recorder.read(&reading, of_order, &order.table, at);
                     recorder.read(&reading, of_contacts, &order.ordered, 0);

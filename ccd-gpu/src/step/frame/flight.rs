@@ -12,7 +12,7 @@ use crate::step::buffers::Buffers;
 use crate::step::cpu_fallback::{self, Summary};
 use crate::step::triangle_pairs::read_counts;
 use crate::step::{Goal, SAMPLE};
-use ccd_core::backend::layout::{Pair, Touch};
+use ccd_core::backend::layout::{PackedTouch, Pair, Touch};
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::options::Options;
@@ -164,8 +164,11 @@ impl Frames {
                 _ => read_header(part.of(bytes)),
             })?;
             let n = headers.contacts.wanted.min(guess) as usize;
-            let touches = &parts.contacts.of(bytes)[..n * size_of::<Touch>()];
-            (*contacts, found.summary) = cpu_fallback::take_touches(touches, spare);
+            let touches = parts.contacts.of(bytes);
+            (*contacts, found.summary) = match parts.order.bytes {
+                0 => cpu_fallback::take_touches::<Touch>(touches, n, spare),
+                _ => cpu_fallback::take_touches::<PackedTouch>(touches, n, spare),
+            };
             found.in_order = parts.order.bytes > 0 && word(parts.order.of(bytes), 0) == 0;
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
@@ -261,7 +264,8 @@ impl Rest {
         mapping.read(|bytes| {
             if n_contacts > 0 {
                 let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
-                (*contacts, *summary) = cpu_fallback::take_touches(touches, spare);
+                let n = n_contacts as usize;
+                (*contacts, *summary) = cpu_fallback::take_touches::<Touch>(touches, n, spare);
             }
             open.map(|part| read_pairs(part.of(bytes)))
         })
