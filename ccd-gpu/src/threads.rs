@@ -1,7 +1,7 @@
-//! The host's part of a step by several threads, which are kept: to start one takes longer than many
-//! a stage does.
+//! The host's part of a step by several threads, which are kept.
 //!
-//! They are this crate's own, so that no step waits for what a program does in rayon's pool.
+//! To start one takes longer than many a stage does. They are this crate's own, so that no step
+//! waits for what a program does in rayon's pool.
 //! Twin: the file of this name of ccd-cpu, whose work is all of a step.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -12,7 +12,7 @@ use std::sync::{Mutex, OnceLock};
 const MOST: usize = 8;
 
 /// How many threads there are for a step, the calling one too.
-pub fn available() -> usize {
+fn available() -> usize {
     pool().map_or(1, |pool| pool.current_num_threads() + 1)
 }
 
