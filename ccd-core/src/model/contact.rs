@@ -1,7 +1,7 @@
 //! A contact between two features: which, how certain, when; and numbers by kind of pair.
 
 use crate::layout::VERTEX_FACE;
-use crate::layout::{PackedTouch, Pair, Touch, join};
+use crate::layout::{Pair, Touch, join};
 pub use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::query::Verdict;
 use crate::narrow_phase::relative_motion::Patch;
@@ -138,12 +138,6 @@ impl From<&Touch> for Contact {
         let state = if touch.state == 0 { State::Hit } else { State::Undecided };
         let approach = Approach::from_word(touch.approach);
         Self::new(kind, state, touch.a, touch.b, join(touch.toi)).with_approach(approach)
-    }
-}
-
-impl From<&PackedTouch> for Contact {
-    fn from(packed: &PackedTouch) -> Self {
-        Self::from(&packed.touch())
     }
 }
 

@@ -5,7 +5,7 @@
 use crate::threads;
 use bytemuck::Pod;
 use ccd_core::Real;
-use ccd_core::backend::layout::Pair;
+use ccd_core::backend::layout::{Pair, Touch};
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
@@ -43,16 +43,14 @@ impl Summary {
     }
 }
 
-/// The first `n` contacts as a device wrote them, without a header, in the memory of others: what
-/// stands there is overwritten, and nothing is written twice.
+/// The first `n` contacts as a device wrote them, in records of which `touch` makes one, without a
+/// header. In the memory of others: what stands there is overwritten, and nothing is written twice.
 pub fn take_touches<R: Pod>(
     bytes: &[u8],
     n: usize,
+    touch: impl Fn(R) -> Touch + Sync,
     spare: &mut Vec<Contact>,
-) -> (Vec<Contact>, Summary)
-where
-    Contact: for<'a> From<&'a R>,
-{
+) -> (Vec<Contact>, Summary) {
     const NONE: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
     let mut out = std::mem::take(spare);
     out.resize(n, NONE);
@@ -61,9 +59,9 @@ where
     threads::copy(parts.zip(&mut summaries).enumerate(), |(part, ((out, bytes), summary))| {
         // Several minima, because each of a chain of them waits for the one before.
         let (mut least, mut any_open) = ([f64::INFINITY; 4], false);
-        let touches = bytes.chunks_exact(size_of::<R>());
-        for (i, (contact, touch)) in out.iter_mut().zip(touches).enumerate() {
-            *contact = Contact::from(&bytemuck::pod_read_unaligned::<R>(touch));
+        let records = bytes.chunks_exact(size_of::<R>());
+        for (i, (contact, record)) in out.iter_mut().zip(records).enumerate() {
+            *contact = Contact::from(&touch(bytemuck::pod_read_unaligned(record)));
             let (is_open, least) = (contact.state == State::Undecided, &mut least[i % 4]);
             *least = if !is_open && contact.toi < *least { contact.toi } else { *least };
             any_open |= is_open;

@@ -9,13 +9,14 @@ use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_p
 use crate::readback::{Mapping, Part, Plan, word};
 use crate::recorder::submit;
 use crate::step::buffers::Buffers;
-use crate::step::cpu_fallback::{self, Summary};
+use crate::step::cpu_fallback::{Summary, take_touches};
 use crate::step::triangle_pairs::read_counts;
 use crate::step::{Goal, SAMPLE};
-use ccd_core::backend::layout::{PackedTouch, Pair, Touch};
+use ccd_core::backend::layout::{PackedTouch, Pair};
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::options::Options;
+use std::convert::identity;
 use std::task::{Context, Poll, ready};
 
 /// A frame whose results are not here yet.
@@ -166,8 +167,8 @@ impl Frames {
             let n = headers.contacts.wanted.min(guess) as usize;
             let touches = parts.contacts.of(bytes);
             (*contacts, found.summary) = match parts.order.bytes {
-                0 => cpu_fallback::take_touches::<Touch>(touches, n, spare),
-                _ => cpu_fallback::take_touches::<PackedTouch>(touches, n, spare),
+                0 => take_touches(touches, n, identity, spare),
+                _ => take_touches(touches, n, |packed: PackedTouch| packed.touch(), spare),
             };
             found.in_order = parts.order.bytes > 0 && word(parts.order.of(bytes), 0) == 0;
             let triangles = buffers.source.triangles();
@@ -265,7 +266,7 @@ impl Rest {
             if n_contacts > 0 {
                 let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
                 let n = n_contacts as usize;
-                (*contacts, *summary) = cpu_fallback::take_touches::<Touch>(touches, n, spare);
+                (*contacts, *summary) = take_touches(touches, n, identity, spare);
             }
             open.map(|part| read_pairs(part.of(bytes)))
         })
