@@ -37,7 +37,7 @@ fn check_node_pairs(device: &Device) {
             check_pairs("node pairs", want.clone(), entries(&done.output));
         }
         // Pairs of nodes below which all stands still are left out.
-        let is_still = |set: usize, i: u32| (i + set as u32) % 3 > 0;
+        let is_still = |set: usize, i: u32| !(i + set as u32).is_multiple_of(3);
         let mut nodes = twin.nodes.clone();
         let tree = &twin.tree;
         for set in 0..3 {
