@@ -121,7 +121,7 @@ impl Staging {
 }
 
 /// Writes `n` items to a buffer from the byte `at` on, by memory that is not kept.
-pub fn write_once<T: Pod>(
+fn write_once<T: Pod>(
     device: &Device,
     what: &'static str,
     (to, at): (&wgpu::Buffer, u64),

@@ -28,7 +28,7 @@ use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
-use crate::staging;
+use crate::staging::Staging;
 use ccd_core::Aabb;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -60,6 +60,7 @@ pub struct BroadPhase {
     bench: Bench,
     readback: Readback,
     buffers: Option<Buffers>,
+    staging: Staging,
     /// Whether the boxes of a call are on the device, all of them.
     is_sent: bool,
     pairs: List,
@@ -103,6 +104,7 @@ impl BroadPhase {
             bench: Bench::new(device)?,
             readback: Readback::default(),
             buffers: None,
+            staging: Staging::default(),
             is_sent: false,
             pairs: List::new(device, "pairs", 2, 1 << 16)?,
             stages: Vec::new(),
@@ -228,11 +230,14 @@ impl BroadPhase {
             }
         };
         let mut at = 0;
-        for boxes in sets {
+        let written = sets.into_iter().try_for_each(|boxes| {
             let to = (buffers.source.boxes(), at);
-            staging::write_once(device, "boxes", to, boxes.len(), |i| boxes[i])?;
             at += size_of_val(boxes) as u64;
-        }
+            self.staging.write(device, "boxes", to, boxes.len(), |i| boxes[i])
+        });
+        // Also what was written before something failed: nothing is left for the next call.
+        self.staging.submit(device)?;
+        written?;
         self.is_sent = true;
         Ok(())
     }
