@@ -128,14 +128,13 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
         }
     }
     let manifest = read(&root.join("Cargo.toml"))?;
-    let shared = manifest.find("[workspace.package]").zip(manifest.find("[profile.release]"));
-    let (from, to) =
-        shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
+    let shared = manifest.find("[workspace.package]").zip(manifest.find("\n[profile."));
+    let (from, to) = shared.ok_or("Cargo.toml has no [workspace.package] before its profiles")?;
     // Fast to compile, fast enough to run.
     let profile = "[profile.test]\nopt-level = 1\ndebug = false\n\
         [profile.test.package.\"*\"]\nopt-level = 2\n";
     let text = format!(
-        "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}",
+        "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}\n{profile}",
         &manifest[from..to]
     );
     write_changed(&copy.join("Cargo.toml"), &text)
