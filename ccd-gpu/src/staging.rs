@@ -69,8 +69,9 @@ impl Staging {
             copies.copy_buffer_to_buffer(buffer, 0, to, at, bytes);
             Ok::<_, wgpu::MapRangeError>(())
         })?;
+        written.map_err(|e| Error::Lost { why: e.to_string() })?;
         self.filled.push(mapped);
-        written.map_err(|e| Error::Lost { why: e.to_string() })
+        Ok(())
     }
 
     /// Lets the device copy what was written.

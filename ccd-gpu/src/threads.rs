@@ -22,7 +22,7 @@ pub fn copy<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl 
     on_threads(MOST.min(available()), parts, work);
 }
 
-/// The same with work that mostly computes.
+/// As [`copy`], for work that mostly computes: by all threads.
 pub fn each<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl Fn(P) + Sync) {
     on_threads(available(), parts, work);
 }

@@ -36,7 +36,7 @@ const PAIRS_A_GROUP: u32 = 512;
 /// features in up to 32 rounds, in eight passes of four shares with rounds of their own.
 const BLOCK_PAIRS_A_GROUP: u32 = 96;
 
-/// What leaves are of.
+/// Buffers that say which vertices and which body a leaf has.
 #[derive(Clone, Copy)]
 pub struct Features<'a> {
     pub edges: &'a wgpu::Buffer,

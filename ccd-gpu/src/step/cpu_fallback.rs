@@ -13,7 +13,7 @@ use ccd_core::model::mesh::Mesh;
 /// Pairs that are worth another thread: what a device leaves open are mostly ties, which take some
 /// ten microseconds each.
 const TIES: usize = 4;
-/// Contacts of a device's list, of the same.
+/// Contacts of a device's list that are worth another thread.
 const TOUCHES: usize = 8192;
 
 /// What contacts say together.

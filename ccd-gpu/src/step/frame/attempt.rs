@@ -1,6 +1,7 @@
 //! A frame on its way to the device: what is recorded, submitted and read with it.
 
 use super::Frames;
+use crate::broad_phase::pair_source::frame_of;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::HEADER_BYTES;
@@ -11,7 +12,7 @@ use crate::step::contact_order::{self, ContactOrder};
 use crate::step::kept_order::KeptOrder;
 use crate::step::lists::Lists;
 use crate::step::triangle_pairs::COUNT_BYTES;
-use ccd_core::backend::layout::{Frame, PackedTouch, Touch};
+use ccd_core::backend::layout::{PackedTouch, Touch};
 use ccd_core::model::options::Options;
 
 /// A frame as it was submitted.
@@ -49,7 +50,7 @@ impl Frames {
             0
         };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
-        let frame = Frame { count: buffers.count, ..Frame::default() };
+        let frame = frame_of(buffers.count);
         let fits = |order: &ContactOrder| order.fits(&frame, buffers.to_order);
         if buffers.to_order > 0 && !buffers.order.as_ref().is_some_and(fits) {
             device.give_back(buffers.order.take().map_or(0, |old| old.bytes));
